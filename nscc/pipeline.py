@@ -18,13 +18,13 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
+from nscc.lower.exposure_plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
-from nscc.prove.stream import prove_stream
+from nscc.prove.stream_proof import prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -32,7 +32,7 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.looks.plan import LookingPlan
+    from nscc.looks.looking_plan import LookingPlan
     from nscc.stream.sending import Sending
 
 LEVELS = (0, 1, 2, 3)
@@ -139,7 +139,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         results.distrust()
         gated = found()
     said = list({each.generator: each.diagnostic() for each in gated.faults}.values())
-    if not gated.tried:
+    if not gated.decodings:
         said.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
     return gated, said
 
@@ -151,7 +151,7 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     the user's limit (NS0603) does not allow.
     """
     most_words = job.options.max_words_per_slot
-    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.tried)
+    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.decodings)
     failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
     choice = Choice(tuple(tried), gated.misfits, failed)
     return choice, fit.faults(choice, level=job.options.level)
@@ -356,7 +356,7 @@ def run_passes(
     Raises Rejected with everything that is wrong with it: Unfit if it is only too large.
     """
     if options.level not in LEVELS:
-        raise ValueError(f"level {options.level} is none of {LEVELS}")
+        raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _name, _value: None)
     results = results_of_user() if options.cache else None
     job = Job(options, base, results)

@@ -17,7 +17,7 @@ from nscc.words.legality import refuse_planes
 from nscc_cli.completion import PASS, PRODUCTS
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, done, say
+from nscc_cli.support import CommonCommand, say, say_done
 
 
 @click.command("build", cls=CommonCommand)
@@ -29,54 +29,56 @@ from nscc_cli.support import CommonCommand, done, say
               "FILE; KIND=- prints it. The container is among them where icw or -o asks "
               "for it.")  # fmt: skip
 @click.option("--print-after", "after", type=PASS, metavar="PASS",
-              help="Show what a pass of the compiler made.")  # fmt: skip
+              help="Print the result of a compiler pass.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
     """Compile FILE, prove the words, and write them, or what --emit names."""
-    wanted = _kinds(kinds)
+    places_by_kind = _kinds(kinds)
     compiled = compile_program(
         file,
         options,
-        price_all="report" in wanted,  # only the report lists the other lowerings
+        price_all="report" in places_by_kind,  # only the report lists the other lowerings
         see=_printer(after),
     )
     if after == "gates" and compiled.sending is not None:
-        what = "--print-after gates has nothing to show"
-        refuse_planes(compiled.program.target, what, "its passes are all the others")
+        refused_option = "--print-after gates does not apply to this program"
+        refuse_planes(compiled.program.target, refused_option, "its other passes can be printed")
     say(compiled.diagnostics)
     container = out if out is not None else file.with_suffix(".icw")
     products: dict[Path, bytes] = {}
-    if out is not None or not wanted:
-        wanted.setdefault("icw", False)
-    for kind, to_terminal in wanted.items():
+    if out is not None or not places_by_kind:
+        places_by_kind.setdefault("icw", False)
+    for kind, to_terminal in places_by_kind.items():
         (name, data), *beside = emitted(kind, compiled, container.stem).items()
         if not to_terminal:
-            products.update((container.with_name(each), image) for each, image in beside)
+            products.update(
+                (container.with_name(beside_name), image) for beside_name, image in beside
+            )
             products[container if kind == "icw" else container.with_name(name)] = data
             continue
         if beside:
-            names = ", ".join(each for each, _ in beside)
+            names = ", ".join(beside_name for beside_name, _ in beside)
             click.echo(f"not written: {names}, without `=-` they are", err=True)
         _print(data)
     write_together(products)
     if products:
         click.echo("wrote " + ", ".join(path.as_posix() for path in products), err=True)
-        done(cost_text(compiled))
+        say_done(cost_text(compiled))
 
 
 def _kinds(text: str) -> dict[str, bool]:
     """KIND -> whether it goes to standard output."""
-    wanted: dict[str, bool] = {}
-    for item in filter(None, (part.strip() for part in text.split(","))):
+    places_by_kind: dict[str, bool] = {}
+    for item in filter(None, (item_text.strip() for item_text in text.split(","))):
         kind, _, place = item.partition("=")
         if kind not in SUFFIXES or place not in ("", "-"):
             raise rejected(
                 "NS0505",
-                f"--emit cannot write '{item}'",
+                f"unknown kind '{item}' for --emit",
                 notes=("kinds: " + ", ".join(SUFFIXES) + "; KIND=- prints to standard output",),
             )
-        wanted[kind] = place == "-"
-    return wanted
+        places_by_kind[kind] = place == "-"
+    return places_by_kind
 
 
 def _printer(after: str | None) -> Callable[[str, Any], None] | None:
@@ -85,12 +87,12 @@ def _printer(after: str | None) -> Callable[[str, Any], None] | None:
         return None
     from nscc.pipeline import PASSES
 
-    names = [each.name for each in PASSES]
+    names = [pass_.name for pass_ in PASSES]
     if after not in names:
         raise rejected(
             "NS0506",
-            f"the compiler has no pass '{after}'",
-            notes=("passes, in their order: " + ", ".join(names),),
+            f"unknown compiler pass '{after}'",
+            notes=("passes in their order: " + ", ".join(names),),
         )
 
     def see(name: str, value: Any) -> None:

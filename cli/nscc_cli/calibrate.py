@@ -11,7 +11,7 @@ from nscc.files import write_whole
 from nscc_cli.completion import TARGET
 from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
+from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
 
 _DARK = "--dark"
 
@@ -25,21 +25,21 @@ class _Calibrate(CommonCommand):
 
 
 def _spread(args: list[str]) -> list[str]:
-    found: list[str] = []
+    spread_args: list[str] = []
     taking, first = False, False
     for arg in args:
         if arg.startswith("-") and arg != "-":
             # A `--dark` at the very end stays, for click to complain about.
             if taking and first:
-                found.append(_DARK)
+                spread_args.append(_DARK)
             taking = first = arg == _DARK
             if not taking:
-                found.append(arg)
+                spread_args.append(arg)
                 taking = arg.startswith(_DARK + "=")
             continue
-        found += [_DARK, arg] if taking else [arg]
+        spread_args += [_DARK, arg] if taking else [arg]
         first = False
-    return [*found, _DARK] if taking and first else found
+    return [*spread_args, _DARK] if taking and first else spread_args
 
 
 @click.command(name="calibrate", cls=_Calibrate)
@@ -48,9 +48,10 @@ def _spread(args: list[str]) -> list[str]:
               help="Frames without light: every file up to the next option.")  # fmt: skip
 @click.option("-o", "out", type=OUT, required=True, metavar="sensor.toml",
               help="The sensor file to write.")  # fmt: skip
-@click.option("--json", "as_json", is_flag=True, help="Print everything found for programs.")
+@click.option("--json", "as_json", is_flag=True, help="Print all results as JSON.")
 @click.option("--program", type=PATH, metavar="FILE.nsl|FILE.icw",
-              help="What the frames were taken with: its reads and words are counted.")  # fmt: skip
+              help="The program that exposed the frames: its reads and words are "
+                   "counted.")  # fmt: skip
 @click.option("--crosstalk", type=NumberRange(0, 0.2), metavar="C", help="Take crosstalk as known "
               "(0: as EMVA 1288 does) instead of measuring it.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
@@ -72,13 +73,13 @@ def command(
     chip = load_target(target, Path())
     chain = calibrate.Chain()
     if program is not None:
-        container, said = load_program(program, {})
-        say(said)
+        container, messages = load_program(program, {})
+        say(messages)
         chain = calibrate.Chain.of(container)
-    found = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)
-    chosen = calibrate.parameters(found, chip, chain)
-    say(calibrate.messages(found))
-    shown = calibrate.as_json(found, chosen) if as_json else calibrate.as_table(found)
-    write_whole(out, calibrate.as_toml(found, chosen).encode())
+    calibration = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)
+    chosen = calibrate.parameters(calibration, chip, chain)
+    say(calibrate.messages(calibration))
+    shown = calibrate.as_json(calibration, chosen) if as_json else calibrate.as_table(calibration)
+    write_whole(out, calibrate.as_toml(calibration, chosen).encode())
     click.echo(shown)
-    done(f"wrote {out}")
+    say_done(f"wrote {out}")

@@ -13,7 +13,7 @@ from nscc.emit.summary import summary
 from nscc.program.problems import counted
 from nscc_cli.options import PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, done, say, session, show
+from nscc_cli.support import CommonCommand, say, say_done, session, show
 
 _MOST_ROUNDS = 20
 """Of mending: each ends at least one mistake."""
@@ -22,8 +22,7 @@ _MOST_ROUNDS = 20
 @click.command("check", cls=CommonCommand)
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
 @click.option("--fix", is_flag=True,
-              help="First mend what has one sure remedy, in the files; names are not guessed "
-              "at.")  # fmt: skip
+              help="First apply all safe fixes to the files; names are not guessed.")  # fmt: skip
 @click.option("--watch", is_flag=True,
               help="Check again whenever a file changes, until Ctrl-C.")  # fmt: skip
 @build_options
@@ -43,7 +42,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
     """Say what the programs are; Rejected with what is wrong with all of them."""
-    wrong: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:
         try:
@@ -52,30 +51,32 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
             compiled = compile_program(path, options, unproved_is_error=CHECK.unproved_is_error)
             say(compiled.diagnostics)
         except Rejected as rejected:
-            wrong.extend(rejected.diagnostics)
+            diagnostics.extend(rejected.diagnostics)
             status = max(status, rejected.status)
         else:
             click.echo(summary(path.as_posix(), compiled))
-    if wrong:
-        raise Rejected(wrong, status)
+    if diagnostics:
+        raise Rejected(diagnostics, status)
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     """Check now and after each change; the status of the last time, once the user ends it."""
-    from nscc.editing.files import files_of
+    from nscc.editing.program_files import files_of
     from nscc_cli.watching import rounds
 
     if session().message_format == "sarif":
-        raise click.UsageError("--watch never ends, and a SARIF log is one document: take json")
+        raise click.UsageError(
+            "--watch runs forever, but a SARIF log is a single document: use json"
+        )
     status = 0
     try:
         for names in rounds(lambda: set().union(*map(files_of, files))):
             if names:
-                done(f"\n--- {', '.join(names)} changed ---")
+                say_done(f"\n--- {', '.join(names)} changed ---")
             status = _shown(files, fix, options)
-            done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
+            say_done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
     except KeyboardInterrupt:
-        done("")
+        say_done("")
     return status
 
 
@@ -109,4 +110,4 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
         count += fixes
         write_back(path, better.text.encode())
     if count:
-        done(f"mended {path.as_posix()}: {counted(count, 'change')}")
+        say_done(f"fixed {path.as_posix()}: {counted(count, 'change')}")

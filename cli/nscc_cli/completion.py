@@ -28,10 +28,10 @@ class Name(click.types.StringParamType):
     name = "text"
 
     def __init__(
-        self, source: str, more: Sequence[str] = (), *, files: bool = False, several: bool = False,
-        signs: str = "", ending: str = "",
+        self, source: str, further_names: Sequence[str] = (), *, files: bool = False,
+        several: bool = False, signs: str = "", ending: str = "",
     ) -> None:  # fmt: skip
-        self.source, self.more, self.ending = source, more, ending
+        self.source, self.more, self.ending = source, further_names, ending
         self.files, self.several, self.signs = files, several, signs
 
     def names(self) -> Iterator[str]:
@@ -39,35 +39,35 @@ class Name(click.types.StringParamType):
         yield from self.more
         if self.source:
             module, _, name = self.source.partition(":")
-            held = getattr(import_module(module), name)
-            for each in held() if callable(held) else held:
-                yield (each if isinstance(each, str) else each.name) + self.ending
+            entries = getattr(import_module(module), name)
+            for entry in entries() if callable(entries) else entries:
+                yield (entry if isinstance(entry, str) else entry.name) + self.ending
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
         """The names that begin as what was typed does."""
         head, comma, typed = incomplete.rpartition(",") if self.several else ("", "", incomplete)
         sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)
-        found = [CompletionItem(before + name) for name in self.names() if name.startswith(typed)]
+        items = [CompletionItem(before + name) for name in self.names() if name.startswith(typed)]
         # Shells that look at files only where there is no name see this one first.
-        return [*([CompletionItem(incomplete, type="file")] if self.files else []), *found]
+        return [*([CompletionItem(incomplete, type="file")] if self.files else []), *items]
 
 
 class RunPath(click.Path):
     """The folder of a run; shells offer those, the names of runs that come with nscc, `more`, and
     folders on the way to them."""
 
-    def __init__(self, more: Sequence[str] = (), path_type: type[Any] = Path) -> None:
+    def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)
-        self.more = more
+        self.more = further_names
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
         """Folders that `nscc train` has written, and the names that begin alike."""
         from nscc_training.run_files import shipped_runs
 
         names = [n for n in (*self.more, *shipped_runs()) if n.startswith(incomplete)]
-        found = [CompletionItem(name) for name in (*names, *_runs(incomplete))]
-        return [CompletionItem(incomplete, type="dir"), *found]
+        items = [CompletionItem(name) for name in (*names, *_runs(incomplete))]
+        return [CompletionItem(incomplete, type="dir"), *items]
 
 
 def _runs(typed: str) -> Iterator[str]:

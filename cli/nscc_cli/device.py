@@ -15,7 +15,7 @@ from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, done, progress, say
+from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_done
 
 _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
@@ -37,16 +37,18 @@ def command() -> None:
 
 @command.command("serve", cls=CommonCommand)
 @shared.section(shared.SCENE, click.option(
-    "--scene", type=SCENE, help="What the stand-in sees: a file, a folder or builtin:NAME."
+    "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
 ))  # fmt: skip
 @click.option(
     "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml"
 )
-@click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
-              "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
+@click.option("--fault", metavar="F=V,..",
+              help="Simulate a bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
+                   "disconnect=after:20000,reboot=after:40000 (rates per byte).")  # fmt: skip
 @click.option("--on", "machine", type=click.Choice(["host", "qemu", "qemu-m0"]), default="host",
-              show_default=True, help="What runs the firmware: this machine, or a Cortex-M4 (a "
-              "Cortex-M0) that QEMU emulates.")  # fmt: skip
+              show_default=True,
+              help="The machine that runs the firmware: this one, or a Cortex-M4 (or "
+                   "Cortex-M0) emulated by QEMU.")  # fmt: skip
 @shared.scene_options
 @shared.sensor_options
 @click.option("--device-seed", type=SEED, default=0, help="Which chip.")
@@ -66,17 +68,17 @@ def serve(**options: Any) -> None:
     faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
     target = load_target(options["target"], Path())
     sensor = sensor_of(target, options)
-    scene = scene_of(options, "nothing for the stand-in to see: --scene is missing")
+    scene = scene_of(options, "--scene is missing: the stand-in needs a scene")
     chip = stand_in.emulated_chip(
         scene, target, sensor, options["device_seed"],
         warn=lambda diagnostic: support.show([diagnostic]), failed=_report,
     )  # fmt: skip
     support.say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
-    with stand_in.loaded(options["machine"], target, chip, done) as running:
+    with stand_in.loaded(options["machine"], target, chip, say_done) as running:
         stand_in.serve(
             running, faults, opened=click.echo,
-            moved=lambda port: done(f"the port is {port} now: its old name was taken"),
+            moved=lambda port: say_done(f"the port is {port} now: its old name was taken"),
             once=options["once"], seconds=options["seconds"],
         )  # fmt: skip
 
@@ -101,9 +103,11 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     from nscc_runtime.device.link import SerialLink
 
     with SerialLink(port, baud=baud, patience_s=patience) as link:
-        found = DeviceChip(link).info()
+        device_info = DeviceChip(link).info()
         status = link.run(link.host.status)
-    click.echo(info_json(found, status) if as_json else info_text(found, status), nl=False)
+    click.echo(
+        info_json(device_info, status) if as_json else info_text(device_info, status), nl=False
+    )
 
 
 @command.command("upload", cls=CommonCommand)
@@ -121,20 +125,22 @@ def upload(port: str, program: Path, **options: Any) -> None:
     say(list(messages))
     with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
         sent = DeviceChip(link, progress=progress).upload(container)
-    done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
+    say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
 
 @command.command("capture", cls=CommonCommand)
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @click.option("-o", "out", type=OUT, help="A frame file: one frame.")
-@click.option("--to", "folder", type=OUT, help="A folder: frame after "
-              "frame, until Ctrl-C.")  # fmt: skip
-@click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
-@click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
-              help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
+@click.option("--to", "folder", type=OUT,
+              help="A folder: write frame after frame, until Ctrl-C.")  # fmt: skip
 @click.option(
-    "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip, of a program that is there."
+    "--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: the number of frames."
+)
+@click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
+              help="With --to: seconds between frames (default: 0).")  # fmt: skip
+@click.option(
+    "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip of the stored program."
 )
 @shared.pixels_option
 @shared.sensor_options
@@ -170,7 +176,7 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
     elif options["pixels"]:
         raise rejected(
             "NS0770",
-            "--pixels belongs to a program, and none is named",
+            "--pixels needs a program, but none is named",
             helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
         )
     with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
@@ -185,14 +191,14 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
         paths = [out] if out else numbered_paths(folder, options["count"], options["every"])
         for path in paths:
             capture_to(path, chip, target, sensor, container)
-            done(f"wrote {path}")
+            say_done(f"wrote {path}")
 
 
 @command.command("calibrate", cls=CommonCommand)
 @click.argument("port")
 @click.option("-o", "out", type=OUT, required=True, help="The target file.")
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml",
-              help="The chip, if it is none of nscc's own.")  # fmt: skip
+              help="The chip, if it is not a built-in target.")  # fmt: skip
 @shared.link_options
 def calibrate(port: str, out: Path, **options: Any) -> None:
     """Measure what launches, words, waits and readouts take on the device at PORT.
@@ -211,7 +217,7 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
         target = target_of(DeviceChip(link), options["target"])
         times = measured(link, target)
     write_whole(out, target_toml(times.of(target)).encode())
-    done(
+    say_done(
         f"wrote {out}: a launch {times.launch_us:g} us, an analog word "
         f"{times.analog_word_us:g} us, a digital one {times.digital_word_us:g} us, the loop at a "
         f"boundary {times.wait_us:g} us, a readout {times.readout_us:g} us"

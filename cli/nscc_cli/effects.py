@@ -26,14 +26,14 @@ _WIDTH = 98
 @click.argument("name", required=False, type=EFFECT, metavar="[EFFECT]")
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
-@click.option("--cost", is_flag=True, help="Print what simulating takes on this machine.")
+@click.option("--cost", is_flag=True, help="Print the simulation times on this machine.")
 @click.option("--plan", type=PATH, metavar="FILE",
               help="Print the table of a plan: of the file of `nscc run --plan`, or of a "
               "frame.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
               show_default=True,
-              help="The chip whose figures are the defaults.")  # fmt: skip
-@click.option("--sensor", type=PATH, help="Show this file's values, not the defaults.")
+              help="The chip whose values are the defaults.")  # fmt: skip
+@click.option("--sensor", type=PATH, help="Show the values in this file, not the defaults.")
 @click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
 def command(
     name: str | None, as_json: bool, toml: bool, cost: bool, plan: Path | None, target: str,
@@ -45,29 +45,29 @@ def command(
 
     if as_json + toml + cost + (plan is not None) + (name is not None) > 1:
         raise click.UsageError(
-            "EFFECT, --json, --toml, --cost and --plan print different things: give one of them"
+            "EFFECT, --json, --toml, --cost and --plan print different things: use one of them"
         )
     if plan is not None:
         from nscc_runtime.planning.plan_file import plan_of
 
         click.echo(plan_of(plan))
         return
-    found = sensor_of(load_target(target, Path()), options)
+    sensor = sensor_of(load_target(target, Path()), options)
     if cost:
         click.echo(costs())
     elif toml:
-        click.echo(sensor_toml(found), nl=False)
+        click.echo(sensor_toml(sensor), nl=False)
     elif as_json:
-        click.echo(json.dumps({"effects": effects_json(found)}, indent=2))
+        click.echo(json.dumps({"effects": effects_json(sensor)}, indent=2))
     else:
-        click.echo(listing() if name is None else details(name, found))
+        click.echo(listing() if name is None else details(name, sensor))
 
 
 def listing() -> str:
     """One line an effect."""
     from nscc_runtime.effects import registered
 
-    return columns([(each.name, each.kind, each.title) for each in registered()]) + (
+    return columns([(effect.name, effect.kind, effect.title) for effect in registered()]) + (
         "\n\nfixed: the same in every frame; random: new in every frame; after: in the readout\n"
         "`nscc effects NAME` shows one, --toml prints a sensor file"
     )
@@ -86,7 +86,7 @@ def costs() -> str:
         (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")
         for e in registered() if e.cost_ns and e.name not in measured
     ]  # fmt: skip
-    return columns(rows, left=(0, 3, 4)) + (
+    return columns(rows, left_aligned=(0, 3, 4)) + (
         "\n\nof one core; plans are chosen by shipped prices, so that the same input gives the "
         "same bytes on every machine"
     )
@@ -99,9 +99,9 @@ def details(name: str, sensor: Sensor) -> str:
     effect = named(name)
     lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
     for heading in ("model", "size", "cost", "applied"):
-        first, rest = f"  {heading:<11}", " " * 13
+        first, indent = f"  {heading:<11}", " " * 13
         text = getattr(effect, heading)
-        lines += textwrap.wrap(text, _WIDTH, initial_indent=first, subsequent_indent=rest)
+        lines += textwrap.wrap(text, _WIDTH, initial_indent=first, subsequent_indent=indent)
     for row in effect.parameters:
         value = f"{getattr(sensor, row.name):.10g} {row.kind.unit}"
         lines.append(f"  {row.name} = {value}, {row.kind.range}: {row.meaning} ({row.source})")

@@ -15,9 +15,9 @@ from nscc_cli.support import (
     CommonCommand,
     NumberRange,
     Subcommands,
-    done,
     progress,
     say_compiling,
+    say_done,
 )
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class _Evaluations(Subcommands):
     """What can be evaluated; any other name is a run folder or a baseline."""
 
-    def other(
+    def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """`nscc evaluate of` such a name."""
@@ -46,15 +46,15 @@ _outputs = together(
     click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
     click.option("-o", "out", type=OUT, help="Write it to a file."),
 )
-_save_option = click.option("--save", type=OUT, metavar="DIR", help="Write reconstructions and "
-                            "truth into this folder.")  # fmt: skip
+_save_option = click.option("--save", type=OUT, metavar="DIR",
+              help="Write reconstructions and truth into this folder.")  # fmt: skip
 
 
 @command.command("sci8", cls=CommonCommand)
 @click.argument("clips", metavar="CLIP.mat...", nargs=-1, required=True, type=PATH)
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
-              help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or a "
-              "yardstick: bilinear, thin-out.")  # fmt: skip
+              help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or an "
+                   "oracle: bilinear, thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
@@ -72,7 +72,9 @@ def sci8(
 
     names = [path.name for path in clips]
     if twice := sorted({name for name in names if names.count(name) > 1}):
-        raise click.UsageError(f"a clip counts once, and results know it by its name: {twice[0]}")
+        raise click.UsageError(
+            f"a clip may be given only once, because results identify it by its name: {twice[0]}"
+        )
     if method.endswith("-tv"):
         say_compiling(denoise, "the loop of total variation")
     _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
@@ -85,17 +87,20 @@ def sci8(
               help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, "
               "codes-v1.")  # fmt: skip
 @click.option("--split", type=click.Choice(["val"]), metavar="val",
-              help="Instead of --data and --protocol: the scenes that a run was chosen by, as "
-              "its metrics.csv scores them.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
+              help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
+                   "in its metrics.csv.")  # fmt: skip
+@click.option(
+    "--seed", type=click.IntRange(0, 2**31), default=0, help="Seed of random codes and noise."
+)
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
 @click.option("--shutter", default="", metavar="CLASS[:START]",
-              help="The codes of a baseline: c, c:quad, d:random, ... for clips, b:quad, b:random "
-              "for stills, or a run's; a class alone starts at random.")  # fmt: skip
+              help="The codes of a baseline: c, c:quad, d:random, ... for clips, "
+                   "b:quad, b:random for stills, or those of a run; a class alone "
+                   "uses random codes.")  # fmt: skip
 @click.option("--effects", type=EFFECTS, default="", metavar="E",
-              help="Expose with an emulated chip instead of the protocol's sensor: auto, all, or "
-              "names, as nscc run takes them. For runs and pixels that look.")  # fmt: skip
+              help="Expose with an emulated chip instead of the protocol's sensor: auto, all, "
+                   "or names, as in nscc run. For runs and pixels that look.")  # fmt: skip
 @trust_code_option
 @_save_option
 @_outputs
@@ -126,19 +131,19 @@ def of(
         return _of_scenes(*evaluate_validation(folder), **outputs)
     from nscc_training.evaluation.subjects import evaluate
 
-    found = evaluate(
+    evaluation = evaluate(
         subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,
         trust_code=trust_code,
     )  # fmt: skip
-    _of_scenes(*found, **outputs)
+    _of_scenes(*evaluation, **outputs)
 
 
 @command.command("looks", cls=CommonCommand)
 @click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of panoramas.")  # fmt: skip
 @click.option("--results", required=True, type=OUT, metavar="DIR",
-              help="Where each row is kept as it is done: what is there is not done "
-              "again.")  # fmt: skip
+              help="The folder that stores each row as soon as it is complete; existing rows "
+                   "are not computed again.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of noise.")
 @_outputs
 def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
@@ -150,8 +155,8 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
     """
     from nscc_training.sweep.looks_table import looks_table
 
-    found, text = looks_table(data, results, seed, progress)
-    _finish(found, text, {}, **outputs)
+    rows, text = looks_table(data, results, seed, progress)
+    _finish(rows, text, {}, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
@@ -159,7 +164,7 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
               help="The results of a sweep, DIR/results or DIR (default: those that come with "
               "nscc).")  # fmt: skip
 @click.option("--template", type=PATH, metavar="PAGE.md",
-              help="Another page than the paper's tables, with the same words.")  # fmt: skip
+              help="Another page than the paper's tables, with the same placeholders.")  # fmt: skip
 @_outputs
 def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
     """The paper's Tables 2, 3 and 4 in Markdown: its rows and ours, what was measured here beside
@@ -178,12 +183,14 @@ def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
 
 @command.command("figures", cls=CommonCommand)
 @click.option("--data", type=PATH, metavar="DIR",
-              help="Panoramas and clips, or folders hdr and video of them (default: scenes that "
-              "are built in).")  # fmt: skip
+              help="Panoramas and clips, or folders hdr and video of them (default: built-in "
+                   "scenes).")  # fmt: skip
 @click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
-              help="Of the emulated chip: auto, all, or names, as nscc run "
-              "takes them.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
+              help="Effects of the emulated chip: auto, all, or names, as in nscc "
+                   "run.")  # fmt: skip
+@click.option(
+    "--seed", type=click.IntRange(0, 2**31), default=0, help="Seed of random codes and noise."
+)
 @click.option("-o", "out", type=OUT, required=True, metavar="DIR",
               help="The folder for the pictures.")  # fmt: skip
 def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
@@ -195,18 +202,18 @@ def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
     """
     from nscc_training.evaluation.figures import figures as drawn
 
-    made = drawn(data, effects, seed)
+    drawings = drawn(data, effects, seed)
     out.mkdir(parents=True, exist_ok=True)
-    files = {out / name: png for name, png in made.items()}
+    files = {out / name: png for name, png in drawings.items()}
     write_together(files)
-    done("\n".join(f"wrote {path.as_posix()}" for path in files))
+    say_done("\n".join(f"wrote {path.as_posix()}" for path in files))
 
 
 @command.command("compare", cls=CommonCommand)
 @click.argument("results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True,
                 type=PATH)  # fmt: skip
 @click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
-              help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
+              help="The metric to compare; hdr-v1 also has mu_psnr_db.")  # fmt: skip
 @_outputs
 def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     """How much better B is than A, in pairs: the same items of the same scenes.
@@ -220,26 +227,26 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     from nscc_training.evaluation.results import read_result
 
     read = [read_result(path) for path in results]
-    found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    _finish(found, comparison_text(found, metric) + "\n", {}, **outputs)
+    comparison = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
+    _finish(comparison, comparison_text(comparison, metric) + "\n", {}, **outputs)
 
 
 def _of_scenes(
-    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
+    evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
 ) -> None:
     """Write and print what was scored."""
     from nscc_training.evaluation.result_text import arrays_in, result_text
 
     products = {} if save is None else arrays_in(save, arrays)
-    _finish(found, result_text(found), products, **outputs)
+    _finish(evaluation, result_text(evaluation), products, **outputs)
 
 
 def _finish(
-    found: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
+    result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
     """Write and print a result."""
     from nscc_training.evaluation.result_text import result_json
 
-    text = result_json(found)
+    text = result_json(result)
     write_together({**({out: text.encode()} if out else {}), **products})
     click.echo(text if as_json else human, nl=False)

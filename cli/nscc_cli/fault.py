@@ -35,15 +35,15 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
         return _out_of_memory(error, arguments), FAILED
     if isinstance(error, RecursionError):
-        deep = "this input is nested more deeply than nscc can follow"
+        deep = "this input is nested too deeply"
         hint = "use fewer parentheses, or name parts of an expression with `let`"
         return Diagnostic("NS0903", deep, helps=(hint,)), REJECTED
     if isinstance(error, ModuleNotFoundError) and not (error.name or "nscc").startswith("nscc"):
         return _missing_package(error), WRONG_USAGE
     if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
-        where = f" '{error.filename}'" if error.filename else ""
+        file_text = f" '{error.filename}'" if error.filename else ""
         reason = error.strerror or str(error)
-        return Diagnostic("NS0784", f"cannot read or write{where}: {reason}"), WRONG_USAGE
+        return Diagnostic("NS0784", f"cannot read or write{file_text}: {reason}"), WRONG_USAGE
     return _fault(error, arguments), FAULT
 
 
@@ -53,10 +53,10 @@ def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
     name = distribution_of(error.name or "")
     return Diagnostic(
         "NS0904",
-        f"the Python package '{name}', which this needs, is not installed",
+        f"the Python package '{name}', which this command needs, is not installed",
         helps=(
             f"install nscc with what this needs: {line_for(error.name or '')}",
-            "`nscc doctor` lists what is there",
+            "`nscc doctor` lists installed and missing packages",
         ),
     )
 
@@ -68,8 +68,8 @@ def _no_memory(error: Exception) -> bool:
 
 
 _LESS = {
-    "train": "make train.batch or data.patch smaller, for instance --set train.batch=2; or take "
-    "fewer slots, or a narrower decoder (decoder.width)",
+    "train": "reduce train.batch or data.patch, for instance --set train.batch=2; or use fewer "
+    "slots, or a narrower decoder (decoder.width)",
     **dict.fromkeys(
         ("reconstruct", "evaluate"), "use a run with a smaller decoder, or fewer files at once"
     ),
@@ -78,14 +78,16 @@ _LESS = {
 
 
 def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
-    said = " ".join(str(error).split())[:200]
+    error_text = " ".join(str(error).split())[:200]
     on_gpu = type(error).__name__ == "OutOfMemoryError"
     less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
-    processor = "with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, slower"
+    processor = (
+        "with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, which is slower"
+    )
     return Diagnostic(
         "NS0902",
         f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
-        notes=(said,) if said else (),
+        notes=(error_text,) if error_text else (),
         helps=(_LESS.get(arguments[0] if arguments else "", less), *([processor] * on_gpu)),
     )
 
@@ -98,10 +100,13 @@ def _of_nscc(filename: object) -> bool:
 
 def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
     trace = "".join(traceback.format_exception(error))
-    said = " ".join(str(error).split())[:200]
+    error_text = " ".join(str(error).split())[:200]
     notes, hint = save_reproducer(trace, arguments)
     return Diagnostic(
-        "NS0901", f"nscc itself failed: {type(error).__name__}: {said}", notes=notes, helps=(hint,)
+        "NS0901",
+        f"nscc itself failed: {type(error).__name__}: {error_text}",
+        notes=notes,
+        helps=(hint,),
     )
 
 
@@ -109,11 +114,11 @@ def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ..
     """Save a reproducer with a traceback; return the notes and the help that say where it is."""
     saved = _save(_packed(trace, arguments))
     if saved is None:
-        none = "no reproducer could be saved: neither here nor in the temporary folder"
+        none = "the reproducer could not be saved in the current or the temporary folder"
         return (none, trace), "please report it with the text above and your input"
     return (
         (f"this is a fault of nscc, not of your input; a reproducer saved as '{saved}'",),
-        "please report it with the reproducer (it holds the input files)",
+        "please check its contents (it includes the input files) and report it",
     )
 
 
@@ -153,12 +158,12 @@ def _packed(trace: str, arguments: Sequence[str]) -> bytes:
 def _inputs(arguments: Sequence[str]) -> list[Path]:
     """The files that the command line names, and those that programs among them read."""
     named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
-    found = list(named)
+    input_files = list(named)
     for program in named:
         if program.suffix == ".nsl":
             quoted = re.findall(r'"([^"\n]{1,255})"', _content(program).decode(errors="replace"))
-            found.extend(path for name in quoted if _is_file(path := program.parent / name))
-    return list(dict.fromkeys(found))
+            input_files.extend(path for name in quoted if _is_file(path := program.parent / name))
+    return list(dict.fromkeys(input_files))
 
 
 def _is_file(path: Path) -> bool:

@@ -13,22 +13,24 @@ from nscc.files import write_back
 from nscc.syntax.format import format_source
 from nscc.syntax.reading import MOST_BYTES, read_source, source_of
 from nscc_cli.options import PATH
-from nscc_cli.support import CommonCommand, done
+from nscc_cli.support import CommonCommand, say_done
 
 _STANDARD_INPUT = Path("-")
 
 
 @click.command("fmt", cls=CommonCommand)
 @click.argument("files", nargs=-1, required=True, metavar="FILE...|-", type=PATH)
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 where a file would change.")
-@click.option("--diff", is_flag=True, help="Write nothing; print what would change.")
+@click.option(
+    "--check", is_flag=True, help="Write nothing; exit with status 1 if a file would change."
+)
+@click.option("--diff", is_flag=True, help="Write nothing; print the changes.")
 def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
     """Write programs in the one style of the language; `-` is standard input, to standard output.
 
     Statements, comments and groups of lines stay as they are; blanks and line ends change. A file
     with an error is left alone.
     """
-    wrong: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     status = changed = 0
     for path in files:
         piped = path == _STANDARD_INPUT
@@ -40,7 +42,7 @@ def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
             )
             text = format_source(source)
         except Rejected as rejected:
-            wrong.extend(rejected.diagnostics)
+            diagnostics.extend(rejected.diagnostics)
             status = max(status, rejected.status)
             continue
         differs = text != source.text
@@ -50,12 +52,12 @@ def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
             click.echo("".join(unified_diff(*lines, source.name, source.name)), nl=False)
         elif check:
             if differs:
-                done(f"{path.as_posix()} would change")
+                say_done(f"{path.as_posix()} would change")
         elif piped:
             click.echo(text, nl=False)
         elif differs:
             write_back(path, text.encode())
-            done(f"wrote {path.as_posix()}")
-    if wrong:
-        raise Rejected(wrong, status)
+            say_done(f"wrote {path.as_posix()}")
+    if diagnostics:
+        raise Rejected(diagnostics, status)
     return 1 if check and changed else 0

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def scene_of(
-    options: Mapping[str, Any], missing: str = "no scene to expose: --scene is missing"
+    options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
     """The scene that a command's options describe; NS0744 with the text `missing` without one."""
     from nscc_runtime.scenes import Scene
@@ -37,9 +37,9 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    others = ("fit", "color", "first", "single", "white", "skip", "bracket", "times")
-    more = {name: options[name] for name in others if name in options}
-    return Scene(*(options[name] for name in named), **more)
+    optional_names = ("fit", "color", "first", "single", "white", "skip", "bracket", "times")
+    optional_values = {name: options[name] for name in optional_names if name in options}
+    return Scene(*(options[name] for name in named), **optional_values)
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:
@@ -76,17 +76,17 @@ def run_capture_of(
     from nscc.containers import is_compiled
     from nscc_training.run_files import run_capture
 
-    found = run_capture(like)
+    run_settings = run_capture(like)
     theirs = {
-        "exposure": found.exposure_of(str(options["scene"])),
-        "transfer": found.transfer,
-        "sensor": found.sensor,
+        "exposure": run_settings.exposure_of(str(options["scene"])),
+        "transfer": run_settings.transfer,
+        "sensor": run_settings.sensor,
     }
     options |= {name: value for name, value in theirs.items() if options[name] is None}
     words = program is not None and is_compiled(program)
-    if options["target"] is None and found.target is not None and not words:
-        options["target"] = str(found.target)
-    return found
+    if options["target"] is None and run_settings.target is not None and not words:
+        options["target"] = str(run_settings.target)
+    return run_settings
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
@@ -97,7 +97,11 @@ def parse_keep(text: str) -> tuple[str, ...]:
     for name in names:
         if name not in KEEP:
             raise unknown_name(
-                "NS0739", "--keep cannot keep '{}'", name, KEEP, "it keeps, comma separated: {}"
+                "NS0739",
+                "unknown name '{}' for --keep",
+                name,
+                KEEP,
+                "--keep takes a comma-separated list of: {}",
             )
     return names
 
@@ -180,8 +184,10 @@ def summary(
 
     lines = frame_lines(container, frame)
     if frame.frame.ndim == 4:
-        which = "all alike: there are no effects" if alike else "the first is described"
+        frames_text = (
+            "all identical, because no effects are simulated" if alike else "the first is described"
+        )
         if colours:
-            which = "of red, green and blue light; that of red is described"
-        lines.append(f"{len(frame.frame)} frames, {which}")
+            frames_text = "of red, green and blue light; that of red is described"
+        lines.append(f"{len(frame.frame)} frames, {frames_text}")
     return "\n".join([*lines, *(f"wrote {path}" for path in files)])

@@ -24,12 +24,12 @@ class LazyGroup(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """The names of all commands, as `--help` and completion show them: nscc's own first."""
-        return [*COMMANDS, *self._others()]
+        return [*COMMANDS, *self._usable_added()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of that name, imported now; None if there is none."""
         if cmd_name not in COMMANDS:
-            return others().get(cmd_name)
+            return added_by_packages().get(cmd_name)
         name = MODULES.get(cmd_name)
         module = import_module(f"nscc_cli.{name or cmd_name.replace('-', '_')}")
         command: click.Command = getattr(module, cmd_name if name else "command")
@@ -54,30 +54,34 @@ class LazyGroup(click.Group):
         """List the commands from the table, importing none, and those that others add."""
         with formatter.section("Commands"):
             formatter.write_dl([*COMMANDS.items()])
-        more = [(name, each.get_short_help_str(80)) for name, each in self._others().items()]
-        if more:
+        rows = [
+            (name, command.get_short_help_str(80)) for name, command in self._usable_added().items()
+        ]
+        if rows:
             with formatter.section("Commands of other packages"):
-                formatter.write_dl(more)
+                formatter.write_dl(rows)
 
-    def _others(self) -> dict[str, click.Command]:
+    def _usable_added(self) -> dict[str, click.Command]:
         """The same as `others`; one that cannot be used is named, and does not hide the rest."""
         try:
-            return others()
+            return added_by_packages()
         except Rejected as rejected:
             show(rejected.diagnostics)
             return {}
 
 
-def others() -> dict[str, click.Command]:
+def added_by_packages() -> dict[str, click.Command]:
     """The commands that other distributions add, by name.
 
     Raises Rejected (NS0905) for what is no click command or has the name of one of nscc's own.
     """
-    found = added("nscc.commands", COMMANDS)
-    for name, command in found.items():
+    added_commands = added("nscc.commands", COMMANDS)
+    for name, command in added_commands.items():
         if not isinstance(command, click.Command):
-            raise unusable("nscc.commands", name, f"a {type(command).__name__} is no click command")
-    return found
+            raise unusable(
+                "nscc.commands", name, f"a {type(command).__name__} is not a click command"
+            )
+    return added_commands
 
 
 def _unknown(name: str, known: list[str]) -> Diagnostic:
@@ -85,7 +89,7 @@ def _unknown(name: str, known: list[str]) -> Diagnostic:
     if not helps and name.endswith((".nsl", ".icw")):
         helps = (f"name a command first: `nscc check {name}`",)
     helps = helps or ("`nscc --help` lists the commands",)
-    return Diagnostic("NS0781", f"nscc has no command '{name}'", helps=helps)
+    return Diagnostic("NS0781", f"unknown command '{name}'", helps=helps)
 
 
 _version_option = click.version_option(
@@ -94,6 +98,6 @@ _version_option = click.version_option(
 group = _version_option(LazyGroup(
     name="nscc",
     help="Compile per-pixel shutter programs for SCAMP-5 class vision chips, and run them.",
-    epilog="`nscc COMMAND --help` says more about one; `nscc explain NSxxxx` about a message.",
+    epilog="`nscc COMMAND --help` describes a command; `nscc explain NSxxxx` describes a message.",
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 ))  # fmt: skip

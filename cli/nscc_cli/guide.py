@@ -10,7 +10,7 @@ import click
 from nscc.diagnostics.explain import index, page
 from nscc_cli.completion import EXAMPLE, MESSAGE
 from nscc_cli.options import OUT
-from nscc_cli.support import CommonCommand, done
+from nscc_cli.support import CommonCommand, say_done
 
 
 @click.command("explain", cls=CommonCommand)
@@ -23,7 +23,7 @@ def explain(code: str | None) -> None:
 @click.command("examples", cls=CommonCommand)
 @click.argument("names", type=EXAMPLE, metavar="[NAME..]", nargs=-1)
 @click.option("-o", "folder", type=OUT, metavar="DIR", default=Path(),
-              help="Where copies go (default: this folder).")  # fmt: skip
+              help="The folder for the copies (default: this folder).")  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path) -> None:
     """List the programs that come with nscc, or copy those that are named."""
     from nscc.examples import about, contents, example, examples
@@ -32,13 +32,13 @@ def examples(names: tuple[str, ...], folder: Path) -> None:
     if names:
         files = dict(contents(example(name)) for name in names)
         write_new({folder / name: data for name, data in files.items()})
-        done("\n".join(f"wrote {(folder / name).as_posix()}" for name in files))
+        say_done("\n".join(f"wrote {(folder / name).as_posix()}" for name in files))
         return
     known = examples()
     width = max(map(len, known))
     for name, path in known.items():
         click.echo(f"{name:<{width}}  {about(path)}")
-    done("\n`nscc examples NAME` copies one, `nscc check` and `nscc run` take it from there")
+    say_done("\n`nscc examples NAME` copies one, `nscc check` and `nscc run` take it from there")
 
 
 @click.command("new", cls=CommonCommand)
@@ -49,10 +49,10 @@ def new(name: Path) -> None:
     from nscc.files import write_new
 
     if name.name in ("", "..", ".nsl"):
-        raise click.BadParameter(f"'{name}' names no file", param_hint="NAME")
+        raise click.BadParameter(f"invalid file name '{name}'", param_hint="NAME")
     path = name if name.suffix == ".nsl" else name.with_name(name.name + ".nsl")
     write_new({path: START.encode()})
-    done(f"wrote {path.as_posix()}: `nscc check {path.as_posix()}` says what it is")
+    say_done(f"wrote {path.as_posix()}: `nscc check {path.as_posix()}` describes it")
 
 
 @click.command("doctor", cls=CommonCommand)

@@ -9,7 +9,7 @@ import click
 from nscc.files import refuse_same, write_together
 from nscc_cli.completion import TARGET
 from nscc_cli.options import OUT, PATH
-from nscc_cli.support import CommonCommand, NumberRange, done
+from nscc_cli.support import CommonCommand, NumberRange, say_done
 
 
 @click.command("import-mask", cls=CommonCommand)
@@ -32,14 +32,15 @@ def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
         raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
     codes = out.with_suffix(".codes.npz")
     refuse_same([out, codes], "-o and its codes")
-    found = import_mask(mask, codes.name, slot_us=slot_us, target=target)
-    products = {out: found.text.encode()}
-    if found.codes:
-        products[codes] = found.codes
+    imported = import_mask(mask, codes.name, slot_us=slot_us, target=target)
+    products = {out: imported.text.encode()}
+    if imported.codes:
+        products[codes] = imported.codes
     write_together(products)
-    rows, cols = found.tile
-    done("\n".join([
-        f"class {found.kind}, a tile of {rows} x {cols}, {found.words_per_slot:g} words a slot",
-        *(f"  not {reason}" for reason in found.reasons),
+    rows, cols = imported.tile
+    say_done("\n".join([
+        f"class {imported.kind}, a tile of {rows} x {cols}, "
+        f"{imported.words_per_slot:g} words a slot",
+        *(f"  not {reason}" for reason in imported.reasons),
         *(f"wrote {path.as_posix()}" for path in products),
     ]))  # fmt: skip

@@ -65,18 +65,22 @@ class Server(LanguageServer):
         """Will say what is wrong with a text, unless a newer one comes first."""
         document, version = self.documents[uri], self.versions[uri]
 
-        def publish(done: asyncio.Future[list[types.Diagnostic] | None]) -> None:
-            found = None if done.cancelled() else done.result()
-            if found is not None and self.documents.get(uri) is document:
-                said = types.PublishDiagnosticsParams(uri, found, version)
-                self.text_document_publish_diagnostics(said)
+        def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
+            diagnostics = None if finished.cancelled() else finished.result()
+            if diagnostics is not None and self.documents.get(uri) is document:
+                message_params = types.PublishDiagnosticsParams(uri, diagnostics, version)
+                self.text_document_publish_diagnostics(message_params)
 
-        def found() -> list[types.Diagnostic] | None:
+        def checked_diagnostics() -> list[types.Diagnostic] | None:
             if self.documents.get(uri) is not document:
                 return None
-            return [values.diagnostic(each, document, uri) for each in _checked(document)]
+            return [
+                values.diagnostic(diagnostic, document, uri) for diagnostic in _checked(document)
+            ]
 
-        asyncio.get_running_loop().run_in_executor(self.worker, found).add_done_callback(publish)
+        asyncio.get_running_loop().run_in_executor(
+            self.worker, checked_diagnostics
+        ).add_done_callback(publish)
 
     async def ask(
         self, uri: str, question: Callable[[Document, Positions], Answer]
@@ -96,11 +100,11 @@ def _checked(document: Text) -> tuple[Diagnostic, ...]:
     try:
         return document.checked.diagnostics
     except Exception as error:
-        said = " ".join(str(error).split())[:200]
+        error_text = " ".join(str(error).split())[:200]
         return (
             Diagnostic(
-                "NS0901", f"nscc itself failed: {type(error).__name__}: {said}",
-                helps=("save the text: `nscc check` then leaves what is needed to report it",),
+                "NS0901", f"nscc itself failed: {type(error).__name__}: {error_text}",
+                helps=("save the text and run `nscc check`: it writes a reproducer to report",),
             ),
         )  # fmt: skip
 
@@ -130,8 +134,8 @@ def _texts(server: Server) -> None:
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: types.DidChangeTextDocumentParams) -> None:
         changed = params.text_document
-        for whole in params.content_changes[-1:]:
-            server.take(changed.uri, whole.text, changed.version)
+        for change in params.content_changes[-1:]:
+            server.take(changed.uri, change.text, changed.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: types.DidCloseTextDocumentParams) -> None:
@@ -151,14 +155,14 @@ def _answers(server: Server) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     async def hovered(params: types.HoverParams) -> types.Hover | None:
-        def told(document: Document, positions: Positions) -> types.Hover | None:
-            found = hover(document, positions.offset(params.position))
-            if found is None:
+        def hover_of(document: Document, positions: Positions) -> types.Hover | None:
+            hover_text = hover(document, positions.offset(params.position))
+            if hover_text is None:
                 return None
-            text = types.MarkupContent(types.MarkupKind.Markdown, found.text)
-            return types.Hover(text, positions.range(found.span))
+            text = types.MarkupContent(types.MarkupKind.Markdown, hover_text.text)
+            return types.Hover(text, positions.range(hover_text.span))
 
-        return await server.ask(params.text_document.uri, told)
+        return await server.ask(params.text_document.uri, hover_of)
 
     @server.feature(
         types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=['"', "/"])
@@ -166,12 +170,12 @@ def _answers(server: Server) -> None:
     async def completed(params: types.CompletionParams) -> list[types.CompletionItem] | None:
         def offered(text: Text, positions: Positions) -> list[types.CompletionItem]:
             offset = positions.offset(params.position)
-            found = (
+            completions = (
                 complete_listing(text, offset)
                 if isinstance(text, Listing)
                 else complete(text, offset)
             )
-            span, offers = found
+            span, offers = completions
             at = positions.range(span)
             return [values.completion(offer, at) for offer in offers]
 
@@ -199,10 +203,10 @@ def _answers(server: Server) -> None:
     async def defined(params: types.DefinitionParams) -> types.Location | None:
         def place(document: Document, positions: Positions) -> types.Location | None:
             mention = mention_at(document, positions.offset(params.position))
-            found = mention and declaration(document, mention)
-            if not found:
+            definition = mention and declaration(document, mention)
+            if not definition:
                 return None
-            return types.Location(params.text_document.uri, positions.range(found.span))
+            return types.Location(params.text_document.uri, positions.range(definition.span))
 
         return await server.ask(params.text_document.uri, place)
 
@@ -210,10 +214,15 @@ def _answers(server: Server) -> None:
     async def referred(params: types.ReferenceParams) -> list[types.Location] | None:
         def places(document: Document, positions: Positions) -> list[types.Location]:
             mention = mention_at(document, positions.offset(params.position))
-            found = alike(document, mention) if mention else []
-            kept = (m for m in found if params.context.include_declaration or not m.declares)
+            mentions = alike(document, mention) if mention else []
+            shown_mentions = (
+                m for m in mentions if params.context.include_declaration or not m.declares
+            )
             uri = params.text_document.uri
-            return [types.Location(uri, positions.range(each.span)) for each in kept]
+            return [
+                types.Location(uri, positions.range(shown_mention.span))
+                for shown_mention in shown_mentions
+            ]
 
         return await server.ask(params.text_document.uri, places)
 
@@ -228,15 +237,15 @@ def _changes(server: Server) -> None:
     async def mendings(params: types.CodeActionParams) -> list[types.CodeAction] | None:
         def offered(document: Document, positions: Positions) -> list[types.CodeAction]:
             uri, only = params.text_document.uri, params.context.only
-            found = [
+            actions = [
                 values.quick_fix(diagnostic, fix, document, uri)
                 for diagnostic, fix in fixes_at(document, positions.span(params.range))
             ]
             better = all_mended(document)
             if better is not None:
-                edit = values.edits(uri, [(_whole(document), better)], positions)
-                found.append(types.CodeAction("Make every sure fix", _FIX_ALL, edit=edit))
-            return [each for each in found if only is None or _is_of(each.kind, only)]
+                edit = values.edits(uri, [(_document_span(document), better)], positions)
+                actions.append(types.CodeAction("Apply all safe fixes", _FIX_ALL, edit=edit))
+            return [action for action in actions if only is None or _is_of(action.kind, only)]
 
         return await server.ask(params.text_document.uri, offered)
 
@@ -247,8 +256,8 @@ def _changes(server: Server) -> None:
                 text = format_source(document.source)
             except Rejected:  # what is wrong is shown already
                 return []
-            whole = positions.range(_whole(document))
-            return [] if text == document.text else [types.TextEdit(whole, text)]
+            whole_range = positions.range(_document_span(document))
+            return [] if text == document.text else [types.TextEdit(whole_range, text)]
 
         return await server.ask(params.text_document.uri, styled)
 
@@ -270,12 +279,14 @@ def _changes(server: Server) -> None:
         return await _or_refused(server.ask(params.text_document.uri, edit))
 
 
-def _is_of(kind: str | None, wanted: Sequence[str]) -> bool:
-    """Whether a kind of action is one of those wanted: `source` stands for `source.fixAll`."""
-    return kind is not None and any((kind + ".").startswith(each + ".") for each in wanted)
+def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
+    """Whether a kind of action is one of `kinds`: `source` stands for `source.fixAll`."""
+    return kind is not None and any(
+        (kind + ".").startswith(known_kind + ".") for known_kind in kinds
+    )
 
 
-def _whole(document: Document) -> Span:
+def _document_span(document: Document) -> Span:
     return Span(0, len(document.text))
 
 

@@ -7,12 +7,12 @@ import sys
 
 import click
 
-from nscc_cli.support import CommonCommand, done
+from nscc_cli.support import CommonCommand, say_done
 
 
 @click.command("lsp", cls=CommonCommand)
-@click.option("--stdio", is_flag=True, help="Over standard input and output: the only way there "
-              "is; editors like to say it.")  # fmt: skip
+@click.option("--stdio", is_flag=True,
+              help="Use standard input and output, the only supported transport.")  # fmt: skip
 def command(stdio: bool) -> None:
     """Serve editors, over standard input and output, as the Language Server Protocol has it.
 
@@ -22,6 +22,6 @@ def command(stdio: bool) -> None:
     from nscc_cli.language_server import make_server
 
     if sys.stdin.isatty():
-        done("waiting for an editor, which speaks over standard input: Ctrl-C ends it")
+        say_done("waiting for an editor on standard input: Ctrl-C ends it")
     with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes what it is given
         make_server().start_io(stdout=out)

@@ -16,14 +16,16 @@ from nscc_cli.support import CommonCommand, NumberRange
 @click.command("metrics", cls=CommonCommand)
 @click.argument("truth", type=PATH)
 @click.argument("result", metavar="REC", type=PATH)
-@click.option("--data-range", type=float, required=True, metavar="R", help="The peak that errors "
-              "count against: 255 for 8-bit values, 1 for values on [0, 1].")  # fmt: skip
-@click.option("--truth-key", help="Which array of TRUTH, where it holds several.")
-@click.option("--rec-key", "result_key", help="Which array of REC, where it holds several.")
+@click.option("--data-range", type=float, required=True, metavar="R",
+              help="The peak value that errors are compared with: 255 for 8-bit "
+                   "values, 1 for values on [0, 1].")  # fmt: skip
+@click.option("--truth-key", help="The array of TRUTH, if it contains several.")
+@click.option("--rec-key", "result_key", help="The array of REC, if it contains several.")
 @click.option("--nits", type=NumberRange(0.005, 10000.0, min_open=True), default=1000.0,
               show_default=True,
-              help="The luminance in cd/m2 that R stands for, in PU21-PSNR.")  # fmt: skip
-@click.option("--json", "as_json", is_flag=True, help="Print JSON, every frame of a clip too.")
+              help="The luminance in cd/m2 that the data range R represents, for "
+                   "PU21-PSNR.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="Print JSON, with every frame of a clip.")
 @click.option("-o", "out", type=OUT, help="Write the JSON to a file.")
 def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
@@ -33,8 +35,8 @@ def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """
     from nscc_training.measures import measure_files, measures_text
 
-    found = measure_files(**pair)
-    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    scores = measure_files(**pair)
+    text = json.dumps(scores, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_whole(out, text.encode())
-    click.echo(text if as_json else measures_text(found), nl=False)
+    click.echo(text if as_json else measures_text(scores), nl=False)

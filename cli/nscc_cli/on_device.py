@@ -11,7 +11,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc_cli.frames import frame_path, scene_of, sensor_of, summary, write_frame
 from nscc_cli.programs import load_program
-from nscc_cli.support import done, progress, say
+from nscc_cli.support import progress, say, say_done
 
 _SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
                "plan", "like", "fit", "color", "first", "single")  # fmt: skip
@@ -35,13 +35,15 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
         container, messages = load_program(program, options)
     check_adc(container.target)
     sensor = sensor_of(converter_of(container), options)
-    light, said = None, list(messages)
+    light, messages_so_far = None, list(messages)
     if scene:
-        said.append(_scene_note(scene))
+        messages_so_far.append(_scene_note(scene))
         with timings.part("scene_s"):
             named = scene_of(options)
-            light = named.light(container.slot_us, container.target, said.append, progress)
-    say(said)
+            light = named.light(
+                container.slot_us, container.target, messages_so_far.append, progress
+            )
+    say(messages_so_far)
     out = frame_path(program, options)
     with (
         timings.part("expose_s"),
@@ -55,7 +57,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
         out, options, keep, container, light, frame, meta, title, timings,
         lambda: response_of(container, sensor, effects),
     )  # fmt: skip
-    done(summary(container, frame, files, alike=False))
+    say_done(summary(container, frame, files, alike=False))
 
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
@@ -63,19 +65,19 @@ def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> 
     context = click.get_current_context()
     meaningless = [*_SIMULATION, *(() if scene else _SCENE)]
     named = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
-    wrong = [
+    refused_options = [
         named[name]
         for name in meaningless
         if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE
     ]
     if not scene:
-        wrong += [f"--keep {name}" for name in keep if name in ("light", "truth")]
-    if wrong:
-        listed = ", ".join(wrong)
+        refused_options += [f"--keep {name}" for name in keep if name in ("light", "truth")]
+    if refused_options:
+        listed = ", ".join(refused_options)
         raise rejected(
             "NS0770",
-            f"{listed} cannot be had from a device: --on {place[:60]}",
-            notes=("a device exposes what is before it, with the noise that it has",),
+            f"{listed} does not apply to a device: --on {place[:60]}",
+            notes=("a device exposes the real scene with its real noise",),
             helps=(f"leave {listed} out, or run on the emulator: leave --on out",),
         )
 
@@ -83,7 +85,7 @@ def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> 
 def _scene_note(scene: str) -> Diagnostic:
     return Diagnostic(
         "NS0770",
-        f"the device exposes what is before it: --scene {scene[:60]} only says what that is",
+        f"the device exposes the real scene: --scene {scene[:60]} is only recorded",
         severity=Severity.NOTE,
-        notes=("it goes into meta, and into the file with --keep light,truth",),
+        notes=("it is stored in meta, and in the file with --keep light,truth",),
     )

@@ -29,8 +29,8 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     """Several options as one decorator; `--help` lists them in this order."""
 
     def add(function: Command) -> Command:
-        for each in reversed(options):
-            function = each(function)
+        for decorator in reversed(options):
+            function = decorator(function)
         return function
 
     return add
@@ -54,14 +54,16 @@ SCENE, EFFECTS, COMPILE, DEVICE, OUTPUT = "Scene", "Sensor effects", "Compile", 
 """Titles of sections, in the order in which commands list them."""
 
 
-def some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
+def chosen_names(
+    names: Sequence[str],
+) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
     """Reads an option's value: some of the names, separated by commas; in the order given here."""
 
     def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
-        given = {part.strip() for part in value.split(",")}
-        for name in sorted(given.difference(names)):
-            raise click.BadParameter(f"{name!r} is none of {', '.join(names)}", context, option)
-        return tuple(name for name in names if name in given)
+        chosen_set = {item.strip() for item in value.split(",")}
+        for name in sorted(chosen_set.difference(names)):
+            raise click.BadParameter(f"{name!r} is not one of {', '.join(names)}", context, option)
+        return tuple(name for name in names if name in chosen_set)
 
     return chosen
 
@@ -70,8 +72,10 @@ def some_option(
     name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
 ) -> Callable[..., Any]:
     """An option that takes some of the names, by default all."""
-    return option(name, callback=some(names), metavar=metavar, default=default or ",".join(names),
-                  show_default=True, help=text)  # fmt: skip
+    return option(
+        name, callback=chosen_names(names), metavar=metavar, default=default or ",".join(names),
+        show_default=True, help=text,
+    )  # fmt: skip
 
 
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
@@ -86,13 +90,13 @@ build_options = section(
     option("--codes", type=Choice(["fixed", "open"]),
            help="Compile for the codes in use, or for every legal one (default: fixed)."),
     option("--lowering", type=Choice(["auto", "accumulate", "latch", "edges"]),
-           help="How exposure is gathered (default: auto, the cheapest)."),
+           help="How the exposure is computed (default: auto, the cheapest)."),
     option("--target", type=TARGET, metavar="NAME|FILE.toml",
-           help="The chip, instead of the program's own."),
+           help="The chip, instead of the chip in the program."),
     option("--cache/--no-cache", default=True,
-           help="Keep search results of -O2 and -O3 and reuse them (default), or search anew."),
+           help="Store search results of -O2 and -O3 and reuse them (default), or search again."),
     option("--max-words-per-slot", metavar="W", type=IntRange(min=1),
-           help="Reject what executes more words than this in any slot."),
+           help="Reject programs that execute more words than this in any slot."),
 )  # fmt: skip
 """How a program is compiled; `nscc_cli.programs` takes them."""
 
@@ -101,7 +105,8 @@ link_options = section(
     option("--baud", type=IntRange(1200, 12_000_000), default=DEFAULT_BAUD, show_default=True,
            help="Speed of the device's port."),
     option("--patience", type=NumberRange(0.1, 3600), default=DEFAULT_PATIENCE_S,
-           show_default=True, help="Seconds of silence after which a device is given up."),
+           show_default=True,
+              help="Seconds without an answer after which a device counts as lost."),
 )  # fmt: skip
 """Of what opens a port."""
 
@@ -110,15 +115,18 @@ scene_options = section(
     option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99)."),
     option("--transfer", type=Choice(["linear", "srgb", "pq", "hlg"]), help="The scene's curve."),
     option("--white", type=float, metavar="W",
-           help="The sample that is white, such as 4095 (default: the largest of the type)."),
-    option("--skip", is_flag=True, help="Leave out frames that are missing from a folder."),
+           help="The sample value of white, such as 4095 (default: the largest value of the "
+               "type)."),
+    option("--skip", is_flag=True, help="Leave out missing frames of a folder."),
     option("--bracket", is_flag=True,
-           help="Merge photos of several exposures, a folder or 'DIR/*.jpg', to one still."),
-    option("--times", metavar="S,S..", help="Their exposures in seconds (default: of their EXIF)."),
-    option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time."),
+           help="Merge photos with several exposures, a folder or 'DIR/*.jpg', to one still."),
+    option("--times", metavar="S,S..",
+              help="Their exposure times in seconds (default: from their EXIF data)."),
+    option("--fps", type=float, help="The frame rate of the clip, in the time of the slots."),
     option("--crop", metavar="R,C", help="Top left corner of the array in the scene."),
     option("--frames-are", type=Choice(["integrals", "samples"]), default="integrals",
-           help="Whether a clip's frames hold all the light of their time, or an instant of it."),
+           help="Whether a clip's frames contain the light of their whole time, or of one "
+               "instant."),
 )  # fmt: skip
 """Of what lays a scene on the array."""
 
@@ -134,7 +142,7 @@ def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None
 
 tone_option = section(OUTPUT, option(
     "--tone", metavar="CURVE", callback=_tone,
-    help="How light becomes greys in .png, .gif and .mp4: log, reinhard, mu-law, srgb, linear.",
+    help="The tone curve of .png, .gif and .mp4: log, reinhard, mu-law, srgb, linear.",
 ))  # fmt: skip
 
 
@@ -142,17 +150,17 @@ def fit_option(default: str) -> Callable[..., Any]:
     """What becomes of pictures that do not have the array's size."""
     return section(SCENE, option(
         "--fit", type=Choice(["crop", "scale", "tiles"]), default=default, show_default=True,
-        help="Of a picture of another size than the array: its middle, all of it scaled, or all "
-        "of it in pieces.",
+        help="For a picture of another size than the array: expose its middle, all of it "
+             "scaled, or all of it in parts.",
     ))  # fmt: skip
 
 
 first_option = section(SCENE, option(
     "--first", type=IntRange(min=0), default=0, metavar="K",
-    help="The frame that a clip begins with, from 0.",
+    help="The first frame of the clip, counted from 0.",
 ))  # fmt: skip
 still_option = section(SCENE, option(
-    "--still", "single", is_flag=True, help="Take that frame of a clip as a still."
+    "--still", "single", is_flag=True, help="Use that frame of a clip as a still."
 ))  # fmt: skip
 color_option = section(SCENE, option(
     "--color", is_flag=True, help="Expose red, green and blue, one after the other."
@@ -160,8 +168,14 @@ color_option = section(SCENE, option(
 
 sensor_options = section(
     EFFECTS,
-    option("--sensor", type=PATH, help="The sensor's numbers (nscc effects --toml)."),
-    option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one of them."),
+    option("--sensor", type=PATH, help="The sensor parameters (nscc effects --toml)."),
+    option(
+        "--sensor-set",
+        type=SETTING,
+        multiple=True,
+        metavar="K=V",
+        help="Change one of the sensor parameters.",
+    ),
 )
 
 csv_options = section(
@@ -180,20 +194,20 @@ tradeoff_options = section(
 def repeats_option(default: int) -> Callable[..., Any]:
     """How often everything is timed."""
     return option("--repeats", type=COUNT, default=default, show_default=True,
-                  help="How often everything is timed, in turn: the median counts.")  # fmt: skip
+                  help="How often everything is timed, in turn: the median is used.")  # fmt: skip
 
 
 trust_code_option = option(
     "--trust-code", is_flag=True,
-    help="Let a run execute the Python code (module:name) that it names as its own.",
+    help="Allow the run to execute its custom Python code (module:name).",
 )  # fmt: skip
 """Of what loads a run folder."""
 
 made_scenes_option = option(
     "--data", type=PATH, metavar="DIR",
-    help="A folder of clips, panoramas or both, instead of made scenes.",
+    help="A folder of clips, panoramas or both, instead of synthetic scenes.",
 )  # fmt: skip
 made_seed_option = option(
     "--seed", type=IntRange(0, 2**31 - 1), default=0,
-    help="Of made scenes, random codes and noise.",
+    help="Seed of synthetic scenes, random codes and noise.",
 )  # fmt: skip

@@ -18,7 +18,7 @@ class Positions:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self._starts = [0, *(found.end() for found in _LINE_END.finditer(text))]
+        self._starts = [0, *(line_end.end() for line_end in _LINE_END.finditer(text))]
 
     def of(self, offset: int) -> types.Position:
         """The position of a character offset; beyond the text's end, that of its end."""
@@ -45,9 +45,9 @@ class Positions:
             units += _units(character)
         return begin + len(line)
 
-    def span(self, found: types.Range) -> Span:
+    def span(self, lsp_range: types.Range) -> Span:
         """The span of a range."""
-        return Span(self.offset(found.start), self.offset(found.end))
+        return Span(self.offset(lsp_range.start), self.offset(lsp_range.end))
 
 
 def _units(text: str) -> int:

@@ -25,24 +25,24 @@ _SPELLED = {
 """Build's options, and how the user spells them; `cache` changes nothing in a product."""
 
 
-def compile_program(path: Path, options: Mapping[str, Any], **more: Any) -> Compiled:
-    """Compiles a program as a command's options say; Rejected where it does not compile.
+def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) -> Compiled:
+    """Compile a program with the options of a command; Rejected if it does not compile.
 
-    `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
+    `overrides` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
     """
     from nscc.compiler import compile_file
 
-    see, chosen = more.pop("see", None), compile_options(options, **more)
+    see, chosen = overrides.pop("see", None), compile_options(options, **overrides)
     # What an observer prints and a line that is drawn would disturb each other.
     with nullcontext() if see is not None else _compiling(path, chosen):
         return compile_file(path, chosen, see)
 
 
-def compile_options(options: Mapping[str, Any], **more: Any) -> Options:
-    """The compiler's options where a command's options give some, its defaults elsewhere."""
+def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
+    """Return the compiler's options: those that the command has, else the defaults."""
     from nscc.pipeline import Options
 
-    return Options(**_given(options, *_SPELLED, "cache"), **more)
+    return Options(**_values_of(options, *_SPELLED, "cache"), **overrides)
 
 
 def load_program(
@@ -57,12 +57,12 @@ def load_program(
     """
     from nscc.containers import is_compiled, load_container, with_pixels
 
-    names = ", ".join(_SPELLED[name] for name in _given(options, *_SPELLED))
+    names = ", ".join(_SPELLED[name] for name in _values_of(options, *_SPELLED))
     if names and is_compiled(path):
         raise rejected(
             "NS0743",
-            f"{names} cannot change '{path}': it is compiled already",
-            notes=("build's options take effect where a program becomes words",),
+            f"{names} cannot change '{path}', which is compiled already",
+            notes=("these options control the compiler",),
             helps=(f"give the .nsl file instead, or leave {names} out",),
         )
     chosen = compile_options(options)
@@ -99,5 +99,5 @@ def _compiling(path: Path, options: Options) -> AbstractContextManager[None]:
     return waiting(f"compiling {path.name} at -O{options.level}")
 
 
-def _given(options: Mapping[str, Any], *names: str) -> dict[str, Any]:
+def _values_of(options: Mapping[str, Any], *names: str) -> dict[str, Any]:
     return {name: options[name] for name in names if options.get(name) is not None}

@@ -13,7 +13,7 @@ from nscc.diagnostics.reports import full_text
 from nscc.editing.complete import Offer
 from nscc.editing.document import Document
 from nscc.editing.listing import Text
-from nscc.editing.outline import Entry
+from nscc.editing.outline import OutlineEntry
 from nscc.source import Source, Span
 from nscc_cli.positions import Positions
 
@@ -42,29 +42,30 @@ _DECLARED = {
 """By the word that begins the statement."""
 
 
-def diagnostic(found: Diagnostic, document: Text, uri: str) -> types.Diagnostic:
+def diagnostic(message: Diagnostic, document: Text, uri: str) -> types.Diagnostic:
     """A message at its place in the document; one about another file or none at the first line."""
-    source, label = found.source, found.label
-    own = source is not None and source.name == document.name
+    source, label = message.source, message.label
+    in_document = source is not None and source.name == document.name
     place = types.Range(types.Position(0, 0), types.Position(0, 0))
     related: list[types.DiagnosticRelatedInformation] = []
     if source is not None:
         positions = Positions(source.text)
-        there = uri if own else _uri(source, document)
-        if label is not None and own:
+        label_uri = uri if in_document else _uri(source, document)
+        if label is not None and in_document:
             place = positions.range(label.span)
-        elsewhere = [label] if label is not None and not own else []
+        elsewhere = [label] if label is not None and not in_document else []
         related = [
             types.DiagnosticRelatedInformation(
-                types.Location(there, positions.range(each.span)), each.text or found.message
+                types.Location(label_uri, positions.range(related_label.span)),
+                related_label.text or message.message,
             )
-            for each in (*elsewhere, *found.related)
+            for related_label in (*elsewhere, *message.related)
         ]
     return types.Diagnostic(
         place,
-        full_text(found),
-        severity=_SEVERITIES[found.severity],
-        code=found.code,
+        full_text(message),
+        severity=_SEVERITIES[message.severity],
+        code=message.code,
         source="nscc",
         related_information=related or None,
     )
@@ -76,13 +77,13 @@ def _uri(source: Source, document: Text) -> str:
     return uris.from_fs_path(path.absolute().as_posix()) or path.as_posix()
 
 
-def quick_fix(found: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
+def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
     """A fix that one may choose; a sure one is preferred."""
     positions = Positions(document.text)
     return types.CodeAction(
         fix.title,
         types.CodeActionKind.QuickFix,
-        diagnostics=[diagnostic(found, document, uri)],
+        diagnostics=[diagnostic(message, document, uri)],
         is_preferred=fix.sure,
         edit=edits(uri, [(fix.span, fix.replacement)], positions),
     )
@@ -92,8 +93,8 @@ def edits(
     uri: str, changes: Iterable[tuple[Span, str]], positions: Positions
 ) -> types.WorkspaceEdit:
     """Changes of one document, none of which overlap."""
-    made = [types.TextEdit(positions.range(span), text) for span, text in changes]
-    return types.WorkspaceEdit({uri: made})
+    text_edits = [types.TextEdit(positions.range(span), text) for span, text in changes]
+    return types.WorkspaceEdit({uri: text_edits})
 
 
 def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
@@ -106,7 +107,7 @@ def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
     )
 
 
-def symbol(entry: Entry, positions: Positions) -> types.DocumentSymbol:
+def symbol(entry: OutlineEntry, positions: Positions) -> types.DocumentSymbol:
     """A statement in the outline."""
     return types.DocumentSymbol(
         entry.name,

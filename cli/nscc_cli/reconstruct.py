@@ -12,7 +12,7 @@ from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
-from nscc_cli.support import CommonCommand, done, say
+from nscc_cli.support import CommonCommand, say, say_done
 
 if TYPE_CHECKING:
     from nscc_training.reconstruction import Reconstruction
@@ -25,26 +25,30 @@ if TYPE_CHECKING:
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
               help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
               ".tiff.")  # fmt: skip
-@click.option("--png", type=OUT, help="Also write a picture of it, for the eye.")
+@click.option("--png", type=OUT, help="Also write a picture of it for the screen.")
 @tone_option
-@click.option("--dark", type=PATH, metavar="DARK.npz", help="A frame file of the same program "
-              "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
+@click.option("--dark", type=PATH, metavar="DARK.npz",
+              help="A frame file of the same program without light, with many "
+                   "repeats: it is subtracted from FRAME.")  # fmt: skip
 @click.option("--as", "kind", type=click.Choice(("image", "video")),
-              help="With any: a picture or a clip. Default: a picture where all shutters open with "
-              "the frame (class b), else a clip.")  # fmt: skip
+              help="With any: reconstruct a picture or a clip. Default: a picture if all "
+                   "shutters open at the start of the frame (class b), else a clip.")  # fmt: skip
 @click.option("--method", type=click.Choice(("network", "merge", "gap-tv")),
               help="With any: the network (default), or without torch: merge neighbours of a "
               "picture, total variation (GAP-TV) of a clip.")  # fmt: skip
 @click.option("--program", type=PATH, metavar="FILE",
-              help="With any: the program that exposed FRAME, where the file is an older one that "
-              "does not hold its shutters.")  # fmt: skip
-@click.option("--mask", type=PATH, metavar="MASK", help="With any and an own measurement: the file "
-              "of its mask, where FRAME does not hold `mask`.")  # fmt: skip
-@click.option("--noise", metavar="SD[,GAIN]", help="With any and an own measurement: the standard "
-              "deviation of its readout, and what a photon adds, in the unit of `meas` (default: "
-              "none).")  # fmt: skip
+              help="With any: the program that exposed FRAME, for older files "
+                   "without shutters.")  # fmt: skip
+@click.option("--mask", type=PATH, metavar="MASK",
+              help="With any and an own measurement: the file of its mask, if FRAME "
+                   "does not contain `mask`.")  # fmt: skip
+@click.option("--noise", metavar="SD[,GAIN]",
+              help="With any and an own measurement: the standard deviation of its "
+                   "readout, and the amount that one photon adds, in the unit of "
+                   "`meas` (default: none).")  # fmt: skip
 @click.option("--force", is_flag=True,
-              help="With RUN: only warn if the frame is of another program or sensor.")  # fmt: skip
+              help="With RUN: only warn if the frame belongs to another program or "
+                   "sensor.")  # fmt: skip
 @trust_code_option
 def command(
     run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
@@ -74,11 +78,11 @@ def command(
     if run != "any" and (mask or noise):
         raise click.UsageError("--mask and --noise are for `nscc reconstruct any`")
     if run == "any" and frame is not None and force:
-        raise click.UsageError("--force is for runs: `any` takes every frame as it is")
+        raise click.UsageError("--force applies to runs: `any` accepts every frame")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
-    what = "a reconstruction"
-    ending = check_ending(out, endings(), what)
+    product_name = "a reconstruction"
+    ending = check_ending(out, endings(), product_name)
     if png is not None:
         check_ending(png, (".png",), "a picture")
         refuse_same([out, png], "-o and --png")
@@ -95,43 +99,48 @@ def command(
         say([*overexposed(run, frame_arrays(Path(run)).saturated)])
         content = Content({"image": image}, image)
     elif run == "any" and (
-        made := _of_measurement(frame, mask, noise, method, kind, program, dark)
+        reconstruction := _of_measurement(frame, mask, noise, method, kind, program, dark)
     ):
-        _say_method(made, method)
-        content = made.content
+        _say_method(reconstruction, method)
+        content = reconstruction.content
     elif run == "any":
         from nscc_training.reconstruct_any import reconstruct_any
 
-        made = reconstruct_any(frame, program, kind, dark, method)
-        say(made.messages)
-        _say_method(made, method)
-        content = made.content
+        reconstruction = reconstruct_any(frame, program, kind, dark, method)
+        say(reconstruction.messages)
+        _say_method(reconstruction, method)
+        content = reconstruction.content
     else:
         from nscc_training.reconstruct import reconstruct
 
-        made = reconstruct(Path(run), frame, force=force, dark=dark, trust_code=trust_code)
-        say(made.messages)
-        content = made.content
+        reconstruction = reconstruct(
+            Path(run), frame, force=force, dark=dark, trust_code=trust_code
+        )
+        say(reconstruction.messages)
+        content = reconstruction.content
     content = replace(content, tone=tone)
     named = Path(run).name
     title = named if frame is None else f"{frame.name}  ·  {named}"
-    products = {out: file_of(out, content, what)}
+    products = {out: file_of(out, content, product_name)}
     if png is not None:
         from nscc_runtime.formats.content_sheet import content_sheet
         from nscc_runtime.pictures.sheet import png_of
 
         products[png] = png_of(content_sheet, content, title)
     write_together(products)
-    done("\n".join(f"wrote {path.as_posix()}" for path in products))
+    say_done("\n".join(f"wrote {path.as_posix()}" for path in products))
     if png is not None or FORMATS[ending].shown:
-        done(f"shown with the {content.tone_text}")
+        say_done(f"shown with the {content.tone_text}")
 
 
-def _say_method(made: Reconstruction, asked: Method | None) -> None:
+def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
     """Say how the light was found where torch is missing and nobody named the method."""
-    if asked is None and made.method != "network":
-        what = "neighbours were merged" if made.still else "GAP-TV found the clip"
-        done(f"without torch {what} (method {made.method}); {line_for('torch')} brings the network")
+    if method is None and reconstruction.method != "network":
+        method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
+        say_done(
+            f"without torch {method_text} (method {reconstruction.method}); {line_for('torch')} "
+            "brings the network"
+        )
 
 
 def _of_measurement(
@@ -148,13 +157,15 @@ def _of_measurement(
 
     if not is_measurement(path, mask):
         if noise is not None:
-            raise click.UsageError("--noise is for own measurements: a frame file states its noise")
+            raise click.UsageError(
+                "--noise applies to own measurements: a frame file contains its noise model"
+            )
         return None
     if any(of_frames):
-        raise click.UsageError("--as, --program and --dark are for frames of `nscc run`")
+        raise click.UsageError("--as, --program and --dark apply to frames of `nscc run`")
     if method == "merge":
         raise click.UsageError("--method merge makes pictures, and own measurements are of clips")
     model = NoiseModel.parse(noise or "0")
     measurement = read_measurement(path, mask)
-    done(f"measurement: {measurement.axes}\nnoise model: {model}")
+    say_done(f"measurement: {measurement.axes}\nnoise model: {model}")
     return reconstruct_measurement(measurement, model, method)

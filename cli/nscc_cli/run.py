@@ -21,7 +21,7 @@ from nscc_cli.frames import (
 )
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, done, progress, say
+from nscc_cli.support import CommonCommand, progress, say, say_done
 
 if TYPE_CHECKING:
     from nscc_runtime.simulate import Request
@@ -43,8 +43,8 @@ _SIMULATION = (
                  help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
                  "builtin:flat:E, builtin:dark."),
     click.option("--like", type=RUN, metavar="RUN",
-                 help="Expose as a run's decoder knows it: its exposure and sensor, and without a "
-                 "FILE its program."),
+                 help="Expose as the run was trained: with its exposure and sensor, and without "
+                      "a FILE its program."),
 )  # fmt: skip
 @shared.scene_options
 @shared.fit_option("crop")
@@ -54,19 +54,20 @@ _SIMULATION = (
 @shared.section(
     shared.EFFECTS,
     click.option("--effects", type=EFFECTS,
-                 help="Sensor effects: auto, all, none (the default), or names; +NAME "
-                 "forces one on, -NAME off."),
+                 help="Sensor effects: auto, all, none (the default), or names; +NAME turns one "
+                      "on, -NAME off."),
     click.option("--tolerance", metavar="5e|0.1lsb|1%",
-                 help="RMS error that a plan may make; %: of the mean signal. Without it, "
-                 "0.15noise: of the frame's own."),
+                 help="Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, "
+                      "a fraction of the frame's own noise."),
     click.option("--tolerance-max", metavar="T",
-                 help="The same of the worst pixel (default: any)."),
+                 help="The largest error of the worst pixel (default: any)."),
     click.option("--fidelity", type=click.Choice(["planned", "reference"]),
-                 help="reference: effects slot by slot, exactly (slow). planned (default): to a "
-                 "tolerance."),
+                 help="reference: simulate effects slot by slot, exactly (slow). planned "
+                      "(default): within a tolerance."),
     click.option("--audit", is_flag=True,
-                 help="Compare with the reference; exit 1 if it broke."),
-    click.option("--plan", type=PATH, help="Use this plan; if there is none, write it."),
+                 help="Compare with the reference; exit with status 1 if the error exceeds the "
+                     "tolerance."),
+    click.option("--plan", type=PATH, help="Use this plan; if it does not exist, write it."),
     click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0)."),
     click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0)."),
     click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames."),
@@ -77,18 +78,18 @@ _SIMULATION = (
 @shared.section(
     shared.DEVICE,
     click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
-                 help="Where to run: a serial port is a device's."),
+                 help="Where to run: the emulator, or a device at a serial port."),
 )  # fmt: skip
 @shared.link_options
 @shared.section(
     shared.OUTPUT,
     click.option("-o", "out", type=OUT,
-                 help="The frame file (default: NAME.frame.npz in this folder), or what of it "
-                 ".npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold."),
+                 help="The frame file (default: NAME.frame.npz in this folder), or a part of it "
+                      "as .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4."),
     click.option("--png", type=OUT, help="Also write a picture of the frame."),
     click.option("--keep", type=KEPT, default="",
-                 help="Also keep, comma separated: light,truth,shutter,codes."),
-    click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file."),
+                 help="Also store, comma-separated: light,truth,shutter,codes."),
+    click.option("--timings", type=OUT, help="Write the times in seconds to a JSON file."),
     click.option("--verbose", is_flag=True,
                  help="Print the plan's table: each effect, its error and why it was chosen."),
 )  # fmt: skip
@@ -123,7 +124,7 @@ def _run_on_emulator(
     from nscc_runtime.simulate import Listener
 
     request, out = _request(options), frame_path(program, options)
-    listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
+    listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
@@ -133,38 +134,38 @@ def _run_on_emulator(
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)
     with timings.part("scene_s"):
-        scene, said = scene_of(options), list(messages)
-        laid = scene.laid(container.slot_us, container.target, said.append, progress)
-        say(said)
+        scene, messages_so_far = scene_of(options), list(messages)
+        laid = scene.laid(container.slot_us, container.target, messages_so_far.append, progress)
+        say(messages_so_far)
     exposed = simulate_scene(container, laid, sensor, request, listener)
-    taken, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
-    about = meta(container, exposed.light, frame, taken.origin) | exposed.laid
+    simulated, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
+    about = meta(container, exposed.light, frame, simulated.origin) | exposed.laid
     files = write_frame(
         out, options, keep, container, exposed.light, frame, about,
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        lambda: exposed.response(sensor), taken.plan_file,
+        lambda: exposed.response(sensor), simulated.plan_file,
     )  # fmt: skip
-    if taken.plan is not None and options["verbose"]:
+    if simulated.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
 
-        table = plan_table(taken.plan, taken.audit)
+        table = plan_table(simulated.plan, simulated.audit)
         if exposed.pieces > 1:
             table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
-        done(table + "\n")
-    elif taken.plan is not None:
-        done(f"{taken.plan.line}; {timings.emulation_s:.2g} s")
-        if taken.audit is not None:
-            done(str(taken.audit))
+        say_done(table + "\n")
+    elif simulated.plan is not None:
+        say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")
+        if simulated.audit is not None:
+            say_done(str(simulated.audit))
     alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
     colours = "colours" in exposed.laid
-    done(summary(container, frame, files, alike=alike, colours=colours))
-    if taken.broken is not None:
-        raise taken.broken
+    say_done(summary(container, frame, files, alike=alike, colours=colours))
+    if simulated.broken is not None:
+        raise simulated.broken
 
 
 def _request(options: dict[str, Any]) -> Request:
     """What the options say about effects; NS0739 (status 2) where they contradict each other."""
     from nscc_runtime.simulate import Request
 
-    given = {name: options[name] for name in _SIMULATION if options[name] is not None}
-    return Request.of(**given, mark="--")
+    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
+    return Request.of(**simulation_options, mark="--")

@@ -47,10 +47,10 @@ class NumberRange(click.FloatRange):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
         """The number; BadParameter for what is none."""
-        found = float(super().convert(value, param, ctx))
-        if found != found:
-            self.fail(f"{value!r} is no number.", param, ctx)
-        return found
+        converted = float(super().convert(value, param, ctx))
+        if converted != converted:
+            self.fail(f"{value!r} is not a number.", param, ctx)
+        return converted
 
 
 def session() -> Session:
@@ -106,22 +106,22 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     Rejected (status 1) with the warnings turned into errors, so that nothing gets written.
     """
     now = session()
-    diagnostics = [_with_reproducer(each, now) for each in diagnostics]
+    diagnostics = [_with_reproducer(diagnostic, now) for diagnostic in diagnostics]
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
         raise Rejected(tuple(_denied(d) for d in diagnostics))
     show(diagnostics)
 
 
-def done(text: str) -> None:
+def say_done(text: str) -> None:
     """Tell the user what was done, on standard error; programs (json, sarif) read the files."""
     if session().message_format not in ("json", "sarif"):
         click.echo(text, err=True)
 
 
-def say_compiling(loop: Any, what: str) -> None:
+def say_compiling(loop: Any, part_name: str) -> None:
     """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
     if not loop.is_compiled():
-        done(loop.compiling(what))
+        say_done(loop.compiling(part_name))
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
@@ -139,7 +139,7 @@ def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
     if diagnostic.severity is not Severity.WARNING:
         return diagnostic
-    notes = (*diagnostic.notes, "a warning, made an error by --deny-warnings")
+    notes = (*diagnostic.notes, "a warning, treated as an error because of --deny-warnings")
     return replace(diagnostic, severity=Severity.ERROR, notes=notes)
 
 
@@ -200,8 +200,8 @@ def _paths(value: Any) -> Iterator[Path]:
     if isinstance(value, str | Path):
         yield Path(value)
     elif isinstance(value, tuple):
-        for each in value:
-            yield from _paths(each)
+        for item in value:
+            yield from _paths(item)
 
 
 def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:
@@ -226,20 +226,20 @@ class Subcommands(CommonCommand, click.Group):
         """The command named first in `args`, and what follows it."""
         name = args[0]
         if name not in self.commands and not name.startswith("-"):
-            return self.other(name, args)
+            return self.resolve_unknown(name, args)
         return super().resolve_command(ctx, args)
 
     def or_else(self) -> Sequence[str]:
         """What may stand in a command's place, for who is told that there is none."""
         return ()
 
-    def other(
+    def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The same where there is no command of that name."""
+        """Resolve a name that is not a command."""
         raise rejected(
             "NS0781",
-            f"nscc has no {self.unknown.format(name[:60])}",
+            f"unknown name: nscc has no {self.unknown.format(name[:60])}",
             helps=(
                 *meant(name, self.commands, written=f"nscc {self.name} {{}}"),
                 f"there is: {', '.join(self.commands)}",
@@ -249,8 +249,8 @@ class Subcommands(CommonCommand, click.Group):
 
 
 @contextmanager
-def waiting(what: str) -> Iterator[None]:
-    """Say on a terminal what is going on and for how long, where nothing can be counted.
+def waiting(task: str) -> Iterator[None]:
+    """Say on a terminal which task is going on and for how long, where nothing can be counted.
 
     Nothing is drawn in the first second, nor where `progress` would draw nothing.
     """
@@ -262,7 +262,7 @@ def waiting(what: str) -> Iterator[None]:
     def draw() -> None:
         begin, pause = monotonic(), _BAR_DELAY_S
         while not over.wait(pause):
-            _redraw(f"{what}: {monotonic() - begin:.0f} s")
+            _redraw(f"{task}: {monotonic() - begin:.0f} s")
             pause = _BAR_REFRESH_S
         if pause is not _BAR_DELAY_S:
             _redraw("")
@@ -303,10 +303,10 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
     next_draw = begin + _BAR_DELAY_S
     drawn = False
     try:
-        for done, item in enumerate(iterable):
+        for item_count, item in enumerate(iterable):
             now = monotonic()
             if now >= next_draw:
-                _redraw(bar_line(label, done, total, now - begin))
+                _redraw(bar_line(label, item_count, total, now - begin))
                 drawn = True
                 next_draw = now + _BAR_REFRESH_S
             yield item
@@ -315,11 +315,11 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
             _redraw("")
 
 
-def bar_line(label: str, done: int, total: int | None, elapsed_s: float) -> str:
+def bar_line(label: str, item_count: int, total: int | None, elapsed_s: float) -> str:
     """One line of progress: a bar and the time left if `total` is known, else a count."""
     if not total:
-        return f"{label}: {done}, {elapsed_s:.0f} s"
-    share = min(done / total, 1.0)
+        return f"{label}: {item_count}, {elapsed_s:.0f} s"
+    share = min(item_count / total, 1.0)
     filled = round(share * _BAR_WIDTH)
-    left = f", {elapsed_s / share - elapsed_s:.0f} s left" if share > 0 else ""
-    return f"{label} [{'#' * filled}{'.' * (_BAR_WIDTH - filled)}] {share:4.0%}{left}"
+    time_left = f", {elapsed_s / share - elapsed_s:.0f} s left" if share > 0 else ""
+    return f"{label} [{'#' * filled}{'.' * (_BAR_WIDTH - filled)}] {share:4.0%}{time_left}"

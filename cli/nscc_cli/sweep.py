@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from nscc_cli.options import OUT, PATH
-from nscc_cli.support import CommonCommand, done, progress
+from nscc_cli.support import CommonCommand, progress, say_done
 
 _KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
@@ -24,23 +24,25 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
 @click.argument("grid", metavar="GRID.toml", type=PATH)
 @click.option("--out", required=True, metavar="DIR", type=OUT,
               help="The folder of the results.")  # fmt: skip
-@click.option("--part", "parts", multiple=True, metavar="PART",
-              help="Compute the points of this part of the grid alone, and the runs that they "
-              "name; may be repeated.")  # fmt: skip
-@click.option("--workers", type=click.IntRange(0, 1024), metavar="N", help="Processes on this "
-              "machine (default: one a processor; 0: none but this one).")  # fmt: skip
+@click.option("--part", "grid_parts", multiple=True, metavar="PART",
+              help="Compute only the points of this part of the grid, and the runs that they "
+                   "need; may be repeated.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(0, 1024), metavar="N",
+              help="Processes on this machine (default: one per processor; 0: only "
+                   "this one).")  # fmt: skip
 @click.option("--threads", type=click.IntRange(1, 1024), default=1, show_default=True,
-              metavar="T", help="Of each of them: what training gives depends on it.")  # fmt: skip
+              metavar="T",
+              help="Threads of each process: results of training depend on it.")  # fmt: skip
 @click.option("--scheduler", metavar="tcp://HOST:PORT",
               help="The workers of a Dask scheduler instead.")  # fmt: skip
-@click.option("--again", is_flag=True, help="Compute points again that failed.")
-@click.option("--dry-run", is_flag=True, help="Say how many points there are, and stop.")
+@click.option("--again", is_flag=True, help="Compute failed points again.")
+@click.option("--dry-run", is_flag=True, help="Print the number of points and stop.")
 @click.option("--parquet", is_flag=True, help="Write the table as Parquet, too.")
 @click.option("--schema", type=click.Choice(_KINDS), is_eager=True, expose_value=False,
               callback=_print_part, metavar="KIND", help=f"Print a complete part of a kind "
               f"({', '.join(_KINDS)}), and exit.")  # fmt: skip
 def command(
-    grid: Path, out: Path, parts: tuple[str, ...], workers: int | None, threads: int,
+    grid: Path, out: Path, grid_parts: tuple[str, ...], workers: int | None, threads: int,
     scheduler: str | None, again: bool, dry_run: bool, parquet: bool,
 ) -> int:  # fmt: skip
     """Compute every point of a grid: programs compiled, scenes exposed, runs trained and scored.
@@ -59,16 +61,26 @@ def command(
     from nscc_training.sweep.run_sweep import How, failures, known, summary_lines, sweep
 
     if scheduler is not None and workers is not None:
-        raise click.UsageError("--workers starts processes here, --scheduler has its own")
-    asked = read_grid(grid)
+        raise click.UsageError(
+            "--workers starts processes on this machine, but --scheduler has its own workers"
+        )
+    whole_grid = read_grid(grid)
     how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:
-        count, here = known(of_parts(asked, parts), out, how)
-        click.echo(f"{count} points: {here} known, {count - here} to compute")
+        count, known_count = known(of_parts(whole_grid, grid_parts), out, how)
+        click.echo(f"{count} points: {known_count} known, {count - known_count} to compute")
         return 0
-    found = sweep(asked, out, how, grid_parts=parts, parquet=parquet, track=progress, report=done)
-    for line in summary_lines(found):
-        done(line)
-    if found.failed:
-        raise failures(found)
-    return 1 if found.misfits == len(found.table) else 0
+    swept = sweep(
+        whole_grid,
+        out,
+        how,
+        grid_parts=grid_parts,
+        parquet=parquet,
+        track=progress,
+        report=say_done,
+    )
+    for line in summary_lines(swept):
+        say_done(line)
+    if swept.failed:
+        raise failures(swept)
+    return 1 if swept.misfits == len(swept.table) else 0

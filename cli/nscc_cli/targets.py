@@ -29,9 +29,9 @@ def _checked_times(
     """The times as given, each once."""
     for value in values:
         if not _TIME.fullmatch(value):
-            raise click.BadParameter(f"'{value}' is no time: write 10us, 1.5ms, 800ns or 2s")
+            raise click.BadParameter(f"invalid time '{value}': write 10us, 1.5ms, 800ns or 2s")
         if not float(value.rstrip("nums")):
-            raise click.BadParameter("a slot lasts longer than nothing")
+            raise click.BadParameter("a slot must be longer than 0")
     return tuple(dict.fromkeys(values))
 
 
@@ -61,13 +61,13 @@ def command(
     """List the chips that nscc knows, or show all about one (NAME or FILE.toml)."""
     if compared is not None:
         if name is None or toml or limits or slots:
-            raise click.UsageError("--compare A B goes with a program alone: FILE.nsl")
+            raise click.UsageError("--compare A B needs a program: FILE.nsl")
         click.echo(_compared(Path(name), compared, level, as_json=as_json))
         return
     if limits and toml:
-        raise click.UsageError("--limits and --toml print different things: give one of them")
+        raise click.UsageError("--limits and --toml print different things: use only one of them")
     if not limits and (as_json or slots):
-        goes = "--json goes with --limits or --compare" if as_json else "--slot goes with --limits"
+        goes = "--json needs --limits or --compare" if as_json else "--slot needs --limits"
         raise click.UsageError(goes)
     if name is None and not toml and not limits:
         click.echo(listing())
@@ -81,20 +81,20 @@ def command(
 
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
     """The limits of a chip, found now by compiling."""
+    from nscc.limits.limits_table import limits_json, limits_text
     from nscc.limits.survey import Limit, survey
-    from nscc.limits.table import limits_json, limits_text
     from nscc.pipeline import Options
 
-    found: list[Limit] = []
+    limits: list[Limit] = []
 
     def trials() -> Iterator[object]:
-        found.extend((yield from survey(target, Options(level=level), slots)))
+        limits.extend((yield from survey(target, Options(level=level), slots)))
 
     for _ in progress(trials(), "compiling programs"):
         pass
     if as_json:
-        return json.dumps(limits_json(target, level, found), indent=2)
-    return limits_text(target, level, found)
+        return json.dumps(limits_json(target, level, limits), indent=2)
+    return limits_text(target, level, limits)
 
 
 def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: bool) -> str:
@@ -103,8 +103,8 @@ def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: boo
     from nscc_runtime.expected import expected_noise
 
     targets = [load_target(chip, Path()) for chip in chips]
-    found = compare(program, targets, level, expected_noise)
-    return json.dumps(compared_json(found), indent=2) if as_json else compared_text(found)
+    comparison = compare(program, targets, level, expected_noise)
+    return json.dumps(compared_json(comparison), indent=2) if as_json else compared_text(comparison)
 
 
 def listing() -> str:
@@ -112,8 +112,8 @@ def listing() -> str:
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
-        held = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
-        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else held
+        register_counts = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
+        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else register_counts
         rows.append((name, f"{chip.rows} x {chip.cols}", *holds, chip.description))
     return columns(rows)
 

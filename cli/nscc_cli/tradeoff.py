@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from nscc.files import Product
-from nscc.lower.plan import LOWERINGS, Lowering
+from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, table_text
@@ -36,7 +36,7 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 class _Tradeoffs(Subcommands):
     """The tradeoffs that there are; any other name that may be one is a program or a run."""
 
-    unknown = "tradeoff '{}', and there is no such file or run"
+    unknown = "tradeoff '{}': there is no such command, file or run"
 
     def or_else(self) -> Sequence[str]:
         """See `Subcommands`."""
@@ -46,13 +46,13 @@ class _Tradeoffs(Subcommands):
             f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
         )
 
-    def other(
+    def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """`nscc tradeoff of` such a program or run; other names are rejected (NS0781)."""
         if _may_be_program(Path(name)):
             return "of", self.commands["of"], args
-        return super().other(name, args)
+        return super().resolve_unknown(name, args)
 
 
 def _may_be_program(path: Path) -> bool:
@@ -70,8 +70,8 @@ def command() -> None:
     """
 
 
-for each in (joint, emulator, sensor, decoder):
-    command.add_command(each)
+for subcommand in (joint, emulator, sensor, decoder):
+    command.add_command(subcommand)
 
 
 @command.command("synthesis", cls=CommonCommand)
@@ -80,9 +80,9 @@ for each in (joint, emulator, sensor, decoder):
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @click.option("--repeats", type=COUNT, default=3, show_default=True,
-              help="How often everything is compiled: the median counts.")  # fmt: skip
+              help="How often everything is compiled: the median is used.")  # fmt: skip
 @click.option("--count", type=click.Choice(["all", "logic"]), default="all", show_default=True,
-              help="All words of a frame, or those that decode codes.")  # fmt: skip
+              help="All words of a frame, or only those that decode codes.")  # fmt: skip
 def synthesis(
     files: tuple[Path, ...], levels: tuple[str, ...], lowerings: tuple[Lowering, ...], repeats: int,
     count: Count, **places: Any,
@@ -97,13 +97,13 @@ def synthesis(
     cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
     with kept_rows(outputs, {"files": files, "count": count}) as rows:
-        found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"), rows)
-        points, device = found.points, processor_name()
+        measured = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"), rows)
+        points, device = measured.points, processor_name()
         click.echo(table_text(points, ("lowering", "level", _WORDS[count])))
-        for line in refusals_text(found.refused):
+        for line in refusals_text(measured.refused):
             click.echo(line)
         if not points:
-            rows.done()
+            rows.remove()
             return 1
         makers = {
             "csv": lambda: csv_text(points, device).encode(),

@@ -51,7 +51,7 @@ def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     todo = cases(folders, settings)
     say_compiling(denoise, "the loop of total variation")
     with kept_rows(files, {**options, "runs": runs}) as rows:
-        points, repeats = measure(todo, settings, lambda each: progress(each, "decoding"), rows)
+        points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"), rows)
         tables = (
             table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
             for unit, title in TITLES.items()

@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 @click.option("--budget", metavar="T", default="5e", show_default=True,
               help="The tolerance whose plans are shown effect by effect.")  # fmt: skip
 @click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
-              help="Frames of which errors are measured; more where they have few "
-              "pixels.")  # fmt: skip
+              help="Number of frames for measuring errors; more if they have few "
+                   "pixels.")  # fmt: skip
 @shared.repeats_option(5)
 @click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
@@ -73,17 +73,28 @@ def command(program: Path | None, **options: Any) -> int:
     settings = _settings(options)
     scenes = _scenes(container, options, messages)
     _refuse(container)
-    made = analysed(container, sensor)
+    analysed_program = analysed(container, sensor)
     gb_per_s = copy_gb_per_s()
     digests = [scene.light.sha256() for scene in scenes]
     with kept_rows(files, {**options, "program": program}, *digests) as rows:
         studies = measure(
-            made, scenes, settings, gb_per_s, lambda work: progress(work, "measuring"), rows
+            analysed_program,
+            scenes,
+            settings,
+            gb_per_s,
+            lambda work: progress(work, "measuring"),
+            rows,
         )
         click.echo(studies_text(studies, gb_per_s))
         write_files(files, _makers(studies, options["repeats"]), rows)
     return (
-        0 if all(keeps_promise(each) for study in studies for each in study.measured_plans) else 1
+        0
+        if all(
+            keeps_promise(measured_plan)
+            for study in studies
+            for measured_plan in study.measured_plans
+        )
+        else 1
     )
 
 
@@ -96,9 +107,9 @@ def _refuse(container: Container) -> None:
     if container.machine is not None:
         raise rejected(
             "NS0828",
-            "nscc tradeoff emulator compares sums over slots, and pixels that look at the light "
-            "have none",
-            helps=("`nscc tradeoff FILE.nsl --scene S` compares what there is for such programs",),
+            "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "
+            "that look at the light",
+            helps=("`nscc tradeoff FILE.nsl --scene S` supports such programs",),
         )
 
 
@@ -114,9 +125,11 @@ def _container(
     from nscc_runtime.tradeoff.study import PROGRAM
 
     path = Path("default.nsl")
-    made = compile_source(Source(path.name, PROGRAM), Path(), compile_options(options)).container
-    assert made is not None  # what does not fit is rejected
-    return with_pixels(made, path, options["pixels"]), ()
+    container = compile_source(
+        Source(path.name, PROGRAM), Path(), compile_options(options)
+    ).container
+    assert container is not None  # what does not fit is rejected
+    return with_pixels(container, path, options["pixels"]), ()
 
 
 def _settings(options: dict[str, Any]) -> StudySettings:
@@ -141,14 +154,14 @@ def _scenes(
     if len(set(names)) < len(names):
         names = specs
     say(messages)
-    found = []
+    scenes = []
     for name, spec in zip(names, specs, strict=True):
-        said: list[Diagnostic] = []
+        scene_messages: list[Diagnostic] = []
         scene = scene_of({**options, "scene": spec})
-        light = scene.light(container.slot_us, container.target, said.append, progress)
-        say(said)
-        found.append(NamedLight(name, light))
-    return found
+        light = scene.light(container.slot_us, container.target, scene_messages.append, progress)
+        say(scene_messages)
+        scenes.append(NamedLight(name, light))
+    return scenes
 
 
 def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], Product]]:
@@ -156,7 +169,7 @@ def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], 
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 
-    points, device = [point for each in studies for point in each.points], processor_name()
+    points, device = [point for study in studies for point in study.points], processor_name()
     return {
         "csv": lambda: csv_text(points, device).encode(),
         "png": lambda: png_of(study_diagram, studies, repeats, device),

@@ -14,7 +14,7 @@ from nscc.cache.digest import digest, package_digest
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.rows import Rows
-from nscc_cli.support import done
+from nscc_cli.support import say_done
 
 STORE = ".measurements.sqlite"
 """What the file of measurements ends in, until the products are written."""
@@ -23,15 +23,17 @@ _PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
 _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
-def output_files(options: Mapping[str, Any], *more: str) -> dict[str, Path]:
-    """The products that have a place, by name: `csv`, `png`, and those of `more` that belong to
-    `-o`; NS0745 where two would be one file, NS0786 for a picture that is not called one."""
-    found: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
+def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
+    """Return the path of each product by name: `csv`, `png`, with `-o` also `further_names`.
+
+    Raises NS0745 if two products have one path, NS0786 for a picture with another ending.
+    """
+    places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
-        ends = {"csv": ".csv", "png": ".png", **{name: f"_{name}.png" for name in more}}
-        found = {n: found.get(n) or out.with_name(out.name + end) for n, end in ends.items()}
-    files = {name: path for name, path in found.items() if path is not None}
+        ends = {"csv": ".csv", "png": ".png", **{name: f"_{name}.png" for name in further_names}}
+        places = {n: places.get(n) or out.with_name(out.name + end) for n, end in ends.items()}
+    files = {name: path for name, path in places.items() if path is not None}
     refuse_same(files.values(), "--csv and --png")
     if "png" in files:
         from nscc_runtime.formats import check_ending
@@ -50,10 +52,12 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
     if not files:
         return Rows()
     refuse_inputs(*files.values())
-    given = {name: _plain(value) for name, value in sorted(options.items()) if name not in _PLACES}
+    option_values = {
+        name: _plain(value) for name, value in sorted(options.items()) if name not in _PLACES
+    }
     ours = [package_digest(name) or __version__ for name in _PACKAGES if find_spec(name)]
-    others = [(name, _version(name)) for name in _DISTRIBUTIONS]
-    key = digest((given, list(of), ours, others, processor_name()))
+    versions = [(name, _version(name)) for name in _DISTRIBUTIONS]
+    key = digest((option_values, list(of), ours, versions, processor_name()))
     first = next(iter(files.values()))
     return Rows(first.with_name(first.stem + STORE), key)
 
@@ -61,7 +65,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
 def _plain(value: Any) -> Any:
     """An option's value as it counts: of a file, what it holds."""
     if isinstance(value, tuple):
-        return [_plain(each) for each in value]
+        return [_plain(item) for item in value]
     if isinstance(value, str | Path):
         return [str(value), content(Path(value))]
     return value
@@ -79,6 +83,6 @@ def write_files(
 ) -> None:
     """Make and write those products that have a place, and say so; the rows have done then."""
     write_together({path: makers[name]() for name, path in files.items()})
-    rows.done()
+    rows.remove()
     if files:
-        done("wrote " + ", ".join(path.as_posix() for path in files.values()))
+        say_done("wrote " + ", ".join(path.as_posix() for path in files.values()))

@@ -57,14 +57,17 @@ def command(program: Path, **options: Any) -> int:
     captured = run_capture_of(run, options) if options["scene"] else None
     scene = scene_of(options)
     named = ("pixels", "sensor", "seed", "device_seed", "repeats", "trust_code")
-    asked = Asked(
+    request = Asked(
         program if captured is None else captured.program, scene, options["target_error"],
         options["stages"], compile_options(options), tuple(map(int, options["levels"])),
         changes=options["sensor_set"], run=run, **{name: options[name] for name in named},
     )  # fmt: skip
-    with kept_rows(files, {**options, "program": asked.program, "run": run}) as rows:
+    with kept_rows(files, {**options, "program": request.program, "run": run}) as rows:
         joint = measure(
-            asked, rows, lambda each: say([each]), lambda stages: progress(stages, "measuring")
+            request,
+            rows,
+            lambda diagnostic: say([diagnostic]),
+            lambda stages: progress(stages, "measuring"),
         )
         click.echo(joint_text(joint))
         device = processor_name()
@@ -73,7 +76,7 @@ def command(program: Path, **options: Any) -> int:
             from nscc_runtime.pictures.sheet import png_of
             from nscc_training.tradeoff.diagrams import joint_diagram
 
-            return png_of(joint_diagram, joint, asked.repeats, device)
+            return png_of(joint_diagram, joint, request.repeats, device)
 
         makers = {"csv": lambda: csv_text(joint.points, device).encode(), "png": png}
         write_files(files, makers, rows)

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from nscc_cli.options import OUT, PATH
-from nscc_cli.support import CommonCommand, OutPath, done, progress
+from nscc_cli.support import CommonCommand, OutPath, progress, say_done
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
@@ -27,7 +27,8 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
               help="Change a setting: train.steps=100.")  # fmt: skip
 @click.option("--resume", type=OutPath(str), default="auto", show_default=True,
               metavar="auto|never|PATH",  # a checkpoint is replaced by the next
-              help="Go on from RUN's checkpoint, begin anew, or go on from another's.")  # fmt: skip
+              help="Resume from RUN's checkpoint, start again, or resume from "
+                   "another checkpoint.")  # fmt: skip
 @click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,
               help="Print a complete configuration with every default, and exit.")  # fmt: skip
 def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> None:
@@ -41,4 +42,4 @@ def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> N
     settings = load_config(config, changes)
     from nscc_training.loop.train import train
 
-    train(settings, out, resume=resume, track=progress, report=done)
+    train(settings, out, resume=resume, track=progress, report=say_done)

@@ -41,11 +41,15 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
     elif isinstance(error, click.BadParameter):
         parameter = _parameter(error)
         code = "NS0783"
-        message = f"{parameter}: {_said(error.message)}" if parameter else _said(error.message)
+        message = (
+            f"{parameter}: {_in_lower_case(error.message)}"
+            if parameter
+            else _in_lower_case(error.message)
+        )
     elif isinstance(error, click.FileError):
-        code, message = "NS0784", _said(error.format_message())
+        code, message = "NS0784", _in_lower_case(error.format_message())
     else:
-        code, message = "NS0780", _said(error.format_message())
+        code, message = "NS0780", _in_lower_case(error.format_message())
         helps = (*_scene_meant(context, message), *helps)
     return Diagnostic(code, message, notes=notes, helps=helps)
 
@@ -57,7 +61,7 @@ def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]
         return ()
     if extra[1].startswith("builtin:") or Path(extra[1]).suffix:
         return (did_you_mean(f"--scene {extra[1]}"),)
-    return ("a value with blanks in it stands in quotes",)
+    return ("put a value with blanks in quotation marks",)
 
 
 def _options(context: click.Context | None) -> list[str]:
@@ -76,7 +80,7 @@ def _parameter(error: click.BadParameter) -> str:
     return ""
 
 
-def _said(text: str) -> str:
+def _in_lower_case(text: str) -> str:
     """Click's own words as the rest of a line: no capital at the start, no full stop."""
     text = " ".join(text.split()).rstrip(".")
     for kind, plain in _KINDS.items():

@@ -12,7 +12,7 @@ from nscc.files import write_whole
 from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
-from nscc_cli.support import CommonCommand, done, say
+from nscc_cli.support import CommonCommand, say, say_done
 
 _PROGRAMS = (".nsl", ".icw")
 
@@ -46,7 +46,7 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
 
         data = view_of(program, tone)
     write_whole(out, data)
-    done(f"wrote {out.as_posix()}")
+    say_done(f"wrote {out.as_posix()}")
 
 
 def _shutters(program: Path, options: dict[str, Any]) -> bytes:
@@ -67,14 +67,16 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
     if program.suffix.lower() == ".icw":
         raise rejected(
             "NS0743",
-            f"--gates cannot draw '{program}': it is compiled already",
-            notes=("a compiled program holds words, not the gates they come from",),
+            f"--gates cannot draw '{program}', which is compiled already",
+            notes=("a compiled program contains words, but not their gates",),
             helps=("give the .nsl file instead",),
         )
     compiled = compile_program(program, options)
     say(compiled.diagnostics)
     refuse_planes(
-        compiled.program.target, "--gates has nothing to draw", "without --gates it draws shutters"
+        compiled.program.target,
+        "--gates does not apply to this program",
+        "without --gates it draws shutters",
     )
     assert compiled.lowered is not None  # what does not fit is rejected
     from nscc.emit.looking_network import network_of

@@ -19,17 +19,17 @@ def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
     Changes while the caller is at work are not missed. `files` is asked again each time: what a
     file names may be others then. A file may be missing, and come.
     """
-    seen = _states(files())
+    known_states = _states(files())
     changed: list[str] = []
     while True:
         yield changed
         now = _states(files())
-        seen = {path: seen.get(path, state) for path, state in now.items()}
-        while now == seen:
+        known_states = {path: known_states.get(path, state) for path, state in now.items()}
+        while now == known_states:
             sleep(_PAUSE_S)
             now = _states(now)
-        changed = sorted(path.as_posix() for path in now if now[path] != seen[path])
-        seen = now
+        changed = sorted(path.as_posix() for path in now if now[path] != known_states[path])
+        known_states = now
 
 
 def _states(files: Iterable[Path]) -> dict[Path, State]:
@@ -38,7 +38,7 @@ def _states(files: Iterable[Path]) -> dict[Path, State]:
 
 def _state(path: Path) -> State:
     try:
-        found = os.stat(path)
+        status = os.stat(path)
     except (OSError, ValueError):
         return None
-    return found.st_mtime_ns, found.st_size, found.st_ino
+    return status.st_mtime_ns, status.st_size, status.st_ino

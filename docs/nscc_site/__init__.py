@@ -28,6 +28,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """What Sphinx asks an extension for."""
     app.add_lexer("nsl", NslLexer)
     app.connect("builder-inited", generate)
+    app.connect("builder-inited", write_notebooks)
     app.connect("source-read", offer_notebook)
     app.connect("doctree-read", pair_pictures)
     app.connect("autodoc-process-docstring", as_rst)
@@ -51,6 +52,13 @@ def offer_notebook(_app: Sphinx, docname: str, source: list[str]) -> None:
     source[0] = f"{source[0][: title.end()]}\n\n{text}{source[0][title.end() :]}"
 
 
+def write_notebooks(_app: Sphinx) -> None:
+    """Write the notebook of each tutorial, which is quick, whatever has changed."""
+    (GENERATED / "notebooks").mkdir(parents=True, exist_ok=True)
+    for name, data in notebooks().items():
+        (GENERATED / "notebooks" / name).write_bytes(data)
+
+
 def generate(_app: Sphinx) -> None:
     """Write every generated page and picture that is not as it should be, and remove the others.
 
@@ -63,7 +71,6 @@ def generate(_app: Sphinx) -> None:
     pages |= reference_pages()
     pages |= gallery_pages(REPOSITORY / "examples")
     pages |= draw_pictures(REPOSITORY)
-    pages |= {f"notebooks/{name}": data for name, data in notebooks().items()}
     for name, content in pages.items():
         path = GENERATED / name
         data = content.encode() if isinstance(content, str) else content
@@ -72,6 +79,7 @@ def generate(_app: Sphinx) -> None:
             path.write_bytes(data)
     pages["made_of"] = made_of
     for path in GENERATED.rglob("*"):
-        if path.is_file() and path.relative_to(GENERATED).as_posix() not in pages:
+        name = path.relative_to(GENERATED).as_posix()
+        if path.is_file() and name not in pages and not name.startswith("notebooks/"):
             path.unlink()
     stamp.write_text(made_of)

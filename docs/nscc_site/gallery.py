@@ -50,7 +50,8 @@ _TASKS: dict[str, dict[str, _Shown]] = {
         "skip_one": _STILL,
     },
     "Pixels that look at the light": {
-        "float_pixel": _LOOKING, "auto_exposure": _LOOKING, "spike": _LOOKING,
+        "float_pixel": _LOOKING, "spike": _LOOKING,
+        "auto_exposure": _Shown("builtin:hdr", 60_000, "frame.npz"),
         "first_light": _Shown("builtin:motion", 1_000_000, "frame.npz"),
     },
     "A fast clip from one frame": {

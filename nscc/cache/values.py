@@ -1,7 +1,7 @@
-"""Frozen dataclasses as JSON and back: strict, so that no file can smuggle in anything else.
+"""Frozen dataclasses as JSON and back, with strict types.
 
-A dataclass is the list of its fields' values, a tuple a list, an integer of any size a number or
-hexadecimal digits. What comes back has exactly the types that the annotations name.
+A dataclass becomes the list of its field values, a tuple a list, a large integer a hexadecimal
+string. Reading returns exactly the annotated types or raises ValueError.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 T = TypeVar("T")
 
 _LARGE = 1 << 53
-"""From here on, integers are written as text: not every reader of JSON keeps them exact."""
+"""Larger integers are written as text, because not every JSON reader keeps them exact."""
 
 
 def to_json(value: Any) -> bytes:
@@ -25,7 +25,7 @@ def to_json(value: Any) -> bytes:
 
 
 def from_json(kind: type[T], data: bytes) -> T:
-    """The inverse of `to_json`; raises ValueError for anything that it would not have written."""
+    """The inverse of `to_json`; raises ValueError for data that `to_json` cannot have written."""
     import json
 
     try:
@@ -41,7 +41,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, int):
         return value if abs(value) < _LARGE else f"{value:x}"
     if isinstance(value, tuple):
-        return [_plain(part) for part in value]
+        return [_plain(member) for member in value]
     if is_dataclass(value) and not isinstance(value, type):
         return [_plain(getattr(value, field.name)) for field in fields(value)]
     raise TypeError(f"{type(value).__name__} has no place in JSON")
@@ -53,19 +53,19 @@ def _typed(kind: Any, value: Any) -> Any:
     if kind in (str, bool, NoneType):
         if type(value) is kind:
             return value
-        raise ValueError(f"{value!r:.40} is no {kind.__name__}")
+        raise ValueError(f"{value!r:.40} is not a {kind.__name__}")
     origin = get_origin(kind)
     if origin in (UnionType, Union):
         return _any_of(get_args(kind), value)
     if origin is not tuple and not is_dataclass(kind):
         raise TypeError(f"{kind} cannot be read back from JSON")
     if not isinstance(value, list):
-        raise ValueError(f"{value!r:.40} is no list")
+        raise ValueError(f"{value!r:.40} is not a list")
     if origin is tuple:
-        parts = get_args(kind)
-        if len(parts) == 2 and parts[1] is Ellipsis:
-            return tuple([_typed(parts[0], part) for part in value])
-        return tuple([_typed(*pair) for pair in _paired(parts, value)])
+        kinds = get_args(kind)
+        if len(kinds) == 2 and kinds[1] is Ellipsis:
+            return tuple([_typed(kinds[0], member) for member in value])
+        return tuple([_typed(*pair) for pair in _paired(kinds, value)])
     return kind(*[_typed(*pair) for pair in _paired(_annotations(kind), value)])
 
 
@@ -81,7 +81,7 @@ def _any_of(kinds: tuple[Any, ...], value: Any) -> Any:
             return _typed(kind, value)
         except ValueError:
             continue
-    raise ValueError(f"{value!r:.40} is none of {kinds}")
+    raise ValueError(f"{value!r:.40} is not one of {kinds}")
 
 
 def _integer(value: Any) -> int:
@@ -89,7 +89,7 @@ def _integer(value: Any) -> int:
         return value
     if type(value) is str:
         return int(value, 16)
-    raise ValueError(f"{value!r:.40} is no integer")
+    raise ValueError(f"{value!r:.40} is not an integer")
 
 
 @cache

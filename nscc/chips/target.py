@@ -15,11 +15,11 @@ from typing import Any, Literal
 from nscc.chips.words import OwnWords
 from nscc.operations import Operation
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Key, Schema, key, keys_of
+from nscc.toml.schema import FileCodes, Key, Schema, key, keys_of
 
 _SIDE = Integer(1, 8192)
-_REGISTER = Text(said="the name of a register", optional=True)
-_REGISTERS = Several(Text(), said="a list of register names")
+_REGISTER = Text(phrase="the name of a register", optional=True)
+_REGISTERS = Several(Text(), text="a list of register names")
 _TAP = Text(pattern=r"[A-Z][A-Z0-9_]{0,15}")
 _SOURCES = Integer(2, 1000, unlimited=True)
 _WORD_US = Number(0, 1e6, low_excluded=True)
@@ -38,7 +38,7 @@ class Target:
     scamp5's value where a file leaves it out.
     """
 
-    name: str = key(NAME, "what messages and reports call it", required=True)
+    name: str = key(NAME, "its name in messages and reports", required=True)
     kind: Literal["scamp", "stream"] = key(
         Text(("scamp", "stream")),
         'pixels with a processor ("scamp"), or sent a bit for every slot ("stream")',
@@ -91,7 +91,10 @@ class Target:
     )
 
     store_words: int = key(
-        Integer(1, 1 << 18), "ICWs that all stored kernels may have", section="store", name="words"
+        Integer(1, 1 << 18),
+        "largest number of ICWs in all stored kernels",
+        section="store",
+        name="words",
     )
     tables_count_against_store: bool = _ours(
         Flag(), "do constant kernel tables count against the store?", section="store",
@@ -111,7 +114,7 @@ class Target:
         section="time",
     )
     digital_retention_us: float = key(
-        _ABOVE_0, "an untouched digital register keeps its bit for so long", section="time"
+        _ABOVE_0, "time for which a digital register keeps an unwritten bit", section="time"
     )
 
     full_well_e: float = _ours(_ABOVE_0, "electrons that PIX, or a tap, can hold", section="range")
@@ -124,7 +127,7 @@ class Target:
     )
     adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
     adc_offset_lsb: float = _ours(
-        Number(-65536, 65536), "codes on top of what the readout makes of nothing", section="range"
+        Number(-65536, 65536), "codes added to the code of an exposure of 0", section="range"
     )
     readout: Literal["spread", "full", "half"] = key(
         Text(("spread", "full", "half")),
@@ -158,20 +161,20 @@ class Target:
     )
 
     taps: tuple[str, ...] = _stream(
-        Several(_TAP, said="a list of names of capital letters, digits and `_`"),
+        Several(_TAP, text="a list of names of capital letters, digits and `_`"),
         "where a pixel can collect charge, in the order of a program's buckets", default=(),
         required=True,
     )  # fmt: skip
-    drain: bool = _stream(Flag(), "can a slot's bit also choose to lead light away?", default=False)
+    drain: bool = _stream(Flag(), "can a slot's bit also select a drain?", default=False)
     row_load_us: float = _stream(
         _WORD_US, "sending one row of a plane of bits", default=1.0, required=True
     )
     pipelined: bool = _stream(
-        Flag(), "is a plane loaded while the last one acts, or does light wait for it?",
+        Flag(), "is a plane loaded while the previous plane acts?",
         default=True,
     )  # fmt: skip
     tap_gain: tuple[float, ...] = _stream(
-        Several(Number(0, 1e6, low_excluded=True), said="a list of numbers above 0, one a tap"),
+        Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one a tap"),
         "gain from a tap's charge to the converter; [] is 1 for each", default=(),
     )  # fmt: skip
 
@@ -250,7 +253,7 @@ class Target:
         return tuple(r for r in self.analog_registers if r != self.analog_scratch)
 
 
-_CODES = Codes("NS0231", "NS0232", unknown="NS0233", wrong="NS0235", missing="NS0234")
+_CODES = FileCodes("NS0231", "NS0232", unknown="NS0233", wrong_value="NS0235", missing="NS0234")
 _OF_STREAMS = (
     "name", "kind", "description", "array.rows", "array.cols", "time.readout_us",
     "range.full_well_e", "range.adc_bits", "range.adc_offset_lsb",
@@ -264,7 +267,7 @@ SCHEMA = Schema(
         "": "",
         "array": "the pixels",
         "registers": "of one pixel",
-        "behaviour": "none of these is stated in public: each key has a default",
+        "behaviour": "these values are not public: each key has a default",
         "store": "",
         "time": "",
         "range": "",
@@ -288,7 +291,7 @@ STREAM_SCHEMA = Schema(
         "array": "the pixels",
         "time": "",
         "range": "of every tap",
-        "stream": "the bits that pixels are sent, and where their light goes",
+        "stream": "the bits that pixels receive, and where their light goes",
     },
     _CODES,
     "`nscc targets dual-tap --toml` prints a complete file to start from",

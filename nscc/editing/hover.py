@@ -1,4 +1,4 @@
-"""What stands at a place of a text, in words: for the box that an editor opens there."""
+"""The text of the box that an editor shows for a place in a program."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ _MOST_VALUES = 12
 
 @dataclass(frozen=True, slots=True)
 class Hover:
-    """A place, and what is to be said of it, in Markdown."""
+    """A place, and its description in Markdown."""
 
     span: Span
     text: str
 
 
 def hover(document: Document, offset: int) -> Hover | None:
-    """What a name means and which values it has, what a statement's word begins, what the frame and
-    its slots cost, and the page of each message at this place; None where there is nothing."""
-    parts: list[str] = []
+    """Describe the place `offset`: the meaning and values of a name, the form of a statement, the
+    cost of the frame or a slot, and the pages of messages; None if there is nothing to say."""
+    texts: list[str] = []
     span: Span | None = None
-    for found in (_name(document, offset), _frame(document, offset), _word(document, offset)):
-        if found is not None:
-            parts.append(found.text)
-            span = span or found.span
+    for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
+        if topic is not None:
+            texts.append(topic.text)
+            span = span or topic.span
     for diagnostic in document.checked.diagnostics:
         label = diagnostic.label
         if label is not None and label.span.start <= offset <= label.span.end:
-            parts.append(page(diagnostic.code))
+            texts.append(page(diagnostic.code))
             span = span or label.span
-    return Hover(span, "\n\n---\n\n".join(parts)) if span is not None else None
+    return Hover(span, "\n\n---\n\n".join(texts)) if span is not None else None
 
 
 def _name(document: Document, offset: int) -> Hover | None:
@@ -60,14 +60,14 @@ def _bucket(document: Document, mention: Mention) -> str | None:
         return None
     compiled = document.checked.compiled
     names = [] if compiled is None else [bucket.name for bucket in compiled.program.buckets]
-    told = "one of the frames that an exposure gives"
+    text = "one of the exposures of a frame"
     if compiled is None or compiled.program.machine is not None or mention.name not in names:
-        return told
-    return f"{told}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
+        return text
+    return f"{text}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
 
 
 def _open_slots(shutters: np.ndarray[tuple[int, int], np.dtype[np.bool_]]) -> str:
-    """Of shutters bool (shutters, N), how long they are open."""
+    """How long `shutters` bool (shutters, N) are open, in words."""
     opened = shutters.sum(axis=1)
     least, most = int(opened.min()), int(opened.max())
     slots = shutters.shape[1]
@@ -137,43 +137,51 @@ def _field(document: Document, name: str) -> str:
     kinds = {
         "range": "", "bits": f", {field.bits} free bits", "row": f", a row of `{field.book}`",
     }  # fmt: skip
-    told = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
+    text = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
     compiled = document.checked.compiled
     if compiled is None or compiled.program.mode != "fixed":
-        return told
+        return text
     table = compiled.program.table
     used = np.unique(table.codes[:, table.fields.index(name)])
     listed = f": {', '.join(map(str, used))}" if len(used) <= _MOST_VALUES else ""
-    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
+    return f"{text}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
 
 
 def _sense(document: Document, name: str) -> str:
     looking = document.looking
-    sense = next((each for each in looking.senses if each.name == name), None) if looking else None
+    sense = (
+        next((candidate for candidate in looking.senses if candidate.name == name), None)
+        if looking
+        else None
+    )
     if sense is None:
-        return "what a pixel sees of its own light"
+        return "the light that a pixel compares"
     listed = ", ".join(map(str, sense.at[:_MOST_VALUES])) + ", .." * (len(sense.at) > _MOST_VALUES)
     return (
-        "whether the pixel's signal was beyond its level at the latest look, false before the "
-        f"first. It looks {'once' if len(sense.at) == 1 else f'{len(sense.at)} times'}, at "
-        f"{listed}"
+        "true if the pixel's signal was beyond its level at the latest look, false before "
+        "the first look. It looks "
+        f"{'once' if len(sense.at) == 1 else f'{len(sense.at)} times'}, at {listed}"
     )
 
 
 def _state(document: Document, name: str) -> str:
     looking = document.looking
-    found = next((each for each in looking.states if each.name == name), None) if looking else None
-    if found is None:
-        return "what a pixel remembers"
-    values = "a bit" if found.boolean else f"{found.low}..{found.high}"
-    kept = ", kept from frame to frame" if found.kept else ""
+    state = (
+        next((candidate for candidate in looking.states if candidate.name == name), None)
+        if looking
+        else None
+    )
+    if state is None:
+        return "a value that a pixel remembers"
+    values = "a bit" if state.boolean else f"{state.low}..{state.high}"
+    kept_text = ", kept from frame to frame" if state.is_kept else ""
     read = ", read out with the frame" if name in document.declared.reads else ""
-    return f"what a pixel remembers: {values}, {found.start} at the start{kept}{read}"
+    return f"a value that a pixel remembers: {values}, {state.start} at the start{kept_text}{read}"
 
 
 def _predefined(document: Document, name: str) -> str | None:
     if name == LOOKS and document.tokens.version > 1:
-        return "how many boundaries with a sense there were so far, this one included"
+        return "the number of boundaries with a sense so far, including this one"
     meaning = document.constants.get(name)
     if name in PREDEFINED and meaning is not None and meaning.kind == "constant":
         return f"{PREDEFINED[name]}: {meaning.value}"
@@ -181,7 +189,7 @@ def _predefined(document: Document, name: str) -> str | None:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """What the frame costs; on one of listed slots, what that one does."""
+    """The cost of the frame, or of the listed slot at `offset`."""
     for statement in document.parsed[0].statements:
         if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
             continue
@@ -190,11 +198,11 @@ def _frame(document: Document, offset: int) -> Hover | None:
         if isinstance(statement, tree.ListedSlots):
             for slot, length in enumerate(statement.lengths):
                 if length.span.start <= offset <= length.span.end:
-                    told = slot_cost(document, slot)
-                    return None if told is None else Hover(length.span, told)
+                    text = slot_cost(document, slot)
+                    return None if text is None else Hover(length.span, text)
         cost = frame_cost(document)
-        parts = [*_lengths(document, statement), *([] if cost is None else [cost])]
-        return Hover(statement.span, " ".join(parts)) if parts else None
+        texts = [*_lengths(document, statement), *([] if cost is None else [cost])]
+        return Hover(statement.span, " ".join(texts)) if texts else None
     return None
 
 
@@ -210,7 +218,7 @@ def _lengths(document: Document, statement: tree.EqualSlots | tree.ListedSlots) 
 
 
 def _word(document: Document, offset: int) -> Hover | None:
-    """How a statement is written, at the word that begins it."""
+    """The syntax of a statement, at its first word."""
     for statement in document.parsed[0].statements:
         start = statement.span.start
         if not start <= offset <= statement.span.end:
@@ -218,10 +226,10 @@ def _word(document: Document, offset: int) -> Hover | None:
         word = document.text[start : statement.span.end].split(None, 1)[0]
         if offset <= start + len(word) and word in FORMS:
             forms = "\n".join(FORMS[word])
-            told = f"```nsl\n{forms}\n```"
+            text = f"```nsl\n{forms}\n```"
             compiled = document.checked.compiled
             if isinstance(statement, tree.Open) and compiled is not None:
                 program = compiled.program
-                told = f"Class {program.class_name}: {program.class_reason}.\n\n{told}"
-            return Hover(Span(start, start + len(word)), told)
+                text = f"Class {program.class_name}: {program.class_reason}.\n\n{text}"
+            return Hover(Span(start, start + len(word)), text)
     return None

@@ -54,7 +54,7 @@ def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
     """A product of a program for a chip without logic."""
     from nscc.emit.listing import text_after
     from nscc.emit.report import report_bytes
-    from nscc.emit.stream import planes_bytes, sending_text, stream_report
+    from nscc.emit.sending_report import planes_bytes, sending_text, stream_report
     from nscc.syntax.printing import print_tree
     from nscc.words.file import to_bytes
     from nscc.words.legality import refuse_planes
@@ -75,17 +75,22 @@ def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
             return planes_bytes(container)
         case "icw":
             return to_bytes(container)
-    what = f"--emit {kind} has nothing to write"
-    refuse_planes(container.target, what, "--emit planes,schedule writes what it is sent, and when")
+    what = f"--emit {kind} does not apply to this program"
+    refuse_planes(
+        container.target, what, "--emit planes,schedule writes the planes and their times"
+    )
     raise ValueError(kind)
 
 
 def _no_planes(chip: str) -> Rejected:
     return rejected(
         "NS0512",
-        f"--emit planes has nothing to write: the pixels of {chip} decode their codes themselves",
-        notes=("planes of a bit a slot are for chips whose pixels have no logic",),
-        helps=("--emit asm lists its words; `nscc targets` says which chip is sent planes",),
+        f"--emit planes does not apply: the pixels of {chip} decode their codes themselves",
+        notes=("only chips whose pixels have no logic use planes with one bit per slot",),
+        helps=(
+            "--emit asm lists the words of the program; `nscc targets` shows which chips use "
+            "planes",
+        ),
         status=1,
     )
 
@@ -93,7 +98,7 @@ def _no_planes(chip: str) -> Rejected:
 def _complete(compiled: Compiled) -> tuple[Choice, Container, Proof]:
     found = compiled.choice, compiled.container, compiled.proof
     if found[0] is None or found[1] is None or found[2] is None:
-        raise ValueError("there are no words to emit")
+        raise ValueError("the program has no words to write")
     return found[0], found[1], found[2]
 
 

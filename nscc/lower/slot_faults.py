@@ -1,4 +1,4 @@
-"""Slots that are too short for their words, too full, or too long for memory."""
+"""Diagnostics for slots that are too short, too full, or longer than the memory's retention."""
 
 from __future__ import annotations
 
@@ -10,35 +10,37 @@ from nscc.program.problems import counted
 
 
 def retention_fault(lowered: Lowered) -> Diagnostic:
-    """NS0602: a slot, or the readout, outlasts digital memory. Certain."""
+    """NS0602: a slot, or the readout, is longer than the retention of digital memory. Certain."""
     program = lowered.program
     longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
     slot_us = program.frame.slot_us[longest]
     keep_us = lowered.time.keep_us
     return Diagnostic(
         "NS0602",
-        f"digital registers forget within this frame: slot {longest} lasts "
+        f"digital registers lose their bits within this frame: slot {longest} lasts "
         f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; "
-        f"{program.target.name} keeps a bit for {time_text(program.target.digital_retention_us)}",
+        f"{program.target.name} keeps a bit for "
+        f"{time_text(program.target.digital_retention_us)}",
         source=program.source,
-        label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
+        label=Label(program.frame.span, "registers are refreshed between slots, not within a slot"),
         notes=(
-            f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",
+            f"every bit must be refreshed within {time_text(keep_us)}, which includes a "
+            "margin of 10 %",
         ),
-        helps=("split the slot into several: the rule may treat them alike",),
+        helps=("split the slot into several slots: the rule may treat them alike",),
         data=resource("retention_us", slot_us, keep_us, proved=True),
     )
 
 
 def late_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0601: words take longer than the slot at whose start they run.
-
-    Certain where, in every lowering, the analog words and one launch alone do.
-    """
+    """NS0601: words take longer than the slot at whose start they run. Certain if in every lowering
+    the analog words and one launch take too long."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
-    certain = _nothing_untried(choice) and all(_too_short(tried) for tried in choice.tried)
+    certain = _nothing_untried(choice) and all(
+        _too_short(candidate) for candidate in choice.lowerings
+    )
     if certain:
         worst = _too_short(lowered)[0]
         needed_us = _least_us(lowered, worst)
@@ -50,50 +52,52 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
         why = f"its {words} words take {time_text(needed_us)} at -O{level}"
     return Diagnostic(
         "NS0601",
-        f"slot {worst} is shorter than its own instructions: it lasts "
+        f"slot {worst} is shorter than its instructions: it lasts "
         f"{time_text(slots_us[worst])}, and {why}",
         source=program.source,
         label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
         related=chip_label(program, _times(target)),
         notes=(
             *chip_note(program, _times(target)),
-            "certain: the light must be read and a kernel launched"
+            "certain: a slot must read the light and launch a kernel"
             if certain
-            else "not proved: fewer words may be found",
+            else "not proved: a longer search may find fewer words",
         ),
-        helps=(f"slots of {at_least(lowered.shortest_slot_us)} or longer fit the words found",),
+        helps=(
+            f"slots of {at_least(lowered.shortest_slot_us)} or longer have enough time for the "
+            "words found",
+        ),
         data=resource("slot_us", needed_us, slots_us[worst], proved=certain),
     )
 
 
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0603: more words at a boundary than `--max-words-per-slot` allows.
-
-    Certain where, in every lowering, the analog words of a boundary alone are more.
-    """
+    """NS0603: more words at a boundary than `--max-words-per-slot` allows. Certain if in every
+    lowering the analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
     words = lowered.words_per_boundary
     worst = max(lowered.overfull, key=lambda n: (words[n], -n))
     certain = _nothing_untried(choice) and all(
-        any(_analog_words(tried, n) > allowed for n in tried.overfull) for tried in choice.tried
+        any(_analog_words(candidate, n) > allowed for n in candidate.overfull)
+        for candidate in choice.lowerings
     )
     slots = len(program.frame.slot_us)
     over = counted(len(lowered.overfull), "boundary", "boundaries")
     place = f"slot {worst}" if worst < slots else "the end of the last slot"
     return Diagnostic(
         "NS0603",
-        f"{place} executes {words[worst]} words at -O{level}, "
-        f"and --max-words-per-slot allows {allowed}",
+        f"{place} executes {words[worst]} words at -O{level}, but --max-words-per-slot "
+        f"allows {allowed}",
         source=program.source,
         label=Label(program.frame.span, f"{over} of {slots + 1} over the limit"),
         notes=(
             f"{words[worst]} words: {_where_they_go(lowered, worst)}",
             f"lowered as {lowered.plan.lowering}, encoding: {lowered.solution.encoding}",
-            "certain: the words that read the light are more than that"
+            "certain: the words that read the light alone exceed the limit"
             if certain
-            else "not proved: fewer words may be found",
+            else "not proved: a longer search may find fewer words",
         ),
         helps=(f"--max-words-per-slot {words[worst]} accepts the words found",),
         data={**resource("words_per_slot", words[worst], allowed, proved=certain), "slot": worst},
@@ -101,7 +105,7 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def _where_they_go(lowered: Lowered, boundary: int) -> str:
-    """The words of a boundary by purpose, and what launching them takes."""
+    """The words of a boundary by purpose, and the time of launches."""
     kernels, launch_us = lowered.schedule.kernels, lowered.program.target.launch_us
     launched = [kernels[kernel] for n, kernel in lowered.schedule.launches if n == boundary]
     words = [word for kernel in launched for word in kernel]
@@ -114,32 +118,33 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
         (analog - light, "to set up and reset"),
         (refresh, "to refresh registers"),
     )
-    said = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
+    purposes = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
     launches = counted(len(launched), "kernel")
-    return f"{said}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
+    return f"{purposes}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
 
 
 def _times(target: Target) -> str:
     return (
-        f"{target.digital_word_us:g} us a digital word, {target.analog_word_us:g} us an analog "
-        f"one, {target.launch_us:g} us a launch, {target.wait_us:g} us the loop at a boundary"
+        f"a digital word takes {target.digital_word_us:g} us, an analog word "
+        f"{target.analog_word_us:g} us, a launch {target.launch_us:g} us, and the loop at a "
+        f"boundary {target.wait_us:g} us"
     )
 
 
 def _nothing_untried(choice: Choice) -> bool:
-    """Whether every lowering was laid out, or cannot be."""
+    """Whether every lowering was laid out or is impossible."""
     return not any(misfit.searched for misfit in choice.misfits.values())
 
 
 def _too_short(lowered: Lowered) -> list[int]:
-    """Slots in which no gates at all would leave time enough; the worst one first."""
+    """Slots too short for analog words alone, worst first."""
     slots_us = lowered.program.frame.slot_us
     lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
     return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
-    """Time that no program can do without at a boundary: its analog words, one launch, the loop."""
+    """The minimum time at a boundary: its analog words, one launch, the loop."""
     target = lowered.program.target
     analog = _analog_words(lowered, boundary)
     loop_us = target.launch_us + (target.wait_us if boundary else 0.0)
@@ -147,6 +152,6 @@ def _least_us(lowered: Lowered, boundary: int) -> float:
 
 
 def _analog_words(lowered: Lowered, boundary: int) -> int:
-    """Words that move a boundary's light, whatever the gates."""
+    """Words that move a boundary's light, independent of gates."""
     steps = [s for s in lowered.plan.steps if s.boundary == boundary and s.bucket >= 0]
     return sum(len(step.words) for step in steps)

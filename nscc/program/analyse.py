@@ -11,17 +11,17 @@ from nscc.program.books import make_books
 from nscc.program.complete import Completion
 from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Checked, Meaning, check
+from nscc.program.field_planes import make_planes
 from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.pictures import make_pictures
-from nscc.program.planes import make_planes
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
 from nscc.program.table import Rules
-from nscc.program.wide import parts_of
+from nscc.program.wide import chunks_of
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
@@ -57,7 +57,7 @@ def analyse(
     assert frame is not None
     assert chosen is not None
     sound = tuple(
-        part for field in fields.values() if field is not None for part in parts_of(field)
+        part for field in fields.values() if field is not None for part in chunks_of(field)
     )
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
@@ -74,7 +74,7 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
     constants = resolve_constants(declared, target, problems)
     books = make_books(declared.books, constants["N"], base, problems)
     fields = make_fields(declared, constants_scope(declared, constants), books, problems)
-    sound = (part for each in fields.values() if each is not None for part in parts_of(each))
+    sound = (part for each in fields.values() if each is not None for part in chunks_of(each))
     return {part.name: (part.low, part.high) for part in sound}
 
 
@@ -104,11 +104,16 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
     place = min(spans, key=lambda span: span.start)
     problems.error(
         "NS0510",
-        f"the pixels of {target.name} have no logic: they neither look at light nor keep states",
+        f"the pixels of {target.name} have no logic: they cannot look at the light or keep states",
         place,
         "needs a processor in every pixel",
-        notes=("light goes to a tap by a bit that is sent for every slot, known before it falls",),
-        helps=("compile for such a chip: `target scamp5`", "or give every pixel a fixed shutter"),
+        notes=(
+            "on this chip, a bit that is known before the exposure routes the light of each slot",
+        ),
+        helps=(
+            "compile for a chip with such pixels: `target scamp5`",
+            "or give every pixel a fixed shutter",
+        ),
     )
     problems.stop_on_errors()
 

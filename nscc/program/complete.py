@@ -11,10 +11,11 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
+from nscc.program.field_planes import Plane, first_place, pixel_text
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
 from nscc.program.looking_advice import (
-    Part,
+    Excess,
     judge_looked_names,
     judge_looking,
     largest_part,
@@ -24,8 +25,7 @@ from nscc.program.looking_advice import (
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
-from nscc.program.pixels import codes_in_use, rows_of
-from nscc.program.planes import Plane, first_place, pixel_text
+from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
 from nscc.program.program import BucketRule, Codes, Frame, Program
 from nscc.program.table import (
@@ -99,7 +99,9 @@ class Completion:
             fields = [field.name for field in self.rules.fields]
             part = largest_part(self.declared, looking, fields, codes)
             if fields:
-                part.helps.extend([*self._fewer_codes(self.mode), "narrow the fields' ranges"])
+                part.helps.extend(
+                    [*self._fewer_codes(self.mode), "reduce the ranges of the fields"]
+                )
             raise self._too_much_looked(problem, part) from problem
         try:
             machine, untold = with_open_times(machine, self.frame.slot_us)
@@ -208,7 +210,7 @@ class Completion:
             if len(conditions) == 1:
                 tried = counted(self.rules.combinations, "combination")
                 text = f"false for {tried} of field values"
-            message = "no code is possible: `require` forbids every one"
+            message = "`require` excludes every code"
             self.problems.error("NS0317", message, conditions[0].condition.span, text)
             self.problems.stop_on_errors()
         if self.declared.has_pixels and self.rules.fields:
@@ -260,18 +262,18 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
-        helps = [*self._fewer_codes(mode), "narrow the fields' ranges, or use fewer slots"]
+        helps = [*self._fewer_codes(mode), "reduce the ranges of the fields, or use fewer slots"]
         self.problems.error(
             "NS0450",
             f"too many codes and slots: {problem.message}",
             span,
-            "asks for this many",
+            "needs this many",
             related=(Label(self.frame.count_span, "the slots"),),
             helps=tuple(helps),
             data=_proved(problem),
         )
 
-    def _too_much_looked(self, problem: TooMuch, part: Part) -> Rejected:
+    def _too_much_looked(self, problem: TooMuch, part: Excess) -> Rejected:
         """NS0450 at what makes the machine large."""
         self.problems.error(
             "NS0450",
@@ -288,8 +290,8 @@ class Completion:
         if mode != "open" or not self.rules.fields:
             return []
         if self.declared.has_pixels:
-            return ["`--codes fixed` compiles only for the codes that the pixels use"]
-        return ["give the pixels: then only the codes in use are compiled"]
+            return ["`--codes fixed` compiles only the codes that the pixels use"]
+        return ["add the pixel values: then nscc compiles only the used codes"]
 
     def _limit_span(self) -> Span:
         """The place to change where there are too many codes: the widest field's, or the frame."""

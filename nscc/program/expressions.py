@@ -133,7 +133,7 @@ class _Checker:
             types.append(self._type(node, given))
         found = types[0]
         if found is not None and found != wanted:
-            message = f"{what} must be {_a(wanted)}, and this is {_a(found)}"
+            message = f"{what} must be {_a(wanted)}, not {_a(found)}"
             self._mismatch(expr.span, message, _a(found), _CONVERT[wanted])
         if not self.sound or found is None:
             return None
@@ -199,7 +199,7 @@ class _Checker:
                 self._misplaced(node, meaning)
                 return None
             case "book":
-                message = f"`{node.text}` is a codebook: it cannot stand alone in an expression"
+                message = f"`{node.text}` is a codebook and needs an index"
                 helps = (f"`{node.text}[id]` is digit n of row id, a boolean",)
                 self._error("NS0209", message, node.span, "a whole codebook", helps=helps)
                 return None
@@ -208,7 +208,7 @@ class _Checker:
     def _too_wide(self, node: tree.Name) -> None:
         self._error(
             "NS0513",
-            f"`{node.text}` has more bits than a number: it cannot be calculated with",
+            f"`{node.text}` has too many bits for arithmetic",
             node.span,
             "a bit field of more than 62 bits",
             helps=(f"read single bits: `{node.text}[n]`",),
@@ -229,11 +229,11 @@ class _Checker:
         elif meaning.kind == "misplaced":
             self._misplaced(base, meaning)
         else:
-            message = f"`{base.text}` has no digits to index"
+            message = f"`{base.text}` cannot be indexed"
             label = "neither a bit field nor a codebook"
             helps = (
-                "`NAME[i]` is for fields declared `code NAME : bit[K]`",
-                "`BOOK[id]` is for codebooks declared with `shutters`",
+                "`NAME[i]` needs a field declared as `code NAME : bit[K]`",
+                "`BOOK[id]` needs a codebook declared with `shutters`",
             )
             self._error("NS0209", message, base.span, label, helps=helps)
 
@@ -258,7 +258,7 @@ class _Checker:
         if then is None or other is None:
             return then or other
         if then != other:
-            message = f"`if else` gives {_a(then)} or {_a(other)}, and must give one type"
+            message = f"`if else` gives {_a(then)} or {_a(other)}, but both must have one type"
             self._mismatch(node.span, message, "integers and booleans do not mix")
             return None
         return then
@@ -276,14 +276,14 @@ class _Checker:
     ) -> None:
         for found, node in zip(given, nodes, strict=True):
             if found is not None and found != wanted:
-                message = f"{who} needs {_a(wanted)}, and this is {_a(found)}"
+                message = f"{who} needs {_a(wanted)}, not {_a(found)}"
                 self._mismatch(node.span, message, _a(found), _CONVERT[wanted])
 
     def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
         self._error("NS0301", message, span, label, helps=helps)
 
     def _misplaced(self, node: tree.Name, meaning: Meaning) -> None:
-        message = f"`{node.text}` cannot stand here"
+        message = f"`{node.text}` cannot be used here"
         self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 
     def _unknown(self, node: tree.Name, what: str, known: Iterable[str]) -> None:
@@ -301,12 +301,15 @@ class _Checker:
 
 
 _CONVERT: dict[Type, tuple[str, ...]] = {
-    "integer": ("`1 if CONDITION else 0` makes an integer of a boolean",),
-    "boolean": ("a comparison makes a boolean of integers: `A != 0`, `A < B`",),
+    "integer": ("`1 if CONDITION else 0` converts a boolean to an integer",),
+    "boolean": ("a comparison converts integers to a boolean: `A != 0`, `A < B`",),
 }
 
 
-_ALONE = ("a condition stands by itself: write it for `== 1`, and `not` before it for `== 0`",)
+_ALONE = (
+    "a condition needs no comparison: write it alone instead of `== 1`, and with `not` instead "
+    "of `== 0`",
+)
 
 
 def _a(type_: Type) -> str:

@@ -178,23 +178,27 @@ class _Gatherer:
         place = file.statements[0].span if file.statements else Span(0, 0)
         if self.found.frame is None:
             message = "the program has no `frame` statement"
-            helps = ("say how many slots there are, and how long: `frame 256 slots of 125us`",)
-            self.problems.error("NS0204", message, place, "the time grid is missing", helps=helps)
+            helps = ("add the number and the length of the slots: `frame 256 slots of 125us`",)
+            self.problems.error("NS0204", message, place, "`frame` is missing", helps=helps)
         if not self.found.rules:
-            message = "the program has no rule: no `open when`, and no `bucket`"
-            helps = ("say when a pixel's shutter is open: `open when n < stop`",)
-            self.problems.error("NS0204", message, place, "the rule is missing", helps=helps)
+            message = "the program has no `open when` and no `bucket`"
+            helps = ("add a rule that says when a shutter is open: `open when n < stop`",)
+            self.problems.error(
+                "NS0204", message, place, "`open when` or `bucket` is missing", helps=helps
+            )
         fields = list(self.found.codes.values())
         if len(fields) > MOST_FIELDS:
             place, text = fields[MOST_FIELDS].name.span, f"field number {MOST_FIELDS + 1}"
-            message = f"the pixel code has {len(fields)} fields; the most is {MOST_FIELDS}"
-            helps = ("put single bits together in one field: `code bits : bit[K]`",)
+            message = (
+                f"the pixel code has {len(fields)} fields, but at most {MOST_FIELDS} are allowed"
+            )
+            helps = ("combine single bits in one field: `code bits : bit[K]`",)
             self.problems.error("NS0450", message, place, text, helps=helps)
 
     def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
         if first is None:
             return True
-        message = f"`{word}` is given twice; a program has one"
+        message = f"`{word}` is given twice, but a program has only one"
         related = (Label(first.span, "the first"),)
         self.problems.error("NS0205", message, second.span, "the second", related=related)
         return False
@@ -236,11 +240,11 @@ class _Gatherer:
             self.mixed = True
             self.problems.error(
                 "NS0206",
-                "a program has either one `open when` or named buckets, not both",
+                "a program must have either one `open when` or named buckets",
                 rule.span,
-                "of the other kind",
+                "this rule has the other form",
                 related=(Label(rules[0].span, "the first rule"),),
-                helps=("give each frame of the exposure a name: `bucket NAME open when ...`",),
+                helps=("give each exposure of the frame a name: `bucket NAME open when ...`",),
             )
         elif isinstance(rule, tree.Open):
             if self._once("open when", rules[0] if rules else None, rule):
@@ -252,7 +256,7 @@ class _Gatherer:
         # Buckets have names of their own (the key cannot be a name): until version 3, no expression
         # reads them.
         elif self._unused(
-            rule.name, f"two buckets are called `{rule.name.text}`", f"bucket {rule.name.text}"
+            rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"
         ):
             rules.append(rule)
 
@@ -260,6 +264,6 @@ class _Gatherer:
         name = statement.field.text
         first = self.found.pixels.setdefault(name, statement)
         if first is not statement:
-            message, place = f"the pixels of `{name}` are given twice", statement.field.span
+            message, place = f"the pixel values of `{name}` are given twice", statement.field.span
             related = (Label(first.field.span, "the first"),)
             self.problems.error("NS0211", message, place, "the second", related=related)

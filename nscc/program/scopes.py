@@ -1,4 +1,4 @@
-"""Which names mean what in each place of a program: constants, pixels, conditions, rules."""
+"""The names that are visible in each part of a program, and their meanings."""
 
 from __future__ import annotations
 
@@ -6,23 +6,22 @@ from nscc.program.expressions import FAILED, VARIABLE, Meaning, Scope, Type
 from nscc.program.names import LOOKS, PREDEFINED, Declarations
 from nscc.syntax.tree import CodeBits, StateBit
 
-_SLOT = "n is the slot: it runs while the frame is exposed, and only rules may read it"
-_PLACE = "x and y are the place of a pixel: only `pixels FIELD = ...` may read them"
+_SLOT = "n is the slot: only rules may use it"
+_PLACE = "x and y are the position of a pixel: only `pixels FIELD = ...` may use them"
 _PLACE_IN_RULE = (
-    "codes carry what differs between pixels: declare a `code` field, give it with "
-    "`pixels FIELD = ...` over x and y, and let the rule read the field"
+    "pixels differ only in their codes: declare a `code` field, set it with `pixels FIELD = "
+    "...` from x and y, and use the field in the rule"
 )
-_FIELD = "a field differs between codes: it has a value only in rules and in `require`"
-_FIELD_IN_PIXELS = "a field's pixels are computed from x, y, rows and cols, not from other fields"
-_LOOKED = (
-    "what a pixel finds while the frame is exposed has a value only in rules, in `next` and in "
-    "`reset when`"
+_FIELD = "a field has a value only in rules and in `require`"
+_FIELD_IN_PIXELS = (
+    "the pixel values of a field are computed from x, y, rows and cols, not from other fields"
 )
-_BOOK = "a codebook's digits are read slot by slot: only rules may read them"
+_LOOKED = "a sense or a state has a value only in rules, in `next` and in `reset when`"
+_BOOK = "only rules may use the digits of a codebook"
 
 
 def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For `let`, ranges, counts and tiles: `constants` alone, the other names explained."""
+    """For `let`, ranges, counts and tiles: constants; other names have explanations."""
     scope = {
         "n": Meaning("misplaced", note=_SLOT),
         "x": Meaning("misplaced", note=_PLACE),
@@ -56,7 +55,7 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
 
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For rules: constants, fields, codebooks, the slot n, and what the pixel has found."""
+    """For rules: constants, fields, codebooks, the slot n, states and answers."""
     scope = next_scope(declared, constants)
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
     return _without_refused(scope, declared)

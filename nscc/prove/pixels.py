@@ -39,7 +39,7 @@ Values = NDArray[np.float64]
 Lanes = NDArray[np.intp] | slice
 
 WRONG_EXPOSURE = "exposure differs from the sum of light over the open slots"
-WRONG_CODE = "the code registers do not hold their code when the frame ends"
+WRONG_CODE = "the code registers do not hold their code at the end of the frame"
 
 
 class Wrong(Exception):
@@ -201,7 +201,7 @@ class Pixels:
 
     def compare(self, word: Op) -> Bits:
         """What a comparison of analog values leaves in FLAG: it depends on the light."""
-        self._doubt(f"`{word}` makes FLAG hang on the light")
+        self._doubt(f"`{word}` makes FLAG depend on the light")
         # Where `where` obeys FLAG, pixels that were masked stay masked.
         return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
 

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.operations import Op
-from nscc.prove.looks import Looks
+from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import Wrong
 from nscc.prove.readout import readout_fault
@@ -69,7 +69,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
         if fault is not None:
-            what = f"the target does not take the word `{operation}`: {fault}"
+            what = f"the target does not support the word `{operation}`: {fault}"
             return Proof(codes, slots, 0, Failure(what, 0))
     looks = container.machine is not None
     replay = Looks(container, kernels) if looks else Replay(container, kernels)

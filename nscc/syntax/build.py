@@ -192,8 +192,8 @@ def _whole_number(text: str, span: Span) -> int:
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
         help_text = (
-            "numbers count slots, codes and pixels: none of them comes near that; codes of so many "
-            "bits come from a file"
+            "numbers count slots, codes and pixels, and are much smaller; codes with so "
+            "many bits come from a file"
         )
         raise _refused("NS0111", "this number is larger than 2^62 - 1", span, help_text)
     return value
@@ -205,13 +205,13 @@ def _microseconds(text: str, span: Span) -> Fraction:
     unit_us = _UNIT_US[text[len(number) :]]
     us = (_whole_number(whole, span) + _decimals(decimals, span)) * unit_us
     if us == 0:
-        raise _refused("NS0112", "this slot takes no time", span, "give it a time above zero")
+        raise _refused("NS0112", "the slot length is zero", span, "give a time above zero")
     return us
 
 
 def _decimals(digits: str, span: Span) -> Fraction:
     if len(digits) > _MOST_DECIMALS:
-        help_text = f"at most {_MOST_DECIMALS} decimals are read"
+        help_text = f"at most {_MOST_DECIMALS} decimals are allowed"
         raise _refused("NS0111", f"this number has {len(digits)} decimals", span, help_text)
     return Fraction(f"0.{digits or 0}")
 
@@ -224,7 +224,7 @@ def _too_deep(place: Span) -> Rejected:
     return rejected(
         "NS0110",
         f"this expression is nested more than {MOST_DEPTH} deep",
-        label=Label(place, "too deep from here on"),
-        notes=("brackets in brackets count, and so does every operator of a chain",),
-        helps=("name parts of it with `let`, or put data into a `tile` or a file",),
+        label=Label(place, "the limit is exceeded here"),
+        notes=("brackets and every operator of a chain count",),
+        helps=("name parts of the expression with `let`, or put data into a `tile` or a file",),
     )

@@ -25,21 +25,21 @@ _SIGNS = {
     "&&": ("`and` joins conditions", "and"),
     "|": ("`or` joins conditions", "or"),
     "||": ("`or` joins conditions", "or"),
-    "!": ("`not` turns a condition round", "not "),
-    "~": ("`not` turns a condition round", "not "),
+    "!": ("`not` negates a condition", "not "),
+    "~": ("`not` negates a condition", "not "),
     "?": ("a choice is written `A if CONDITION else B`", None),
-    "^": ("`xor` means one or the other; there are no powers", None),
+    "^": ("`xor` is the exclusive or; the language has no powers", None),
     "\u2264": ("it is written `<=`", "<="),
     "\u2265": ("it is written `>=`", ">="),
     "\u2260": ("it is written `!=`", "!="),
     "\u00d7": ("it is written `*`", "*"),
     "\u2212": ("it is written `-`", "-"),
     "\u2026": ("it is written `..`", ".."),
-    "\u00a0": ("this is not an ordinary blank", " "),
-    ".": ("a range has two dots, `0..7`; decimals stand only in times", None),
-    "'": ('paths stand in double quotes, "like this"', None),
-    "\u201c": ('paths stand in straight quotes, "like this"', '"'),
-    "\u201d": ('paths stand in straight quotes, "like this"', '"'),
+    "\u00a0": ("this is not an ordinary space", " "),
+    ".": ("a range has two dots, `0..7`; only times have decimals", None),
+    "'": ('write paths in double quotes, "like this"', None),
+    "\u201c": ('write paths in straight quotes, "like this"', '"'),
+    "\u201d": ('write paths in straight quotes, "like this"', '"'),
     "{": ("the language has no braces", None),
     "}": ("the language has no braces", None),
 }
@@ -52,7 +52,7 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
             place, helps = Label(tokens.span(stuck.token)), ("close the quotes on the same line",)
-            message = "these quotes are never closed"
+            message = "the closing quotation mark is missing"
             return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
         if kind == "STRAY":
             return _stray(tokens, stuck.token, stuck.expected)
@@ -96,9 +96,9 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     later = next((v for v in (2, 3) if v > tokens.version and word in statement_words(v)), None)
     return Diagnostic(
         "NS0109",
-        f"no statement begins with {shown(word)}",
+        f"unknown statement {shown(word)}",
         source=tokens.source,
-        label=Label(span, "a statement should begin here, or the last one go on"),
+        label=Label(span, "a statement must begin here, or the previous one continue"),
         notes=("statements begin with " + ", ".join(words),),
         helps=(f"`{word}` is a statement of version {later}: begin the file with `nsl {later}`",)
         * (later is not None),
@@ -118,20 +118,20 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
     if text.isidentifier():
         return Diagnostic(
             "NS0108",
-            f"{shown(text)} is not a name of this language",
+            f"{shown(text)} is not a valid name",
             source=tokens.source,
             label=Label(span),
-            helps=("names are made of the letters a-z and A-Z, digits and `_`",),
+            helps=("names consist of the letters a-z and A-Z, digits and `_`",),
         )
-    hint, instead = _SIGNS.get(text, ("take it out; comments begin with `#`", None))
+    hint, instead = _SIGNS.get(text, ("remove it; comments begin with `#`", None))
     file = habits.file_hint(tokens, token) if text == "." else None
     if text == ";" and "]" in expected:
-        hint, instead = "rows and values are parted by commas", ","
+        hint, instead = "separate rows and values with commas", ","
     elif file is not None:
         hint = file
     return Diagnostic(
         "NS0108",
-        f"the sign {shown(text)} means nothing here",
+        f"unexpected character {shown(text)}",
         source=tokens.source,
         label=Label(span),
         helps=() if instead is not None else (hint,),
@@ -145,7 +145,7 @@ def _reserved(tokens: Tokens, first: int, token: int) -> Diagnostic:
         "NS0113",
         f"`{word}` is a reserved word and cannot be a name",
         source=tokens.source,
-        label=Label(tokens.span(token), "a name belongs here"),
+        label=Label(tokens.span(token), "a name is required here"),
         notes=_forms(statement),
         helps=(f"choose another name, `{word}_` for example",),
     )
@@ -205,19 +205,19 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
     elif kind == "TIME" and tokens.kinds[first] != "frame":
-        yield "a time stands only in `frame`; elsewhere numbers have no unit"
+        yield "only `frame` uses times; other numbers have no unit"
     elif kind == "not" and "(" in stuck.expected:
-        yield "`not` is looser than comparisons and arithmetic: put brackets around it"
+        yield "`not` has a lower precedence than comparisons and arithmetic: put brackets around it"
     elif kind in ("/", "*") and tokens.kinds[stuck.token - 1] in ("/", "*"):
         pair = tokens.text(stuck.token - 1) + text
-        yield "there are no powers" if pair == "**" else "comments begin with `#`"
+        yield "the language has no powers" if pair == "**" else "comments begin with `#`"
     elif kind == "(" and tokens.kinds[stuck.token - 1] == "NAME":
         name = tokens.text(stuck.token - 1)
         yield f"functions are `min` and `max`; a bit of a field, or a digit of a row, is {name}[..]"
     elif kind == "INTEGER" and "]" in stuck.expected and tokens.kinds[first] == "shutters":
-        yield "rows are parted by commas; groups of digits are joined by `_`: 1111_0000"
+        yield "separate rows with commas; groups of digits are joined by `_`: 1111_0000"
     elif kind in ("]", ")") and not _open_brackets(tokens, first, stuck):
-        yield f"no bracket is open that this {shown(text)} could close"
+        yield f"the closing {shown(text)} has no opening bracket"
 
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:

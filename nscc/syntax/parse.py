@@ -183,19 +183,19 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
 def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
     return Diagnostic(
         "NS0104",
-        f"`nsl {versions[0].number.value}` is said once, at the start",
+        f"`nsl {versions[0].number.value}` must appear once, at the start",
         source=source,
         label=Label(versions[1].span, "said again"),
         related=(Label(versions[0].span, "said here"),),
-        fixes=(Fix("take it out", versions[1].span, ""),),
+        fixes=(Fix("remove it", versions[1].span, ""),),
     )
 
 
 def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
     return Diagnostic(
         "NS0106",
-        f"this program is in version {version.number.value} of the language; "
-        f"this nscc reads the versions {' and '.join(map(str, VERSIONS))}",
+        f"this program uses version {version.number.value} of the language; this nscc reads "
+        f"the versions {' and '.join(map(str, VERSIONS))}",
         source=source,
         label=Label(version.number.span),
         helps=(f"write `nsl {VERSIONS[0]}`, or use the nscc that the program was written for",),
@@ -208,6 +208,6 @@ def _other_language(tokens: Tokens) -> Diagnostic:
         "this looks like a hardware description, not like a shutter program",
         source=tokens.source,
         label=Label(tokens.span(0)),
-        notes=("the hardware description language NSL has files that end in .nsl, too",),
+        notes=("files of the hardware description language NSL also end in .nsl",),
         helps=("name a shutter program; its first statement is `nsl 1`",),
     )

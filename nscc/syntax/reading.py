@@ -1,4 +1,4 @@
-"""A program's file as text."""
+"""Read and decode program files."""
 
 from __future__ import annotations
 
@@ -12,11 +12,8 @@ MOST_BYTES = 256 * 1024
 
 
 def read_source(path: Path) -> Source:
-    """The text of a program, without a byte order mark.
-
-    Raises Rejected: NS0101 (status 2) where the file cannot be read, else as `source_of` does. No
-    more than 256 KiB are looked at.
-    """
+    """Read a program file and remove a byte order mark. Raises Rejected: NS0101 (status 2) if the
+    file cannot be read, else as `source_of`. Reads at most 256 KiB."""
     name = path.as_posix()
     try:
         with open(path, "rb") as file:
@@ -29,11 +26,9 @@ def read_source(path: Path) -> Source:
 
 
 def source_of(path: Path, data: bytes) -> Source:
-    """The text that a program's file holds, without a byte order mark.
-
-    Raises Rejected (status 1): NS0103 where it is over 256 KiB, NS0102 where it is not UTF-8 text;
-    with the file's name and no text.
-    """
+    """Decode the bytes of a program file and remove a byte order mark. Raises Rejected (status 1):
+    NS0103 if it exceeds 256 KiB, NS0102 if it is not UTF-8; the diagnostic has the file's name but
+    no text."""
     name = path.as_posix()
     if len(data) > MOST_BYTES:
         raise (
@@ -52,25 +47,25 @@ def source_of(path: Path, data: bytes) -> Source:
 
 
 def too_large(name: str) -> Diagnostic:
-    """NS0103: a program's text is over the limit."""
+    """NS0103: a program text exceeds the size limit."""
     return Diagnostic(
         "NS0103",
-        f"this program is larger than {MOST_BYTES // 1024} KiB, the most that a program may have",
-        helps=('data belongs in a file of its own: `pixels from "codes.npz"`',),
+        f"this program is larger than {MOST_BYTES // 1024} KiB, the largest size of a program",
+        helps=('store data in a separate file: `pixels from "codes.npz"`',),
         source=Source(name, ""),
     )
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
     ending = path.suffix.lower()
-    message = f"this file is not a text in UTF-8: {reason}"
+    message = f"this file is not UTF-8 text: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)
     if ending == ".icw":
         helps = (
-            "it is compiled already: `nscc run`, `view`, `prove`, `shutters` and `disasm` take it; "
-            "this needs the .nsl that it was compiled from",
+            "it is compiled already: `nscc run`, `view`, `prove`, `shutters` and `disasm` "
+            "accept it; this command needs the .nsl file",
         )
     elif ending != ".nsl":
         helps = ("name a shutter program, a text file that ends in .nsl; `nscc run PROGRAM.nsl "
-                 "--scene SCENE` takes pictures and clips",)  # fmt: skip
+                 "--scene SCENE` accepts pictures and clips",)  # fmt: skip
     return rejected("NS0102", message, helps=helps, status=1, source=Source(path.as_posix(), ""))

@@ -186,7 +186,8 @@ def no_operation(word: Word, where: str = "") -> Diagnostic:
     notes.append(f"it raises these control lines: {raised} (clock class {clock})")
     return Diagnostic(
         "NS0701",
-        f"{where + ': ' if where else ''}this word matches no operation: {word_text(word)}",
+        f"{where + ': ' if where else ''}unknown word, which matches no operation: "
+        f"{word_text(word)}",
         notes=tuple(notes),
         helps=("compile or assemble the program again; `nscc disasm` lists its words",),
         data={"word": list(word), "lines": names},

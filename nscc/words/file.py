@@ -212,18 +212,20 @@ def from_bytes(data: bytes, name: str) -> Container:
         if wrong:
             raise ValueError(wrong[0])
         if to_bytes(container) != data:
-            raise ValueError("it is not written the way nscc writes containers")
+            raise ValueError("its encoding differs from the one that nscc writes")
     except RecursionError:
         raise _rejected("NS0707", name, "its header is nested too deeply") from None
     except (ValueError, UnicodeDecodeError) as error:
-        raise _rejected("NS0707", name, f"its contents make no sense: {error}") from None
+        raise _rejected("NS0707", name, f"its contents are inconsistent: {error}") from None
     return container
 
 
 def _rejected(code: str, name: str, what: str) -> Rejected:
     again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
     if name.endswith(".nsl"):
-        again = f"it is a program: compile it first, `nscc build {name}`, and name the .icw"
+        again = (
+            f"it is a program: compile it first with `nscc build {name}`, and name the .icw file"
+        )
     return rejected(
         code,
         f"'{name}' cannot be used: {what}",
@@ -236,36 +238,36 @@ def _rejected(code: str, name: str, what: str) -> Rejected:
 def _check_frame(data: bytes, name: str) -> int:
     """Check magic, version, length and checksum; the header's length."""
     if not data.startswith(MAGIC):
-        what = "it is empty" if not data else "it is no container of instruction words (.icw)"
+        what = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, what)
     if len(data) < _PREAMBLE.size + _DIGEST:
-        raise _rejected("NS0705", name, f"it was cut short: {len(data)} bytes are left of it")
+        raise _rejected("NS0705", name, f"it is incomplete: it has only {len(data)} bytes")
     _, version, header_length, length = _PREAMBLE.unpack_from(data)
     if version not in VERSIONS:
         known = f"{VERSIONS[0]} to {VERSIONS[-1]}"
-        what = f"it has version {version} of the format, this nscc reads versions {known}"
+        what = f"it has version {version} of the format, but this nscc reads versions {known}"
         raise _rejected("NS0704", name, what)
     if len(data) != length:
-        what = f"it has {len(data)} bytes, {length} belong to the container"
+        what = f"it has {len(data)} bytes, but the container has {length}"
         if len(data) < length:
-            what = f"it was cut short: it has {len(data)} bytes of {length}"
+            what = f"it is incomplete: it has {len(data)} bytes of {length}"
         raise _rejected("NS0705", name, what)
     if sha256(memoryview(data)[:-_DIGEST]).digest() != data[-_DIGEST:]:
-        what = "it was damaged: its checksum does not fit its contents"
+        what = "it is damaged: its checksum does not match its contents"
         raise _rejected("NS0706", name, what)
     if header_length > len(data) - _PREAMBLE.size - _DIGEST:
-        raise _rejected("NS0707", name, "its contents make no sense: the header is too long")
+        raise _rejected("NS0707", name, "its contents are inconsistent: the header is too long")
     return int(header_length)
 
 
 def _check_header(header: Any, version: int) -> None:
     """Check the shape of a header; ValueError names what is wrong."""
-    _need(isinstance(header, dict), "the header is no table")
+    _need(isinstance(header, dict), "the header is not a table")
     names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
     names |= {"source_lines", "notes", "counts"} | (
         {"machine"} if version == VERSIONS[1] else {"pictures"} if version == VERSIONS[3] else set()
     )
-    _need(header.keys() == names, "the header has other keys than a container's")
+    _need(header.keys() == names, "the keys of the header differ from those of a container")
     for name in ("buckets", "fields", "code_registers", "source_lines"):
         values = header[name]
         _need(isinstance(values, list) and all(isinstance(v, str) for v in values), name)

@@ -24,8 +24,8 @@ def refuse_planes(target: Target, what: str, help_text: str) -> None:
     if target.streamed:
         raise rejected(
             "NS0510",
-            f"{what}: the pixels of {target.name} have no logic, and run no words",
-            notes=("they are sent a bit for every slot",),
+            f"{what}: the pixels of {target.name} have no logic and run no words",
+            notes=("such a chip receives one bit per pixel and slot",),
             helps=(help_text,),
             status=1,
         )
@@ -135,10 +135,10 @@ def picture_fault(operation: Op, target: Target) -> str | None:
         kind, limit = "an OR or NOR", target.or_sources if row.effect is Effect.DIGITAL else None
     if limit is not None and count > limit:
         most = f"{kind} word of {target.name} reads at most {limit} sources"
-        return f"{most}, and this one reads {count}"
+        return f"{most}, but this word reads {count}"
     reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
     if reads_flag and not target.where_reads_flag:
-        return f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
+        return f"WHERE writes FLAG, and on {target.name} it cannot also read it"
     return None
 
 
@@ -188,11 +188,11 @@ def _split(kernel: str, index: int, operation: Op, seen: str) -> Diagnostic:
     kind = operation.name.partition(".")[0]
     return Diagnostic(
         "NS0703",
-        f"word {index} of kernel '{kernel}' is one half of a pair, and its other half is not "
-        f"beside it: `{operation}` {seen}",
+        f"word {index} of kernel '{kernel}' is one half of a pair, and the other half is "
+        f"missing: `{operation}` {seen}",
         notes=(
-            "the first word of a pair leaves its result on the pixel's bus; any word but its "
-            "second half loses it",
+            "the first word of a pair leaves its result on the pixel's bus, and any word "
+            "between the halves loses it",
         ),
         helps=(f"keep `{kind}.read` and `{kind}.write` together in one kernel",),
         data={"kernel": kernel, "word": index},

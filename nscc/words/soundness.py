@@ -39,7 +39,7 @@ def _names(what: str, names: Sequence[str]) -> Iterator[str]:
 
 def _time_faults(container: Container) -> Iterator[str]:
     if not 1 <= container.slots <= MOST_SLOTS:
-        yield f"it has {container.slots} slots, 1 to {MOST_SLOTS} are possible"
+        yield f"it has {container.slots} slots, but 1 to {MOST_SLOTS} are allowed"
     for index, length in enumerate(container.slot_us):
         if not (isfinite(length) and _SHORTEST_SLOT_US <= length <= _LONGEST_SLOT_US):
             yield f"slot {index} has the length {length} us"
@@ -69,7 +69,7 @@ def _table_faults(container: Container) -> Iterator[str]:
     if codes == 0 or shutters == 0:
         yield "its decode table is empty"
     elif not _within(table.shutter_of_code, shutters):
-        yield f"a code names a shutter that is not among its {shutters}"
+        yield f"a code refers to a shutter outside the {shutters} shutters"
 
 
 def _kernel_faults(container: Container) -> Iterator[str]:
@@ -84,17 +84,17 @@ def _kernel_faults(container: Container) -> Iterator[str]:
     target = container.target
     most = target.store_words if target.tables_count_against_store else MOST_WORDS
     if stored > most:
-        yield f"its kernels have {stored} words, and {target.name} stores {most}"
+        yield f"its kernels have {stored} words, but {target.name} stores {most}"
     previous = 0
     for launch in container.launches:
         if not 0 <= launch.instant <= container.slots:
             yield f"a kernel is launched at instant {launch.instant} of 0..{container.slots}"
             break
         if not 0 <= launch.kernel < len(container.kernels):
-            yield f"kernel {launch.kernel} is launched, and there are {len(container.kernels)}"
+            yield f"kernel {launch.kernel} is launched, but there are {len(container.kernels)}"
             break
         if launch.instant < previous:
-            yield f"the launch at instant {launch.instant} stands behind a later one"
+            yield f"the launch at instant {launch.instant} follows a later launch"
             break
         previous = launch.instant
 
@@ -112,7 +112,7 @@ def _register_faults(container: Container) -> Iterator[str]:
     held = target.taps if target.streamed else target.analog_registers
     for readout in container.readouts:
         if readout.register not in held:
-            yield f"it reads out {readout.register[:40]!a}, which {target.name} does not have"
+            yield f"it reads out {readout.register[:40]!a}, but {target.name} has no such register"
         if not isfinite(readout.gain):
             yield f"a readout has the gain {readout.gain}"
 
@@ -126,7 +126,7 @@ def _pixel_faults(container: Container) -> Iterator[str]:
                 f"{(target.rows, target.cols)} as {target.name} needs"
             )
         elif not _within(pixels, len(container.table.codes)):
-            yield f"a pixel holds a code that is not among the {len(container.table.codes)}"
+            yield f"the code of a pixel is not one of the {len(container.table.codes)} codes"
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
@@ -134,14 +134,14 @@ def _stream_faults(container: Container) -> Iterator[str]:
     target, sent = container.target, container.stream
     if not target.streamed:
         if sent is not None:
-            yield f"it has planes of bits to send, and {target.name} takes words"
+            yield f"it has planes of bits, but {target.name} uses words"
         return
     if container.kernels or container.launches or container.code_registers:
-        yield f"it has words, and the pixels of {target.name} have no logic"
+        yield f"it has words, but the pixels of {target.name} have no logic"
     if container.machine is not None:
-        yield f"its pixels look at the light, and those of {target.name} have no logic"
+        yield f"its pixels look at the light, but those of {target.name} have no logic"
     if (sent is None) != (container.pixel_codes is None):
-        yield "it has planes without codes of the pixels, or codes without planes"
+        yield "it has planes but no codes of the pixels, or codes but no planes"
     elif sent is not None:
         yield from stream.faults(sent, target, container.slots, len(container.buckets))
 

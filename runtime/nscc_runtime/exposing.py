@@ -19,7 +19,7 @@ from itertools import cycle, islice
 from pathlib import Path
 from typing import Any, get_args
 
-from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
+from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.words.readout import converter_of
@@ -127,12 +127,12 @@ def capture(
     said: list[Diagnostic] = []
     scene = laid_of(call, light, container, said.append)
     one_of(call, "fidelity", fidelity, get_args(Fidelity))
-    whole(call, "seed", seed)
-    whole(call, "device_seed", device_seed)
+    require_whole_number(call, "seed", seed)
+    require_whole_number(call, "device_seed", device_seed)
     if repeat is not None:
-        whole(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
+        require_whole_number(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
     if threads is not None:
-        whole(call, "threads", threads, least=1)
+        require_whole_number(call, "threads", threads, least=1)
     if torch_device is not None:
         from nscc_runtime.torch_device import check_device
 
@@ -192,11 +192,11 @@ def captures(
     if {len(many_programs), len(many_lights)} - {1, count} or not (many_programs and many_lights):
         raise wrong_argument(
             f"nscc_runtime.captures: {len(many_lights)} scenes for {len(many_programs)} programs",
-            helps=("give as many of both in lists, or one of either",),
+            helps=("give lists of the same length, or a single scene or program",),
         )
 
     if threads is not None:
-        whole("nscc_runtime.captures", "threads", threads, least=1)
+        require_whole_number("nscc_runtime.captures", "threads", threads, least=1)
     plans = KeptPlans()
     plans.expect(range(count))
 
@@ -259,7 +259,7 @@ def plan(
     said: list[Diagnostic] = []
     scene = laid_of(call, light, container, said.append)[0].light
     chip = sensor_of(call, sensor, converter_of(container))
-    whole(call, "device_seed", device_seed)
+    require_whole_number(call, "device_seed", device_seed)
     allowed, most = (
         _tolerance(call, name, each)
         for name, each in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
@@ -354,13 +354,13 @@ def scene(
     if not isinstance(name, str | Path):
         raise wrong_argument(
             f"{call} takes the name of a scene, not {shown(name)}",
-            helps=("an array is light already: capture(program, array)",),
+            helps=("an array is already light: capture(program, array)",),
         )
     if transfer is not None:
         one_of(call, "transfer", transfer, get_args(Transfer))
     one_of(call, "frames_are", frames_are, get_args(FramesAre))
     one_of(call, "fit", fit, FITS)
-    whole(call, "first", first)
+    require_whole_number(call, "first", first)
     return Scene(
         str(name),
         exposure=_text(call, "exposure", exposure, 1),
@@ -431,4 +431,4 @@ def _plan(call: str, plan: object) -> Plan | Path | None:
         return plan
     if isinstance(plan, str | Path):
         return Path(plan)
-    raise wrong_argument(f"{call}: plan is a plan or a file of one, not {shown(plan)}")
+    raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")

@@ -49,7 +49,7 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     """Check the arrays of a frame file, and return its meta; raises InvalidArrays."""
     for name in ("meta", "frame"):
         if name not in arrays:
-            raise InvalidArrays(f"it has no array `{name}`")
+            raise InvalidArrays(f"the array `{name}` is missing")
     meta = frame_meta(arrays)
     if meta is None:
         raise InvalidArrays(f"its schema is not {SCHEMA}")
@@ -72,7 +72,7 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
         if kinds == "f" and (np.abs(values[np.isfinite(values)]) > _MOST_LIGHT).any():
             raise InvalidArrays(f"`{name}` has values above {_MOST_LIGHT:g}")
     if not is_plan(meta.get("plan")):
-        raise InvalidArrays("the `plan` of its meta does not say which effects it has")
+        raise InvalidArrays("the `plan` of its meta does not list its effects")
     return meta
 
 
@@ -117,10 +117,12 @@ def image_of(frame: Path) -> NDArray[np.float32]:
         reason = error if isinstance(error, InvalidArrays) else f"{type(error).__name__}: {error}"
         raise rejected(
             "NS0819",
-            f"'{frame.as_posix()}' says no light by itself: it is no frame file of a program whose "
-            "pixels look at the light",
+            f"'{frame.as_posix()}' does not contain light: it is not a frame file of a "
+            "program whose pixels look at the light",
             notes=(str(reason),),
-            helps=("name the run that the frame was taken for: `nscc reconstruct RUN FRAME.npz`",),
+            helps=(
+                "name the run for which the frame was exposed: `nscc reconstruct RUN FRAME.npz`",
+            ),
         ) from None
     if light.ndim == 3:
         light, deviation = light[None], deviation[None]

@@ -153,8 +153,8 @@ def check_adc(target: Target) -> None:
     if target.adc_bits > _MOST_BITS:
         raise rejected(
             "NS0742",
-            f"the ADC of target '{target.name}' has {target.adc_bits} bits, a frame file "
-            f"holds {_MOST_BITS}",
+            f"the ADC of target '{target.name}' has {target.adc_bits} bits, but a frame "
+            f"file supports {_MOST_BITS}",
             helps=(f"set adc_bits to at most {_MOST_BITS} in the target's [range]",),
             data={"required": target.adc_bits, "available": _MOST_BITS},
         )

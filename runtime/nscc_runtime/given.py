@@ -48,12 +48,12 @@ def container_of(call: str, program: object) -> Container:
         load = "load" if str(path).lower().endswith(".icw") else "compile"
         raise wrong_argument(
             f"{call} takes a compiled program, not {shown(path)}",
-            helps=(f"nscc.{load}({str(path)[:60]!r}) gives one",),
+            helps=(f"nscc.{load}({str(path)[:60]!r}) returns one",),
         )
     raise wrong_argument(
         f"{call} takes a compiled program first, not {shown(program)}",
         notes=(f"the order is {call}(program, light)",),
-        helps=("nscc.compile and nscc.load give programs",),
+        helps=("nscc.compile and nscc.load return programs",),
     )
 
 
@@ -76,7 +76,7 @@ def laid_of(
         return light.laid(slot_us, target, warn)
     if _container(light) is not None:
         raise wrong_argument(
-            f"{call}: the light is {shown(light)}, a program",
+            f"{call}: the light is {shown(light)}, which is a program",
             helps=(f"the order is {call}(program, light)",),
         )
     values = _array(call, light)
@@ -98,8 +98,8 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     if isinstance(sensor, Mapping):
         return load_sensor(target, None, changes_of(call, sensor))
     raise wrong_argument(
-        f"{call}: sensor is a Sensor, its file, or numbers by name, not {shown(sensor)}",
-        helps=("for instance sensor={'full_well_e': 20000}; `nscc effects` lists the numbers",),
+        f"{call}: sensor must be a Sensor, a sensor file, or numbers by name, not {shown(sensor)}",
+        helps=("for instance sensor={'full_well_e': 20000}; `nscc effects` lists the parameters",),
     )
 
 
@@ -128,15 +128,15 @@ def _array(call: str, light: object) -> NDArray[Any]:
         except (RuntimeError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())[:150]
             raise wrong_argument(
-                f"{call}: no array can be made of the light, {shown(light)}",
+                f"{call}: cannot convert the light to an array: {shown(light)}",
                 notes=(reason,),
                 helps=(
-                    "of a torch tensor give light.detach().cpu().numpy(); gradients flow through "
-                    "nscc_training.differentiable_capture",
+                    "for a torch tensor use light.detach().cpu().numpy(); gradients flow "
+                    "through nscc_training.differentiable_capture",
                 ),
             ) from error
     raise wrong_argument(
-        f"{call}: light is an array, a scene or a scene's name, not {shown(light)}",
-        notes=("arrays are electrons a slot (N, rows, cols), or a second (rows, cols)",),
-        helps=("nscc_runtime.scene('photo.exr', exposure='30000@70') names a scene of yours",),
+        f"{call}: light must be an array, a scene or the name of a scene, not {shown(light)}",
+        notes=("arrays are electrons per slot (N, rows, cols), or per second (rows, cols)",),
+        helps=("nscc_runtime.scene('photo.exr', exposure='30000@70') loads your own scene",),
     )

@@ -37,7 +37,7 @@ def next_planes(container: Container, loaded: Planes, left: Planes) -> dict[str,
     go on, the codes that were `loaded` stay."""
     machine = container.machine
     assert machine is not None
-    names = (state.name for state in machine.states if state.kept)
+    names = (state.name for state in machine.states if state.is_kept)
     kept = {register for name in names for register in container.state_planes[name].registers}
     return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
 

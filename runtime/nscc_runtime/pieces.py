@@ -142,7 +142,7 @@ def _refuse_once(request: Request) -> None:
         if getattr(request, name) is not None:
             raise rejected(
                 "NS0739",
-                f"--{name} is for one exposure, and this scene takes several",
-                notes=("pieces of a picture and colours are exposed one after the other",),
+                f"--{name} supports one exposure, but this scene needs several",
+                notes=("parts of a picture, and its colours, are exposed one after the other",),
                 helps=(f"leave --{name} out, or --fit tiles and --color",),
             )

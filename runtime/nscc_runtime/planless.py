@@ -10,7 +10,7 @@ def planless(what: str) -> Rejected:
     """NS0750; `what` wants a plan."""
     return rejected(
         "NS0750",
-        f"{what} needs a plan, and a chip that is sent planes of bits has none",
-        notes=("light is sorted slot by slot, with every effect that is on",),
-        helps=(f"leave {what} out: nothing is approximated",),
+        f"{what} needs a plan, but a chip that receives planes of bits does not use plans",
+        notes=("such frames are simulated slot by slot, with every enabled effect",),
+        helps=(f"leave {what} out: the simulation makes no approximation",),
     )

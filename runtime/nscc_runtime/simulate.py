@@ -95,7 +95,7 @@ class Request:
             named = ", ".join(_option(mark, name) for name in asked) or f"{mark}effects auto"
             raise _contradiction(
                 f"{named} with {mark}fidelity reference",
-                "the reference simulates what it is told to, without a plan",
+                "the reference simulates the selected effects without a plan",
                 f"leave {named} out, or {mark}fidelity reference",
             )
         file = plan if isinstance(plan, Path) else None
@@ -106,7 +106,7 @@ class Request:
             which = "a plan" if file is None else f"the plan '{file}'"
             raise _contradiction(
                 f"{named} with {which}",
-                "a plan that is used has decided on effects and tolerance",
+                "an existing plan already fixes the effects and the tolerance",
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
         planned = not reference and (bool(asked) or not chosen.noiseless)
@@ -374,10 +374,11 @@ def _eaten(frame: Frame) -> Diagnostic | None:
     many = "pixel reads less than it" if count == 1 else "pixels read less than they"
     return Diagnostic(
         "NS0793",
-        f"{count} {many} saw, down to nothing: light has eaten the reset level",
+        f"{count} {many} received, possibly 0: light had filled PIX before the reset level "
+        "was read",
         severity=Severity.WARNING,
         notes=(f"black suns are {count / pixels.size:.2%} of the pixels",),
-        helps=("saturated_by has the bit 16 there; less light makes them fewer",),
+        helps=("saturated_by has bit 16 there; less light reduces their number",),
         data={"pixels": count},
     )
 
@@ -385,7 +386,7 @@ def _eaten(frame: Frame) -> Diagnostic | None:
 def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
     """The warning that what the user forced off, or the plan given, costs more than allowed."""
     forced = [each.name for each in plan.decisions if each.forced and each.decision == "dropped"]
-    why = "the plan was made for another scene" if given else f"forced off: {', '.join(forced)}"
+    why = "the plan was made for another scene" if given else f"turned off: {', '.join(forced)}"
     return Diagnostic(
         "NS0749",
         breach,
@@ -401,7 +402,7 @@ def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
 
 
 def _instead(given: bool) -> str:
-    return "make a new plan for this scene" if given else "let the planner decide on them"
+    return "make a new plan for this scene" if given else "let the planner decide on these effects"
 
 
 def _broken(plan: Plan, report: Audit, given: bool) -> Rejected:
@@ -410,8 +411,8 @@ def _broken(plan: Plan, report: Audit, given: bool) -> Rejected:
         what = f"use --fidelity reference for this scene, or {_instead(given)}"
     else:
         what = (
-            "use --fidelity reference for this scene; a plan that foresees to hold should not come "
-            "to this: please report it"
+            "use --fidelity reference for this scene; a plan that predicts an error within "
+            "the tolerance should not fail: please report it"
         )
     return rejected(
         "NS0749",
@@ -446,7 +447,7 @@ def _option(mark: str, name: str) -> str:
 
 def _contradiction(what: str, note: str, help_text: str) -> Rejected:
     return rejected(
-        "NS0739", f"{what}: these exclude each other", notes=(note,), helps=(help_text,)
+        "NS0739", f"{what}: these options exclude each other", notes=(note,), helps=(help_text,)
     )
 
 

@@ -12,7 +12,9 @@ from nscc.diagnostics.arguments import shown, wrong_argument
 def check_device(call: str, device: object) -> None:
     """Raises WrongArgument for what is no device that this torch can draw counts on."""
     if not isinstance(device, str):
-        raise wrong_argument(f"{call}: torch_device is a name as 'cuda', not {shown(device)}")
+        raise wrong_argument(
+            f"{call}: torch_device must be a name such as 'cuda', not {shown(device)}"
+        )
     try:
         _drawn(device)
     except (AssertionError, RuntimeError, TypeError) as error:

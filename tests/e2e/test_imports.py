@@ -29,7 +29,17 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("columns", "html", "npy", "operations", "requirements", "source", "truth", "version"),
+    (
+        "columns",
+        "html",
+        "notebooks",
+        "npy",
+        "operations",
+        "requirements",
+        "source",
+        "truth",
+        "version",
+    ),
     ("lazy",),
     ("diagnostics", "macros"),
     ("examples", "experiment_store", "files", "plugins"),

@@ -15,7 +15,7 @@ from threading import Thread
 import numpy as np
 import pytest
 
-from nscc.editing.files import files_of
+from nscc.editing.program_files import files_of
 from nscc_cli.main import main
 
 GOOD = 'nsl 1\nframe 8 slots of 1ms\ncode c : 0..1\nopen when n < c\npixels from "codes.npz"\n'
@@ -88,4 +88,4 @@ def test_the_files_of_a_program(tmp_path: Path) -> None:
 
 def test_a_log_that_is_one_document_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "--watch", "--message-format", "sarif", "a.nsl"]) == 2
-    assert "--watch never ends" in capsys.readouterr().err
+    assert "--watch runs forever" in capsys.readouterr().err

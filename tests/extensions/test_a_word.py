@@ -50,7 +50,7 @@ def test_words_of_ones_own_are_assembled_proved_and_run(tmp_path: Path) -> None:
     assert ideal == pytest.approx(9000 / 8 * np.tile([[1, 3], [5, 8]], (4, 6)))
     assert all(abs(other - others[0]).mean() < 20 for other in others)
     refused = invoke(f"build {OPTIONS} --emit cpp -o p".split(), tmp_path)
-    assert "has words that the SCAMP-5d devkit does not: bus5, sum" in refused.err
+    assert "has words that the SCAMP-5d devkit does not have: bus5, sum" in refused.err
 
 
 @pytest.mark.parametrize("change", ['"bus"/"blend"', "[5,/[4,", '"sum"/"OR"', '"fbus"/"W1"'])

@@ -412,9 +412,9 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     np.savez(tmp_path / "high.npz", **{**whole, "decode_row": whole["decode_row"] + 99})
     (tmp_path / "not.npz").write_bytes(b"PK")
     (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n")
-    reasons = {"row.npz": "do not fit together", "high.npz": "do not fit together",
-               "not.npz": "no .npz file", "photo.png": "no .npz file",
-               "none.npz": "no such file", "a.npz": "no array `meta`"}  # fmt: skip
+    reasons = {"row.npz": "do not match each other", "high.npz": "do not match each other",
+               "not.npz": "not an .npz file", "photo.png": "not an .npz file",
+               "none.npz": "file does not exist", "a.npz": "array `meta` is missing"}  # fmt: skip
     for by in ("any", "clip"):
         for name, reason in reasons.items():
             refused = invoke(["reconstruct", by, name, "-o", "o.npz"], tmp_path)
@@ -426,7 +426,7 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     (tmp_path / "small.toml").write_text(small)
     assert invoke(["build", "p.nsl", "--target", "small.toml", "-o", "s.icw"], tmp_path).status == 0
     other = invoke([*kept, "--program", "s.icw"], tmp_path)
-    assert "it has 256 x 256 pixels, and 's.icw' has 64 x 256" in other.err
+    assert "it has 256 x 256 pixels, but 's.icw' has 64 x 256" in other.err
     assert invoke([*kept, "--force"], tmp_path).status == 2
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
 
@@ -486,9 +486,9 @@ def test_a_dark_frame_is_of_the_program(tmp_path: Path) -> None:
     np.savez(tmp_path / "s.npz", **{**whole, **cut})
     refused = invoke([*line, "s.npz"], tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0819"])
-    assert "without light it has 256 x 99 pixels, the frame 256 x 256" in refused.err
+    assert "the dark frame has 256 x 99 pixels, but the frame has 256 x 256" in refused.err
     lost = invoke([*line, "none.npz"], tmp_path)
-    assert "there is no such file" in lost.err
+    assert "the file does not exist" in lost.err
 
 
 def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:

@@ -50,7 +50,10 @@ def taken(
     return found
 
 
-ONE = "1 pixel reads less than it saw, down to nothing: light has eaten the reset level"
+ONE = (
+    "1 pixel reads less than it received, possibly 0: light had filled PIX before the reset level "
+    "was read"
+)
 
 
 def test_the_level_holds_the_light_since_the_reset_and_at_most_a_full_well() -> None:

@@ -204,7 +204,7 @@ def test_a_place_that_cannot_be_written_is_no_trouble(
     assert (done.status, done.codes) == (0, [])
     said = invoke(["doctor"], tmp_path)
     assert said.status == 0
-    assert "nothing is kept" in said.out
+    assert "runs without a cache" in said.out
 
 
 def test_doctor_tells_where_and_how_much(folder: Path, tmp_path: Path) -> None:

@@ -49,8 +49,8 @@ def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFix
 
 @pytest.mark.parametrize(
     ("line", "said"),
-    [("-O 9", "invalid choice"), ("--colour red", "unrecognized"), ("7up", "no name"),
-     ("'a", "quotation")],
+    [("-O 9", "invalid choice"), ("--colour red", "unrecognized"),
+     ("7up", "not a valid variable name"), ("'a", "quotation")],
 )  # fmt: skip
 def test_a_wrong_line(
     line: str, said: str, shell: InteractiveShell, capsys: pytest.CaptureFixture[str]

@@ -79,11 +79,11 @@ def test_staggered_bumps_begin_at_moments_evenly_spread() -> None:
 @pytest.mark.parametrize(
     ("spec", "name", "reason"),
     [
-        (SPECS["c"], "cyclic", "class e and a codebook"),
+        (SPECS["c"], "cyclic", "class e or a codebook"),
         (SPECS["d"], "cyclic", "end with the frame"),
-        (SPECS["b"], "two-phase", "bumps of clips"),
+        (SPECS["b"], "two-phase", "bumps for clips"),
         (ShutterSpec("c", 16, (2, 2), length=4), "staggered", "multiple"),
-        (ShutterSpec("codebook", 16, (4, 4), rows=8), "cyclic", "16 shutters are more"),
+        (ShutterSpec("codebook", 16, (4, 4), rows=8), "cyclic", "16 shutters do not fit"),
     ],
 )
 def test_starts_that_a_class_has_not(spec: ShutterSpec, name: str, reason: str) -> None:
@@ -311,7 +311,7 @@ def test_a_limit_of_words_is_a_search_s_and_is_kept_to_the_end(tmp_path: Path) -
     assert not (tmp_path / "never/result.json").exists()
     assert (tmp_path / "never/metrics.csv").exists()
     values["shutter"] = shutter | {"most_words": 0.25, "relaxation": "tried"}
-    with pytest.raises(Rejected, match="a search alone stays within words"):
+    with pytest.raises(Rejected, match="only a search stays within a limit of words"):
         make_setup(settings_of(values))
 
 

@@ -29,9 +29,9 @@ def test_all_mistakes_with_a_sure_remedy(
     path.write_text(BAD)
     assert main(["check", "--fix", str(path)]) == 0
     assert path.read_text() == GOOD
-    assert "mended" in capsys.readouterr().err
+    assert "fixed" in capsys.readouterr().err
     assert main(["check", "--fix", str(path)]) == 0
-    assert "mended" not in capsys.readouterr().err
+    assert "fixed" not in capsys.readouterr().err
     assert path.read_text() == GOOD
 
 

@@ -113,7 +113,7 @@ def test_files_and_their_digests_are_offered(tmp_path: Path) -> None:
         (STOPS, "open", ["Class b", "open when EXPR"]),
         (LOOKS, "bright and", ["8 times", "1, 2, 4, 8"]),
         (LOOKS, "closed_at", ["0..8, 0 at the start, read out"]),
-        (LOOKS, "looks when", ["this one included"]),
+        (LOOKS, "looks when", ["including this one"]),
         (STOPS.replace("n < stop", "n < sto"), "sto\n", ["# NS0214", "## What to do"]),
         ("nsl 1\nlet a = b\nlet b = a\n", "a = b", ["a constant", "# NS0203"]),
     ],
@@ -211,10 +211,10 @@ def test_assembly_is_checked_as_nscc_asm_does() -> None:
 
 def test_names_that_stay() -> None:
     for text, piece, name, why in (
-        (STOPS, "stop", "7up", "no name"),
-        (STOPS, "stop", "open", "word of the language"),
+        (STOPS, "stop", "7up", "not a valid name"),
+        (STOPS, "stop", "open", "reserved word of the language"),
         (STOPS, "stop", "n", "predefined"),
-        (STOPS, "stop", "most", "something else"),
+        (STOPS, "stop", "most", "another meaning"),
         (STOPS, "x % 2", "a", "is predefined"),
         (STOPS, "frame", "a", "no name of the program"),
         (STOPS.replace("n < stop", "n < sto"), "sto\n", "a", "not declared"),
@@ -226,7 +226,7 @@ def test_names_that_stay() -> None:
 
 def test_words_of_version_2_are_names_in_version_1() -> None:
     assert renamed(document(STOPS), STOPS.rindex("stop"), "light")
-    with pytest.raises(CannotRename, match="word of the language"):
+    with pytest.raises(CannotRename, match="reserved word of the language"):
         renamed(document(LOOKS), LOOKS.rindex("closed_at"), "light")
 
 

@@ -83,7 +83,7 @@ INCOMPLETE = [
     ({"reference": {"codes": abs}}, "it is that of `adc`"),
     ({"size": ""}, "`size`, a text"),
     ({"sums": None}, "`sums`, its parts"),
-    ({"sums": (1,)}, "`sums` of known parts only"),
+    ({"sums": (1,)}, "`sums` with known parts only"),
     ({"sums": named("lag").sums}, "that of `lag`"),
     ({"words": None}, "`words`, InLoop"),
     ({"words": InLoop()}, "`words` that is CannotHave"),
@@ -92,8 +92,8 @@ INCOMPLETE = [
     ({"name": "all"}, "a `name` of small letters"),
     ({"name": "a,b"}, "a `name` of small letters"),
     ({"always": True}, "`always` that is False"),
-    ({"sums": ()}, "`sums` that go with `reference`"),
-    ({"sums": (Errors("reads", abs),)}, "`sums` that go with `reference`"),
+    ({"sums": ()}, "`sums` that match `reference`"),
+    ({"sums": (Errors("reads", abs),)}, "`sums` that match `reference`"),
     ({"cost_ns": -1}, "`cost_ns`, a number"),
     ({"light_ns": math.nan}, "`light_ns`, a number"),
     ({"marks": None}, "`marks` of well, subtracted"),
@@ -138,7 +138,7 @@ def test_what_marks_saturation_is_declared() -> None:
 
 
 def test_what_is_no_effect_is_refused() -> None:
-    with pytest.raises(Rejected, match="it is no Effect"):
+    with pytest.raises(Rejected, match="it is not an Effect"):
         register("columns")
 
 

@@ -188,11 +188,14 @@ def test_torch_is_taken_where_it_is_numbers(program: nscc.ShutterProgram) -> Non
 WRONG = {
     "swapped": (lambda p: nscc_runtime.capture(LIGHT, p), "takes a compiled program first, not an"),
     "two programs": (lambda p: nscc_runtime.capture(p, p), "the light is a ShutterProgram"),
-    "a path": (lambda p: nscc_runtime.capture("p.nsl", LIGHT), r"nscc.compile\('p.nsl'\) gives"),
-    "words": (lambda p: nscc_runtime.capture("p.icw", LIGHT), r"nscc.load\('p.icw'\) gives"),
-    "nothing": (lambda p: nscc_runtime.capture(p, None), "a scene or a scene's name, not None"),
+    "a path": (lambda p: nscc_runtime.capture("p.nsl", LIGHT), r"nscc.compile\('p.nsl'\) returns"),
+    "words": (lambda p: nscc_runtime.capture("p.icw", LIGHT), r"nscc.load\('p.icw'\) returns"),
+    "nothing": (
+        lambda p: nscc_runtime.capture(p, None),
+        "a scene or the name of a scene, not None",
+    ),
     "effects": (lambda p: nscc_runtime.capture(p, LIGHT, effects=1), "effects is text, not 1"),
-    "plan": (lambda p: nscc_runtime.capture(p, LIGHT, plan=1), "a plan or a file of one, not 1"),
+    "plan": (lambda p: nscc_runtime.capture(p, LIGHT, plan=1), "a plan or a plan file, not 1"),
     "sensor": (lambda p: nscc_runtime.capture(p, LIGHT, sensor=1), "or numbers by name, not 1"),
     "seed": (lambda p: nscc_runtime.capture(p, LIGHT, seed=-1), "seed is a whole number from 0"),
     "fidelity": (lambda p: nscc_runtime.capture(p, LIGHT, fidelity="ref"), "'planned', 'referenc"),
@@ -209,7 +212,10 @@ WRONG = {
     "exposure": (lambda p: nscc_runtime.scene("x", exposure=[]), "exposure is text or a number"),
     "crop": (lambda p: nscc_runtime.scene("x", crop=5), "crop is text or 2 numbers, not 5"),
     "fps": (lambda p: nscc_runtime.scene("x", fps="a"), "fps is a number, not the text 'a'"),
-    "ragged": (lambda p: nscc_runtime.capture(p, [[1, 2], [3]]), "no array can be made of the li"),
+    "ragged": (
+        lambda p: nscc_runtime.capture(p, [[1, 2], [3]]),
+        "cannot convert the light to an ar",
+    ),
     "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
     "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
 }

@@ -159,7 +159,7 @@ def test_never_over_an_input_by_any_name(tmp_path: Path) -> None:
     source.write_bytes(b"text")
     link.hardlink_to(source)
     with inputs_kept():
-        reads(source, tmp_path / "no such file", tmp_path)
+        reads(source, tmp_path / "file does not exist", tmp_path)
         for product in (source, link, tmp_path / "." / "a.nsl"):
             with pytest.raises(Rejected) as raised:
                 write_together({tmp_path / "other": b"x", product: b"words"})

@@ -121,7 +121,7 @@ def test_times_that_are_none_are_refused(kept: Container, time_us: float) -> Non
     open_us = kept.machine.open_us.copy()
     open_us[-1, 0] = time_us
     changed = replace(kept, machine=replace(kept.machine, open_us=open_us))
-    assert faults(changed) == ["the times that pixels of its machine were open are no times"]
+    assert faults(changed) == ["the open times of its machine are invalid"]
 
 
 def test_every_behaviour_has_one_start() -> None:

@@ -34,8 +34,8 @@ def arrays(**changes: Any) -> dict[str, Any]:
 
 
 DAMAGED: dict[str, tuple[dict[str, Any], str]] = {
-    "no frame": ({"frame": None}, "no array `frame`"),
-    "no meta": ({"meta": None}, "no array `meta`"),
+    "no frame": ({"frame": None}, "array `frame` is missing"),
+    "no meta": ({"meta": None}, "array `meta` is missing"),
     "NaN codes": ({"frame": np.full(SHAPE, np.nan)}, "`frame` is float64"),
     "wide codes": ({"frame": np.full(SHAPE, 1009)}, "`frame` is int64"),
     "uint16": ({"frame": np.full(SHAPE, 9, np.uint16)}, "`frame` is uint16"),
@@ -50,7 +50,8 @@ DAMAGED: dict[str, tuple[dict[str, Any], str]] = {
     "no JSON": ({"meta": np.array("{")}, "its schema is not"),
     "nested": ({"meta": np.array("[" * 100_000)}, "its schema is not"),
     "plan": (
-        {"meta": np.array(json.dumps(META | {"plan": {"effects": [1]}}))}, "does not say which"
+        {"meta": np.array(json.dumps(META | {"plan": {"effects": [1]}}))},
+        "does not list its effects",
     ),
 }  # fmt: skip
 

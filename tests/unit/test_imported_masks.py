@@ -81,7 +81,7 @@ def test_a_code_for_every_pixel(tmp_path: Path) -> None:
     [
         (np.full((4, 4, 8), 0.5), "neither 0 nor 1"),
         (np.ones((300, 4, 8)), "300 x 4"),
-        (RNG.random((16, 16, 100)) < 0.5, "no class holds"),
+        (RNG.random((16, 16, 100)) < 0.5, "no class represents"),
     ],
 )
 def test_masks_that_do_not_fit(tmp_path: Path, mask: np.ndarray, reason: str) -> None:

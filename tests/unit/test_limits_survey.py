@@ -13,8 +13,8 @@ from nscc.chips.load import load_target, target_toml
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import families
+from nscc.limits.limits_table import limits_json, limits_text
 from nscc.limits.survey import survey
-from nscc.limits.table import limits_json, limits_text
 from nscc.pipeline import Options
 from nscc.source import Source
 
@@ -57,9 +57,9 @@ def test_what_is_built_compiles_and_what_was_tried_is_told_truly(tiny):
     for (name, slot), limit in tiny.items():
         if name == "a":
             continue
-        for trial in limit.tried:
+        for trial in limit.trials:
             assert fits(TINY, limit.family, trial.size, slot) == trial.fits, (name, trial.size)
-        sizes = [trial.size for trial in limit.tried if trial.fits]
+        sizes = [trial.size for trial in limit.trials if trial.fits]
         assert (limit.built.size if limit.built else None) == max(sizes, default=None)
 
 
@@ -103,7 +103,7 @@ def test_a_store_that_is_full_proves_nothing():
     full = [limit for limit in limits.values() if "stored words" in limit.unknown_reason]
     assert full
     for limit in full:
-        assert "[NS0501], which proves nothing" in limit.unknown_reason
+        assert "[NS0501], but a longer search may succeed" in limit.unknown_reason
         assert limit.built.figures["words_stored"] <= 40
 
 
@@ -146,10 +146,10 @@ def test_the_command(tmp_path):
     ("arguments", "code", "part"),
     [
         (["--limits", "--toml"], "NS0780", "one of them"),
-        (["scamp5", "--json"], "NS0780", "--json goes with --limits"),
-        (["--slot", "1ms"], "NS0780", "--slot goes with --limits"),
-        (["--limits", "--slot", "fast"], "NS0783", "'fast' is no time"),
-        (["--limits", "--slot", "0us"], "NS0783", "longer than nothing"),
+        (["scamp5", "--json"], "NS0780", "--json needs --limits"),
+        (["--slot", "1ms"], "NS0780", "--slot needs --limits"),
+        (["--limits", "--slot", "fast"], "NS0783", "invalid time 'fast'"),
+        (["--limits", "--slot", "0us"], "NS0783", "longer than 0"),
         (["--limits", "-O", "4"], "NS0783", "-O"),
     ],
 )

@@ -19,7 +19,7 @@ from nscc.logic.generate import GENERATORS, solutions
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.exposure_plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
 
 N = np.arange(12)
@@ -138,6 +138,7 @@ LONG_TABLES = {
     "split": [[stop > LONG, stop <= LONG] for stop in range(1, 40)],
     "some stops": [stop > LONG for stop in (3, 4, 9, 17, 18, 30, 33, 40)],
     "cut windows": [(start <= LONG) & (start + 6 > LONG) for start in range(40)],
+    "narrow windows": [(start <= LONG) & (start + 4 > LONG) for start in range(40)],
     "wide windows": [(start <= LONG) & (start + 13 > LONG) for start in range(28)],
     "long bumps": [(a <= M) & (b > M) for a in range(21) for b in range(a, 22)],
     "some bumps": [(a <= LONG) & (a + 3 + 5 * a % 17 > LONG) for a in range(36)],
@@ -259,7 +260,7 @@ def test_gates_keep_the_fan_in(limit, count, inside):
         held = {name: choose.random() < 0.3 for name in [*sources, "t0"]}
         truth = any(held[name] for name in sources)
         if kind == "where":
-            gates.where(sources, "t0")
+            gates.load_flag(sources, "t0")
         else:
             getattr(gates, kind)("t0", sources)
         for gate in gates.take():

@@ -275,6 +275,11 @@ sys.exit(any(name in sys.modules for name in ("numba", "scipy")))
 
 def test_every_loop_is_found():
     found = [name for package in ("nscc_runtime", "nscc_training") for name in modules(package)]
-    for name in ("emulator.loops", "noise.loops", "execution.pixel_loop", "execution.sum_loop"):
+    for name in (
+        "emulator.loops",
+        "noise.noise_loops",
+        "execution.pixel_loop",
+        "execution.sum_loop",
+    ):
         assert f"nscc_runtime.{name}" in found
     assert "nscc_training.baselines.tv_loop" in found

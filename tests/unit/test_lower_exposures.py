@@ -17,7 +17,7 @@ from lowering_oracle import (
 from program_oracle import program_of
 
 from nscc.chips.load import load_target
-from nscc.lower.plan import LOWERINGS, Misfit
+from nscc.lower.exposure_plan import LOWERINGS, Misfit
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded
 
@@ -128,5 +128,5 @@ def test_seven_buckets_need_seven_registers():
 def test_latch_serves_only_what_opens_with_the_frame():
     lowered = lowered_as(program_from([[0, 1, 1], [1, 1, 0]]), "latch")
     assert isinstance(lowered, Misfit)
-    assert "latch serves only" in lowered.reason
+    assert "latch requires" in lowered.reason
     assert not isinstance(lowered_as(program_from([[0, 0, 0], [1, 1, 0]]), "latch"), Misfit)

@@ -63,7 +63,7 @@ def book_file(folder, rows, slots):
 def test_more_shutters_than_states(chip, text, codes, required, what):
     found = fault(f"target {chip}\n{text}" if chip else text, codes)
     assert found.code == "NS0412"
-    assert f"its codes need {required} bits a pixel, the chip has 13" in found.message
+    assert f"its codes need {required} bits per pixel, but the chip has 13" in found.message
     assert found.label.text == what
     assert found.data == {
         "resource": "digital registers", "required": required, "available": 13, "proved": True,
@@ -170,7 +170,7 @@ def test_a_lowering_that_does_not_serve():
     text = "frame 8 slots of 1ms\ncode s : 0..7\nopen when n == s"
     found = fault(text, lowering="latch")
     assert found.code == "NS0414"
-    assert "latch serves only" in found.message
+    assert "latch requires" in found.message
     assert compiled(text).proof.holds
 
 

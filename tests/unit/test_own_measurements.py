@@ -129,8 +129,8 @@ def test_the_command_states_noise_and_no_psnr(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arrays", "reason"),
     [
-        ({"meas": np.ones((ROWS, COLS))}, "no array `mask`"),
-        ({"mask": MASK, "other": MASK}, "no array `meas`"),
+        ({"meas": np.ones((ROWS, COLS))}, "array `mask` is missing"),
+        ({"mask": MASK, "other": MASK}, "array `meas` is missing"),
         ({"mask": MASK, "meas": np.ones((ROWS, COLS + 1))}, "rows and columns differ"),
         ({"mask": MASK[0], "meas": np.ones((ROWS, COLS))}, "shape (24, 32)"),
         ({"mask": 255 * MASK, "meas": np.ones((ROWS, COLS))}, "0 to 255"),

@@ -91,7 +91,7 @@ def test_a_part_of_no_signal_is_refused_and_electrons_are_offered(signal_e: floa
         tolerance("1%", signal_e)
     [said] = caught.value.diagnostics
     assert (said.code, caught.value.status) == ("NS0746", 2)
-    assert "1% of this scene is nothing" in said.message
+    assert "1% of this scene is 0" in said.message
     assert "--tolerance 5e" in said.helps[0]
 
 

@@ -58,7 +58,7 @@ def test_what_was_built_proves(stops: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
-        ("    all\n", "    where PIX\n", "`where PIX` makes FLAG hang on the light"),
+        ("    all\n", "    where PIX\n", "`where PIX` makes FLAG depend on the light"),
         ("    REFRESH R2\n", "", "R2 has decayed: no frame writes it anew"),
         ("    bus A, B, NEWS\n", "    bus A, B\n", "shutter"),
     ],

@@ -125,7 +125,7 @@ def test_any_frame_of_a_clip_may_be_a_still(name: str, tmp_path: Path) -> None:
         assert found.light.kind == "still"
         total = found.light.total_e()
         assert total[0, 0] / total[0, -1] == pytest.approx(level / 200)
-    with pytest.raises(Rejected, match=r"NS0735.* has 3 frames, and no frame 3"):
+    with pytest.raises(Rejected, match=r"NS0735.* has 3 frames, so frame 3"):
         laid(tmp_path / name, single=True, first=3)
 
 

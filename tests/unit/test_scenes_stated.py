@@ -103,7 +103,7 @@ def test_white_of_twelve_bits(tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "p.png"), stored)
     _, said = light_of(tmp_path / "p.png")
     assert len(said) == 1
-    assert "the sRGB curve and 65535 for white; the largest is 4095" in said[0].message
+    assert "the sRGB curve and white at 65535; the largest is 4095" in said[0].message
     light, said = light_of(tmp_path / "p.png", white=4095.0)
     assert not said
     fraction = stored / 4095.0

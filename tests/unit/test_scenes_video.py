@@ -192,9 +192,9 @@ def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> 
     said: list[Diagnostic] = []
     settings: dict[str, Any] = {"rows": ROWS, "cols": COLS, "exposure": ExposureLevel(1.0)}
     load_scene(str(path), slot_us=(10.0,) * 5, warn=said.append, **settings)
-    notes = [diagnostic.message for diagnostic in said if "breaks off" in diagnostic.message]
+    notes = [diagnostic.message for diagnostic in said if "is incomplete" in diagnostic.message]
     assert len(notes) == 1
-    count = int(notes[0].split("holds ")[1].split()[0])
+    count = int(notes[0].split("contains ")[1].split()[0])
     assert 8 <= count <= 14
     assert "of the 20 frames" in notes[0]
     assert count - 1 <= len(frames_of(path)) <= count

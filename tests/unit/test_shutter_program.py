@@ -104,8 +104,8 @@ def test_other_codes_are_laid_and_wrong_ones_told(tmp_path: Path) -> None:
     )
     for fields, words in (
         ({"splt": other}, "did you mean `split`"),
-        ({}, "no array for the field 'split'"),
-        ({"split": other * 1.0}, r"\(6, 5\) of float64, and must be integers \(6, 5\)"),
+        ({}, "array for the code field 'split'"),
+        ({"split": other * 1.0}, r"\(6, 5\) of float64, but must contain integers \(6, 5\)"),
         ({"split": other[1:]}, r"\(5, 5\) of int64"),
         ({"split": other + 4}, r"x = 1, y = 0.*split = 9, outside 1..6"),
     ):
@@ -140,7 +140,7 @@ def test_a_str_that_ends_in_nsl_is_a_path_and_any_other_a_program(tmp_path: Path
         (lambda: nscc.compile(b"nsl 1"), "path or its text, not the bytes b'nsl 1'"),
         (lambda: nscc.compile(None), "path or its text, not None"),
         (lambda: nscc.compile("hdr_2x2"), "neither a program nor the path of one"),
-        (lambda: nscc.compile("x.icw"), r"nscc.load\('x.icw'\) reads it"),
+        (lambda: nscc.compile("x.icw"), r"use nscc.load\('x.icw'\)"),
         (lambda: nscc.load("x.nsl"), r"nscc.compile\('x.nsl'\) compiles it"),
         (lambda: nscc.load(np.ones(3)), r"takes a path, not an array \(3,\) of float64"),
         (lambda: nscc.compile(TEXT, level=4), "level is one of 0, 1, 2, 3, not 4"),
@@ -150,7 +150,7 @@ def test_a_str_that_ends_in_nsl_is_a_path_and_any_other_a_program(tmp_path: Path
         (lambda: nscc.compile(TEXT, target=5), "its file or a Target, not 5"),
         (lambda: nscc.compile(TEXT, max_words_per_slot=0), "a whole number from 1, not 0"),
         (lambda: nscc.compile("x.nsl", folder="."), "leave it out"),
-        (lambda: program().with_pixels("a.npz", split=SPLIT), "a file or fields, not both"),
+        (lambda: program().with_pixels("a.npz", split=SPLIT), "either a file or fields"),
     ],
 )
 def test_wrong_arguments_are_told_in_a_sentence(call: Any, words: str) -> None:

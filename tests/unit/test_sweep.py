@@ -274,7 +274,7 @@ effects = "read"
     done = invoke(
         ["tradeoff", "sensor", "--classes", "d", "--slots", "4", "--stop-slots", "2", "--looks",
          "none", "--codes", "fixed", "--lowerings", "edges", "-O", "0", "--effects", "none",
-         "--csv", "sensor.csv"], tmp_path,
+         "--readouts", "none", "--csv", "sensor.csv"], tmp_path,
     )  # fmt: skip
     assert done.status == 0, done.err
     with open(tmp_path / "sensor.csv", newline="") as file:
@@ -290,21 +290,21 @@ effects = "read"
         ("x = 1", "NS0831", "a grid has no key 'x'"),
         ("[p]\nslots = 4", "NS0832", "the kind of [p] is missing"),
         ('kind = "compiler"\n[p]', "NS0832", "the kind of [p] is not 'compiler'"),
-        ('kind = "compile"', "NS0832", "here is none"),
+        ('kind = "compile"', "NS0832", "but it has none"),
         (GRID + "slot = 1", "NS0831", "did you mean `slots`?"),
         ("level = 1\n" + GRID, "NS0831", "`level` belongs under [stops]"),
-        (GRID + "max_words = []", "NS0832", "an empty list leaves no point"),
-        (GRID + "max_words = [9, 9]", "NS0832", "a value of a list stands there once"),
+        (GRID + "max_words = []", "NS0832", "an empty list gives no points"),
+        (GRID + "max_words = [9, 9]", "NS0832", "a list contains a value twice"),
         (GRID + "seed = [0, -1]", "NS0832", "stops.seed must be a whole number"),
         (GRID + "seed = [0, -1]", "NS0832", "-1 is not allowed"),
-        (GRID + 'class = ["b", "d"]', "NS0832", "and here is rule and class"),
-        (GRID + "tile = [2, 2]", "NS0832", "tile says nothing of a point with rule"),
-        (GRID + "seed = [1, 2]", "NS0832", "seed says nothing"),
-        (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, and none is named"),
+        (GRID + 'class = ["b", "d"]', "NS0832", "but has rule and class"),
+        (GRID + "tile = [2, 2]", "NS0832", "tile has no effect on a point with rule"),
+        (GRID + "seed = [1, 2]", "NS0832", "seed has no effect"),
+        (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, but target is missing"),
         (GRID.replace("[stops]", "['a/b']"), "NS0832", "cannot be called 'a/b'"),
         (GRID + "seed = [" + "1,\n" * 40000 + "]", "NS0830", "larger than 64 KiB"),
         (GRID + '[scores]\nkind = "evaluate"\nrun = "stops"\ndata = "."', "NS0832",
-         "no part [stops] of kind train"),
+         "unknown part [stops] of kind train"),
         ("kind = ", "NS0830", "is not a TOML table"),
     ],
 )  # fmt: skip
@@ -431,7 +431,7 @@ def test_the_page_shows_the_example(root: Path) -> None:
 def test_too_many_points(tmp_path: Path) -> None:
     keys = "".join(f"{key} = {[*range(1, 201)]}\n" for key in ("max_words", "slot_us"))
     text = GRID + keys
-    with pytest.raises(Rejected, match="100000 are the most"):
+    with pytest.raises(Rejected, match="at most 100000 are allowed"):
         read_grid(written(tmp_path, text))
 
 

@@ -139,9 +139,9 @@ def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
     found = fewer.table.shutters[fewer.table.shutter_of_code[fewer.pixel_codes]][:, :, 0]
     np.testing.assert_array_equal(found.transpose(2, 0, 1), wanted)
     assert fewer.slot_us == (4000.0, 4000.0)
-    with pytest.raises(NotJoined, match="8 slots are no multiple of 3"):
+    with pytest.raises(NotJoined, match="8 slots are not a multiple of 3"):
         in_fewer(own, 3)
-    with pytest.raises(NotJoined, match="of 8 slots less than 2"):
+    with pytest.raises(NotJoined, match="fewer than 2 of 8 slots"):
         in_fewer(own, 8)
 
 
@@ -153,7 +153,7 @@ def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path)
     joint = measure(asked)
     assert {point.method for point in joint.points} == {"6 slots", "3 slots"}
     assert [(each.setting, each.reason) for each in joint.misfits] == [
-        ("quarters", "6 slots are no multiple of 4")
+        ("quarters", "6 slots are not a multiple of 4")
     ]
 
 

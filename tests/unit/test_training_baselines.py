@@ -171,7 +171,7 @@ def test_evaluate_sci8(folder: Path) -> None:
     assert [item["psnr_db"] for item in found["items"]] == pytest.approx(each, abs=1e-4)
     assert found["mean"] == pytest.approx(sum(each) / 8, abs=1e-4)
     human = invoke(["evaluate", "sci8", "square.mat", "--method", "thin-out"], folder)
-    assert "sees the truth" in human.out
+    assert "reads the truth" in human.out
 
 
 def test_compare_results(folder: Path) -> None:
@@ -333,7 +333,7 @@ def test_evaluate_refuses(folder: Path, arguments: list[str], code: str) -> None
 
 
 def test_a_clip_that_is_not_there_is_said_to_be_missing(tmp_path: Path) -> None:
-    assert "there is no such file" in invoke(["evaluate", "sci8", "none.mat"], tmp_path).err
+    assert "the file does not exist" in invoke(["evaluate", "sci8", "none.mat"], tmp_path).err
 
 
 @pytest.mark.parametrize(

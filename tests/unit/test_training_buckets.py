@@ -89,17 +89,17 @@ def test_decoders_see_both_frames(name: str) -> None:
 
 def test_other_decoders_take_one() -> None:
     for name in (name for name, each in DECODERS.items() if each.clips and not each.two_buckets):
-        with pytest.raises(ValueError, match="takes one bucket; unet2d, unet3d, any take two"):
+        with pytest.raises(ValueError, match="accepts one bucket; unet2d, unet3d, any accept two"):
             make_decoder(name, "small", DecoderTask("clip", 4, (2, 2), buckets=2))
 
 
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        (("shutter.class=a",), "class a has no light to leave"),
-        (("data.protocol=hdr-v1", "shutter.class=b"), "two are for clips"),
-        (("sensor.effects=all",), "two buckets are learned under noise"),
-        (("decoder.name=fcnet",), "takes one bucket"),
+        (("shutter.class=a",), "class a leaves no light"),
+        (("data.protocol=hdr-v1", "shutter.class=b"), "two buckets need clips"),
+        (("sensor.effects=all",), "two buckets are trained with noise"),
+        (("decoder.name=fcnet",), "accepts one bucket"),
         (("shutter.buckets=3",), "shutter.buckets"),
     ],
 )

@@ -207,7 +207,7 @@ def test_ones_own_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
             make_decoder(name, "small", STILL)
     with pytest.raises(ValueError, match="not a torch module"):
         make_decoder("mine_of_tests:wrong", "small", STILL)
-    with pytest.raises(ValueError, match="width is for nscc's own"):
+    with pytest.raises(ValueError, match="width applies only to nscc's own"):
         make_decoder("mine_of_tests:Mine", "small", STILL, 0.5)
 
 

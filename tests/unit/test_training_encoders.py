@@ -117,7 +117,7 @@ def test_bad_codes_are_refused(tmp_path: Path) -> None:
         ({"start": good["start"]}, "no field 'stop'"),
         ({**good, "stop": good["stop"][:1]}, "tile"),
         ({**good, "stop": good["stop"] + 8}, "outside"),
-        ({"start": good["stop"] - 1, "stop": good["stop"] * 0 + 1}, "before it has begun"),
+        ({"start": good["stop"] - 1, "stop": good["stop"] * 0 + 1}, "before it starts"),
     ):
         with pytest.raises(ValueError, match=words):
             encoder.load_codes(bad)
@@ -127,10 +127,10 @@ def test_bad_codes_are_refused(tmp_path: Path) -> None:
         with pytest.raises(Rejected, match="NS0805"):
             load_codes(path)
     np.savez(tmp_path / "half.npz", stop=np.full((2, 2), 0.5))
-    with pytest.raises(Rejected, match="no code"):
+    with pytest.raises(Rejected, match="not a code"):
         load_codes(tmp_path / "half.npz")
     np.savez(tmp_path / "beyond.npz", bits=np.full((2, 2), 2**64 - 1, np.uint64))
-    with pytest.raises(Rejected, match="no code"):
+    with pytest.raises(Rejected, match="not a code"):
         load_codes(tmp_path / "beyond.npz")
     with pytest.raises(Rejected, match="NS0805"):
         load_codes(tmp_path / "none.mat")

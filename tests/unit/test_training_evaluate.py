@@ -387,7 +387,7 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
     passed = {left["file"]: left["reason"] for left in found["gap-tv"]["left_out"]}
     assert passed == {
         "small.mat": "64 x 64 is smaller than 256 x 256",
-        "short.mat": "it has 15 frames, a window 16",
+        "short.mat": "it has 15 frames, but a window has 16",
     }
     human = invoke(["evaluate", "adjoint", "--data", "d", "--protocol", "video-v1"], tmp_path).out
     assert "left out: short.mat: it has 15 frames" in human

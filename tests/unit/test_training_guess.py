@@ -269,7 +269,7 @@ def test_a_first_guess_may_be_chosen() -> None:
     with torch.device("meta"):
         assert make_decoder("unet2d", "paper", still).network.down[0][0].in_channels == 4
         assert make_decoder("unet2d", "small", replace(still, guess=False)).guesses is False
-    with pytest.raises(ValueError, match=r"decoder\.guess is for unet2d and unet3d"):
+    with pytest.raises(ValueError, match=r"decoder\.guess applies to unet2d and unet3d"):
         make_decoder("unrolled", "small", DecoderTask("clip", 5, (4, 4), guess=False))
-    with pytest.raises(ValueError, match=r"takes decoder\.sees_code"):
+    with pytest.raises(ValueError, match=r"needs decoder\.sees_code"):
         make_decoder("unet2d", "small", replace(still, sees_code=False))

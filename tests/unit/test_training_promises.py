@@ -146,10 +146,10 @@ def test_noise_is_drawn_where_the_run_is(monkeypatch: pytest.MonkeyPatch, tmp_pa
 
 
 @pytest.mark.parametrize(
-    "name", [*(n for n in RUNS if n not in ("any", "refined")), "under effects"]
+    "name", [*(n for n in RUNS if n not in ("any", "refined")), "with effects of"]
 )
 def test_what_is_printed_while_training_is_what_evaluate_reports(name: str, tmp_path: Path) -> None:
-    if name == "under effects":
+    if name == "with effects of":
         values = {**STILL, "sensor": {"effects": "all"}, "train": {**TRAIN, "steps": 2}}
     else:
         values = values_of(name)

@@ -312,7 +312,7 @@ def test_free_codes_of_a_small_chip_learn_by_trial(
 def test_what_is_always_open_is_not_tried() -> None:
     with pytest.raises(Rejected, match="NS0815") as caught:
         parts_of(Share(), **{"class": "a", "slots": 8})
-    assert "nothing to try" in caught.value.diagnostics[0].message
+    assert "no parameters to try" in caught.value.diagnostics[0].message
 
 
 def test_words_are_tried_too() -> None:

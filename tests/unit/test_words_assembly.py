@@ -14,6 +14,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.operations import op
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
+from nscc.words.assembly_text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.cost import frame_cost
 from nscc.words.diff import differences
@@ -21,7 +22,6 @@ from nscc.words.disassembly import disassemble
 from nscc.words.encoding import encode, word_text
 from nscc.words.file import read_container, to_bytes
 from nscc.words.legality import decoded
-from nscc.words.text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
 
 HAND = """\
 ; class b by hand
@@ -160,8 +160,8 @@ def test_all_errors_are_reported_at_once_with_their_places() -> None:
 @pytest.mark.parametrize(
     ("line", "code", "words"),
     [
-        (".slots 0 step", "NS0713", "no directive '.slots'"),
-        ("| text", "NS0713", "behind a bar"),
+        (".slots 0 step", "NS0713", "unknown directive '.slots'"),
+        ("| text", "NS0713", "continuation line"),
         (".wait 1 us", "NS0714", "'1' does not belong here: .wait takes the lengths of slots"),
         (".wait x3", "NS0714", "'x3' does not belong here: .wait"),
         (".wait -1us", "NS0714", "'-1us' does not belong here: .wait"),
@@ -174,18 +174,18 @@ def test_all_errors_are_reported_at_once_with_their_places() -> None:
         (".readout Z", "NS0719", "analog register"),
         (".readout A frame nan", "NS0714", "'nan' does not belong here: .readout takes"),
         (".readout A frame", "NS0719", "read out twice"),
-        (".bucket late", "NS0719", "no bucket"),
-        (".target scamp7", "NS0719", "stands twice"),
+        (".bucket late", "NS0719", "undefined bucket"),
+        (".target scamp7", "NS0719", "appears twice"),
         (".load Z9", "NS0719", "digital register"),
         (".shutter 01 never", "NS0714", "13 digits"),
-        (".shutter 0000000000000 0..9", "NS0714", "are no slots of 0..3"),
+        (".shutter 0000000000000 0..9", "NS0714", "not a valid set of slots in 0..3"),
         (".shutter 0000000000000 never never", "NS0714", "buckets"),
-        (".code 7", "NS0714", "no shutter"),
+        (".code 7", "NS0714", "unknown shutter"),
         (".code 0 9", "NS0714", "values"),
         (".pixels tile", "NS0714", "form and a size"),
         (".pixels tile 1 2\n| 0", "NS0714", "not 1 x 2 codes"),
-        (".pixels tile 1 1\n| 5", "NS0714", "not among the"),
-        (".pixels plane 1 1\n| AAAAAA==", "NS0714", "does not fit scamp5"),
+        (".pixels tile 1 1\n| 5", "NS0714", "not one of the"),
+        (".pixels plane 1 1\n| AAAAAA==", "NS0714", "does not match scamp5"),
         (".plane R1 none.npy", "NS0716", "does not exist"),
         (".note a", "NS0714", "key and a text"),
         (".note a \"b", "NS0714", "quotation marks"),

@@ -58,7 +58,9 @@ def test_a_word_that_is_no_operation_is_explained() -> None:
     with pytest.raises(Rejected, match="NS0701") as caught:
         decode((0x80020, 0x10000, 0x20000, 0x31101, 0x30000), "word 3 of kernel 'step'")
     found = caught.value.diagnostics[0]
-    assert found.message.startswith("word 3 of kernel 'step': this word matches no operation")
+    assert found.message.startswith(
+        "word 3 of kernel 'step': unknown word, which matches no operation"
+    )
     assert "4 (0x30000)" in found.notes[0]
     assert "s_in" in found.notes[1]
     assert matching((-1, 0, 0, 0, 0)) is None
@@ -160,17 +162,17 @@ def test_analog_macro_computes_what_its_name_says(line: tuple[str, ...]) -> None
         ("sub A, B, A", None, "cannot write A and read it"),
         ("XORX R1, R2, R1", 2, "three registers"),
         ("bus A, B, B", 2, "twice"),
-        ("bus R1, A", 0, "R1 is none"),
-        ("bus A, R1", 1, "R1 is none"),
-        ("MOV R1, A", 1, "A is none"),
+        ("bus R1, A", 0, "not R1"),
+        ("bus A, R1", 1, "not R1"),
+        ("MOV R1, A", 1, "not A"),
         ("SET R1, R1", 1, "twice"),
-        ("SET FLAG", 0, "FLAG is none"),
+        ("SET FLAG", 0, "not FLAG"),
         ("NOT R1, R1", 1, "cannot write R1 and read it"),
         ("OR R1", None, "OR takes 2 or more operands, not 1"),
         ("OR R1, R2, R2", 2, "twice"),
         ("nop A", None, "nop takes no operands"),
         ("bus3 A, B, C, D, E", None, "bus3 takes 4 operands"),
-        ("REFRESH A", 0, "A is none"),
+        ("REFRESH A", 0, "not A"),
     ],
 )
 def test_wrong_operands_are_explained(line: str, index: int | None, words: str) -> None:
@@ -192,7 +194,7 @@ def test_target_limits_hold_for_words() -> None:
     wide = op("NOR", ["R1"], [f"R{i}" for i in range(2, 13)])
     assert target_fault(wide, scamp5) is None
     assert "no register R13" in (target_fault(op("SET", ["R13"]), scamp5) or "")
-    assert "cannot read it as well" in (target_fault(op("WHERE", (), ["FLAG"]), scamp5) or "")
+    assert "cannot also read it" in (target_fault(op("WHERE", (), ["FLAG"]), scamp5) or "")
     assert set(DIGITAL_WRITE) > set(scamp5.digital_registers)
 
 

@@ -46,15 +46,15 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
             "NS0802",
             f"the array in '{path}' has the shape {array.shape}",
             notes=("a picture is (rows, cols), a clip (T, rows, cols)",),
-            helps=("save one picture or one clip, without an axis for colours or batches",),
+            helps=("save one picture or one clip, without axes for colours or batches",),
         )
     bad_count = int(np.count_nonzero(~np.isfinite(array))) if array.dtype.kind == "f" else 0
     if bad_count:
         raise rejected(
             "NS0804",
             f"{bad_count} of {array.size} values in '{path}' are not finite",
-            notes=("one of them would make every mean of errors meaningless",),
-            helps=("find where they come from; np.nan_to_num hides them",),
+            notes=("a single such value makes every mean error meaningless",),
+            helps=("find the source of these values; np.nan_to_num hides them",),
             data={"count": bad_count},
         )
     return array
@@ -71,7 +71,7 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
         raise
     except Exception as error:  # zipfile, numpy and scipy raise a dozen types for damaged files
         message = f"'{path}' cannot be read as a {suffix} file"
-        hint = "check that the file is whole and that its ending says what it is"
+        hint = "check that the file is complete and that its ending matches its format"
         raise unreadable("NS0801", message, error, hint) from error
     return _read_image(path, suffix)
 
@@ -94,12 +94,12 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
         candidates = names
     if candidates and candidates[0] in names:
         return candidates[0]
-    unnamed = f"name the array with an option; without one, {', '.join(KEYS)} are looked for"
+    unnamed = f"name the array with an option; without one, nscc looks for {', '.join(KEYS)}"
     raise rejected(
         "NS0801",
         f"'{path}' has no array '{key}'"
         if key
-        else f"which array of '{path}' is meant is not clear",
+        else f"'{path}' contains several arrays, and nscc cannot tell which one to use",
         notes=(f"it holds {listed(sorted(names))}",),
         helps=meant(key or "", names, unnamed),
     )
@@ -116,7 +116,7 @@ def _pages(path: Path) -> list[NDArray[Any]]:
             check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
         except InvalidArrays as error:
             message = f"'{path}' holds too many pictures"
-            raise unreadable("NS0801", message, error, "save fewer of them in a file") from error
+            raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
     return pages
 
 
@@ -127,7 +127,7 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     if suffix not in PICTURES:
         raise rejected(
             "NS0801",
-            f"'{path}' does not end like a picture or an array",
+            f"the ending of '{path}' is not a format for pictures or arrays",
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
@@ -143,5 +143,5 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
         "NS0801",
         f"'{path}' is a colour picture",
         notes=("the sensor and its reconstructions have one channel",),
-        helps=("compare luminance: convert the picture to grey, or give a linear one (.exr .hdr)",),
+        helps=("compare luminance: convert the picture to grey, or use a linear one (.exr .hdr)",),
     )

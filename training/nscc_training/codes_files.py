@@ -79,10 +79,10 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
     if path.suffix.lower() not in (".npz", ".mat"):
         raise rejected(
             "NS0805",
-            f"'{path}' does not end like codes",
-            notes=("codes are .npz or .mat files with an integer array (rows, cols) a field",),
+            f"the ending of '{path}' is not a format for codes",
+            notes=("codes are .npz or .mat files with one integer array (rows, cols) per field",),
             helps=(
-                "an array of open slots becomes a program: `nscc import-mask MASK.npy -o P.nsl`",
+                "`nscc import-mask MASK.npy -o P.nsl` converts an array of open slots to a program",
             )
             if path.suffix.lower() == ".npy"
             else ("give the file the ending of its format",),
@@ -96,7 +96,7 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
-        hint = "codes are .npz or .mat files with an integer array (rows, cols) a field"
+        hint = "codes are .npz or .mat files with one integer array (rows, cols) per field"
         message = f"the codes in '{path}' cannot be read"
         raise unreadable("NS0805", message, error, hint) from error
 
@@ -111,11 +111,11 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
     if not integral or values.ndim != 2 or values.size == 0:
         raise rejected(
             "NS0805",
-            f"'{name}' in '{path}' is no code: {values.dtype}, {values.shape}",
-            notes=("a field's codes are whole numbers, (rows, cols) of the tile or of the array",),
+            f"'{name}' in '{path}' is not a code: {values.dtype}, {values.shape}",
+            notes=("the codes of a field are integers, (rows, cols) of the tile or of the array",),
             helps=(
-                "save integers, and nothing else in the file",
-                "a mask of open slots becomes a program: `nscc import-mask MASK.npz -o P.nsl`",
+                "save only integers in the file",
+                "`nscc import-mask MASK.npz -o P.nsl` converts a mask of open slots to a program",
             ),
         )
     return values.astype(np.int64)

@@ -46,11 +46,12 @@ class Dark:
         doubts = tuple(
             Diagnostic(
                 "NS0819",
-                f"'{self.name}' is no frame without light for this frame: {reason}",
+                f"'{self.name}' is not a dark frame for this frame: {reason}",
                 severity=severity,
-                notes=("what it reads is taken from the frame, as what words and pixels add",),
-                helps=("expose it with the frame's program: `nscc run FILE --scene builtin:dark`, "
-                       "or a chip under its cap",),
+                notes=("the dark frame is subtracted, because it contains the offsets of words and "
+                    "pixels",),
+                helps=("expose it with the frame's program: `nscc run FILE --scene "
+                       "builtin:dark`, or a chip with its lens cap on",),
             )
             for reason in self._doubts(frame)
         )  # fmt: skip
@@ -83,11 +84,11 @@ class Dark:
         if self.saturated > _LIT and self._is_lit() is None:
             yield Diagnostic(
                 "NS0844",
-                f"{100 * self.saturated:.3g} % of the pixels of '{self.name}', a frame without "
-                "light, are saturated",
+                f"{100 * self.saturated:.3g} % of the pixels of '{self.name}', a dark "
+                "frame, are saturated",
                 severity=Severity.WARNING,
-                notes=("without light hot pixels saturate, and no others",),
-                helps=("name a frame that was exposed with no light on the chip",),
+                notes=("in a dark frame only hot pixels are saturated",),
+                helps=("use a frame that was exposed without light on the chip",),
             )
 
 

@@ -242,7 +242,7 @@ class Run:
             )
         if values.min() < 0 or values.max() > top:
             raise wrong_argument(
-                f"reconstruct: codes are 0..{top}, and these {values.min()}..{values.max()}"
+                f"reconstruct: codes must be 0..{top}, but these are {values.min()}..{values.max()}"
             )
         return values.astype(np.uint8)
 

@@ -95,7 +95,7 @@ def frame_arrays(path: Path) -> FrameRead:
         raise no_frame(path, why_no_arrays(error)) from error
     codes, slot_us = arrays["frame"], arrays.get(_SLOTS)
     if slot_us is not None and not are_lengths(slot_us):
-        raise no_frame(path, f"`{_SLOTS}` are no lengths of slots")
+        raise no_frame(path, f"`{_SLOTS}` are not valid slot lengths")
     # Without `saturated`, the codes decide.
     saturated = arrays.get("saturated", np.zeros(codes.shape, np.bool_))
     stored_shutters = None
@@ -122,14 +122,14 @@ def number_of(meta: Mapping[str, Any], name: str) -> float:
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if value is not None and is_number and abs(value) <= sys.float_info.max:
         return float(value)
-    raise ValueError(f"`{name}` of its meta is {str(value)[:40]}, no number")
+    raise ValueError(f"`{name}` of its meta is {str(value)[:40]}, not a number")
 
 
 def no_frame(path: Path | str, reason: str) -> Exception:
     """Return the error (NS0819) for a file that cannot be reconstructed."""
     return rejected(
         "NS0819",
-        f"'{path}' is no frame that can be reconstructed",
+        f"'{path}' is not a frame that can be reconstructed",
         notes=(reason,),
         helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
     )

@@ -71,7 +71,7 @@ def own_failed(text: str, role: str, reason: str) -> Rejected:
     """Return the error (NS0822) for user code that does not fulfil its contract."""
     return rejected(
         "NS0822",
-        f"the {role} '{text[:100]}' does not work",
+        f"the {role} '{text[:100]}' fails",
         notes=(reason,),
-        helps=("`nscc explain NS0822` says what it is called with and has to give",),
+        helps=("`nscc explain NS0822` describes how it is called and what it must return",),
     )

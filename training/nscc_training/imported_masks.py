@@ -89,7 +89,7 @@ def import_mask(
     if not fitting:
         raise rejected(
             "NS0847",
-            f"no class holds the mask of '{path}' on {table.name}",
+            f"no class represents the mask of '{path}' on {table.name}",
             notes=tuple(reasons),
             helps=("use fewer slots or fewer different shutters, or a target with more registers",),
         )
@@ -107,8 +107,8 @@ def read_binary_mask(path: Path) -> Floats:
         raise rejected(
             "NS0847",
             f"{count} of {mask.size} values of the mask in '{path}' are neither 0 nor 1",
-            notes=("a shutter is open for a whole slot, or closed",),
-            helps=("make it binary, `mask > 0.5`, or spend several slots on each of its slots",),
+            notes=("a shutter is open or closed for a whole slot",),
+            helps=("make it binary, `mask > 0.5`, or divide each of its slots into several slots",),
         )
     return mask
 
@@ -131,7 +131,7 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     if missing or len(container.buckets) != 1 or shutters.shape[1] != container.slots:
         raise rejected(
             "NS0847",
-            f"the program does not open the shutters of the mask in '{path}'",
+            f"the program does not have the shutters of the mask in '{path}'",
             notes=(f"{missing} of {len(shutter_codes)} shutters of the mask are unknown to it; it "
                    f"has {container.slots} slots and {len(container.buckets)} bucket(s)",),
             helps=("`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
@@ -158,8 +158,8 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
     if rows > array[0] or cols > array[1]:
         raise rejected(
             "NS0847",
-            f"the mask in '{path}' is {rows} x {cols}, the array {array[0]} x {array[1]}",
-            helps=("cut the mask to the array, or name a larger --target",),
+            f"the mask in '{path}' is {rows} x {cols}, but the array is {array[0]} x {array[1]}",
+            helps=("crop the mask to the array, or use a larger --target",),
         )
     packed = np.packbits(mask, axis=0).reshape(-1, rows * cols).T
     _, first, place = np.unique(packed, axis=0, return_index=True, return_inverse=True)
@@ -214,12 +214,14 @@ def _candidates(
         book = shutters.astype(np.int64)
         yield ShutterSpec("codebook", slots, shape, rows=count), {"id": tile, "book": book}
     else:
-        reasons.append(f"codebook: {count} different shutters, and {_MOST_SHAPES} can be listed")
+        reasons.append(
+            f"codebook: {count} different shutters, but at most {_MOST_SHAPES} can be listed"
+        )
     if slots <= _MOST_BITS:
         bits = (shutters.astype(np.int64) << np.arange(slots)).sum(axis=1)
         yield ShutterSpec("e", slots, shape), {"bits": bits[tile]}
     else:
-        reasons.append(f"class e: {slots} slots, and a code has at most {_MOST_BITS} bits")
+        reasons.append(f"class e: {slots} slots, but a code has at most {_MOST_BITS} bits")
 
 
 def _check_same(compiled_program: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:

@@ -38,7 +38,7 @@ def real_array(path: Path, name: str) -> Floats:
     """
     names, array = _read(path, name)
     if array is None:
-        raise refused(path, f"it has no array `{name}`", f"it holds {listed(sorted(names))}")
+        raise refused(path, f"the array `{name}` is missing", f"it holds {listed(sorted(names))}")
     if array.dtype.kind not in "uifb":
         raise refused(path, f"`{name}` holds {array.dtype}, not real numbers")
     values = np.asarray(array, np.float64)
@@ -55,7 +55,11 @@ def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]
     reads(path)
     suffix = path.suffix.lower()
     if suffix not in ENDINGS or not path.is_file():
-        reason = f"it does not end in {', '.join(ENDINGS)}" if path.is_file() else "it is not there"
+        reason = (
+            f"it does not end in {', '.join(ENDINGS)}"
+            if path.is_file()
+            else "the file does not exist"
+        )
         raise refused(path, reason)
     try:
         if suffix == ".npy":
@@ -73,7 +77,7 @@ def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]
         raise
     except Exception as error:  # numpy, scipy, h5py and zipfile raise a dozen types
         message = f"'{path}' cannot be read as a {suffix} file"
-        raise unreadable("NS0845", message, error, "save the arrays once more") from error
+        raise unreadable("NS0845", message, error, "save the arrays again") from error
 
 
 def _chosen(names: list[str], name: str | None) -> str | None:
@@ -98,7 +102,8 @@ def read_mask(path: Path) -> Floats:
     if low < 0 or high > 1:
         raise refused(
             path, f"`mask` has values from {low:g} to {high:g}",
-            "a mask says which part of a slot a pixel is open: 0 to 1; divide by the largest value",
+            "a mask is the fraction of each slot in which a pixel is open, 0 to 1; divide "
+                "by the largest value",
         )  # fmt: skip
     if high == 0:
         raise refused(path, "`mask` is 0 everywhere: no pixel ever opens")

@@ -67,8 +67,8 @@ class Measured(Generic[Array]):
         """Return the measurement for torch, which shares the memory of the arrays."""
         import torch
 
-        parts = (self.value, self.mask, self.variance, self.saturated)
-        return Measured(*(torch.from_numpy(np.ascontiguousarray(part)) for part in parts))
+        arrays = (self.value, self.mask, self.variance, self.saturated)
+        return Measured(*(torch.from_numpy(np.ascontiguousarray(array)) for array in arrays))
 
     def over(self, unit: Array) -> Measured[Array]:
         """Return the measurement in other units (batch,) of light."""
@@ -120,8 +120,8 @@ class Measured(Generic[Array]):
         masks = of.moveaxis(self.mask, (1, 2), (3, 4))
         noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
         # A frame in which a pixel never opens must not divide by 0.
-        one = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
-        joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * one
+        identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
+        joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
         return joint
 
     @property

@@ -29,8 +29,8 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
         raise rejected(
             "NS0802",
             f"the truth is {truth.shape}, the reconstruction {result.shape}",
-            notes=("a metric compares pixel with pixel: nothing is cropped or scaled",),
-            helps=("cut both to the same frames, rows and columns",),
+            notes=("a metric compares pixel by pixel, without cropping or scaling",),
+            helps=("crop both to the same frames, rows and columns",),
             data={"truth": list(truth.shape), "result": list(result.shape)},
         )
     if min(truth.shape[-2:]) < WINDOW:
@@ -114,10 +114,10 @@ def measure_files(
     if not 1 / LARGEST <= data_range <= LARGEST:
         raise rejected(
             "NS0803",
-            f"{data_range:g} is no data range",
+            f"invalid data range {data_range:g}",
             notes=(
-                "the data range is the peak that PSNR and SSIM count errors against, a number "
-                f"above 0, from {1 / LARGEST:g} to {LARGEST:g}",
+                "the data range is the peak value that errors are compared with, a number "
+                f"from {1 / LARGEST:g} to {LARGEST:g}",
             ),
             helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
         )

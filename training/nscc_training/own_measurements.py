@@ -37,16 +37,16 @@ class NoiseModel:
         if len(numbers) not in (1, 2) or not all(0 <= number < np.inf for number in numbers):
             raise rejected(
                 "NS0846",
-                f"'{text[:60]}' is no noise model",
+                f"invalid noise model '{text[:60]}'",
                 notes=("--noise SD[,GAIN]: the standard deviation of the readout in the unit of "
-                       "`meas`, and what one photon adds to `meas`",),
+                       "`meas`, and the amount that one photon adds to `meas`",),
                 helps=("for instance --noise 2.5, or --noise 2.5,0.1",),
             )  # fmt: skip
         return cls(*numbers)
 
     def __str__(self) -> str:
         if not self.read_sd and not self.gain:
-            return "none: the measurement is taken as exact; --noise SD[,GAIN] states it"
+            return "none: the measurement is treated as exact; --noise SD[,GAIN] sets a noise model"
         photons = f", variance of photons {self.gain:g} times the measurement" if self.gain else ""
         return f"standard deviation of the readout {self.read_sd:g}{photons}"
 
@@ -93,7 +93,7 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
         NS0845 for arrays that are missing, do not fit each other, or hold other values.
     """
     if mask_path is None and (path.suffix.lower() == ".npy" or "mask" not in array_names(path)):
-        raise refused(path, "it has no array `mask`", "name the mask's file: --mask MASK")
+        raise refused(path, "the array `mask` is missing", "name the file of the mask: --mask MASK")
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
@@ -109,7 +109,7 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
                     f"`mask`), {len(turned)} measurement{'s' * (len(turned) > 1)}")  # fmt: skip
             return Measurement(turned, np.moveaxis(mask, axis, 0), text)
     raise refused(
-        path, f"`meas` is {values.shape}, and `mask` {mask.shape}: rows and columns differ"
+        path, f"`meas` is {values.shape}, but `mask` is {mask.shape}: rows and columns differ"
     )
 
 

@@ -24,7 +24,7 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
     """Return why a file could not be read as an .npz of named arrays."""
     if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
-        return "there is no such file" if missing else (error.strerror or str(error)).lower()
+        return "the file does not exist" if missing else (error.strerror or str(error)).lower()
     return one_line(error)
 
 

@@ -160,18 +160,20 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     assert container is not None
     refuse_pictures(container, "a run cannot begin with this program", "train its shutters alone")
     if container.slots != spec.slots:
-        raise ValueError(f"the program has {container.slots} slots, and the run {spec.slots}")
+        raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
     if spec.kind == "looks":
         comparisons = () if container.machine is None else container.machine.comparisons
         if len(comparisons) != spec.tile[1]:
-            raise ValueError(f"it looks {len(comparisons)} times, and the run {spec.tile[1]}")
+            raise ValueError(
+                f"it looks {len(comparisons)} times, but the run looks {spec.tile[1]} times"
+            )
         moments = np.array([[comparison.boundary for comparison in comparisons]])
         return Begun(
             {"at": moments, "level": np.array([[comparison.level for comparison in comparisons]])},
             None,
         )
     if container.machine is not None:
-        raise ValueError(f"its pixels look at the light, and those of class {spec.kind} do not")
+        raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")
     table, expected_fields = container.table, _fields(spec)
@@ -179,7 +181,7 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
         have, want = (", ".join(names) or "none" for names in (table.fields, expected_fields))
         raise ValueError(f"its code has the fields: {have}; class {spec.kind} has: {want}")
     if len(container.buckets) > spec.buckets:
-        raise ValueError(f"the program has {len(container.buckets)} buckets, and the run one")
+        raise ValueError(f"the program has {len(container.buckets)} buckets, but the run has one")
     at = _tile_of(container.pixel_codes, spec.tile)
     codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
     if spec.kind == "codebook":
@@ -200,8 +202,8 @@ def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int
     repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
     if not np.array_equal(repeated, pixels):
         raise ValueError(
-            f"its pixels are not one tile of {tile[0]} x {tile[1]} again and again: give the run "
-            "the program's own tile"
+            f"its pixels are not a repeated tile of {tile[0]} x {tile[1]}: give the run the "
+            "program's own tile"
         )
     return tile_codes
 

@@ -56,9 +56,7 @@ class Protocol:
 def load_protocol(name: str) -> Protocol:
     """Return a protocol by name; Rejected (NS0806) for an unknown one."""
     if name not in NAMES:
-        raise unknown_name(
-            "NS0806", "there is no protocol '{}'", name, NAMES, "the protocols are {}"
-        )
+        raise unknown_name("NS0806", "unknown protocol '{}'", name, NAMES, "the protocols are {}")
     installed = Path(__file__).with_name("protocol_files")
     folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "protocols"
     data = (folder / f"{name}.toml").read_bytes()

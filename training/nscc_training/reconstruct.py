@@ -72,18 +72,18 @@ def reconstructed(
     size = (folder.setup.target.rows, folder.setup.target.cols)
     shape = read.frame.shape[-2:]
     if shape != size and "laid" not in read.meta:
-        raise no_frame(name, f"it is of {shape} pixels, the run's chip has {size}")
+        raise no_frame(name, f"it has {shape} pixels, but the run's chip has {size}")
     if read.buckets != folder.setup.buckets:
         have = f"it has {counted(read.buckets, 'bucket')}"
-        raise no_frame(name, f"{have}, the run's program {folder.setup.buckets}")
+        raise no_frame(name, f"{have}, but the run's program has {folder.setup.buckets}")
     if offset is not None and offset.shape[-2:] != size:
-        raise no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+        raise no_frame(name, f"the dark frame has {offset.shape} pixels, not {size}")
     if offset is not None and folder.setup.settings.sensor.effects:
         offset = of_pixels(offset, folder.setup.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
     if folder.setup.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
-            raise no_frame(name, "it does not say how long its pixels were open")
+            raise no_frame(name, "it does not contain the open time of its pixels")
         shares = list((read.opened / folder.setup.slots).astype(np.float32))
     light = [
         decoded_frame(
@@ -136,7 +136,7 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     for name, expected in figures:
         have = read.meta.get(name)
         if not isinstance(have, int | float) or abs(have - expected) > 1e-6 * max(1, abs(expected)):
-            yield f"its sensor has {name} = {have}, the run's {expected:g}"
+            yield f"its sensor has {name} = {have}, but the run's has {expected:g}"
             return
     yield "its sensor has other values than the run's"
 
@@ -153,9 +153,9 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
     if unlearned:
         yield Diagnostic(
             "NS0842",
-            f"the run was not trained under effects that '{name}' has: {', '.join(unlearned)}",
+            f"the run was not trained with effects of '{name}': {', '.join(unlearned)}",
             severity=Severity.WARNING,
-            notes=("what these do to codes, the decoder takes for light",),
+            notes=("the decoder mistakes the influence of these effects for light",),
             helps=('train with `[sensor] effects = "all"`', *_DARK_HELPS),
         )
 
@@ -163,9 +163,9 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:
     return Diagnostic(
         "NS0819",
-        f"'{path}' is no frame for this run: {reason}",
+        f"'{path}' does not match this run: {reason}",
         severity=Severity.WARNING if warning else Severity.ERROR,
-        notes=("a decoder knows the shutters and the sensor that it was trained with",),
+        notes=("a decoder works only with the shutters and the sensor that it was trained with",),
         helps=("expose the scene with the run's program: `nscc run RUN/shutter.nsl --scene ..`",)
-        + (() if warning else ("--force reconstructs it all the same",)),
+        + (() if warning else ("--force reconstructs it anyway",)),
     )

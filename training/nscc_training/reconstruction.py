@@ -45,12 +45,12 @@ class Reconstruction:
 
 def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
     """NS0844, a warning, where most of a frame's pixels are saturated."""
-    part = float(saturated.mean()) if saturated.size else 0.0
-    if part > _OVEREXPOSED:
+    share = float(saturated.mean()) if saturated.size else 0.0
+    if share > _OVEREXPOSED:
         yield Diagnostic(
             "NS0844",
-            f"{100 * part:.3g} % of the pixels of '{name}' are saturated",
+            f"{100 * share:.3g} % of the pixels of '{name}' are saturated",
             severity=Severity.WARNING,
-            notes=("of these a decoder knows only that there was so much light or more",),
-            helps=("expose the scene for less light, or with shutters some of which close early",),
+            notes=("a saturated pixel gives the decoder only a lower limit of the light",),
+            helps=("expose the scene with less light, or use shutters that close early",),
         )  # fmt: skip

@@ -61,7 +61,7 @@ class RunCapture:
             f"'{program}' has other slots than the run: {container.slots} of "
             f"{min(container.slot_us):g} us and more",
             notes=(f"the run has {self.slots} slots of {self.slot_us:g} us",),
-            helps=("leave the program out: the run brings its own",),
+            helps=("leave the program out: the run contains its own",),
         )
 
 
@@ -108,8 +108,8 @@ def run_capture(folder: Path) -> RunCapture:
         names = ", ".join(shipped_runs())
         raise rejected(
             "NS0818",
-            f"'{folder}' is no run of nscc train",
-            notes=(f"it has no {', '.join(missing)}",),
+            f"'{folder}' is not a run of nscc train",
+            notes=(f"missing files: {', '.join(missing)}",),
             helps=(f"name a run folder, or one that comes with nscc: {names}",),
         )
     reads(program)

@@ -52,12 +52,12 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
     if not path.is_dir():
-        reason = "it is a file: the run's folder is named first" if path.is_file() else ""
-        raise _no_run(path, reason or "there is no such folder")
+        reason = "it is a file: name the run's folder first" if path.is_file() else ""
+        raise _no_run(path, reason or "the folder does not exist")
     reads(*(path / name for name in (*needed, CODES_FILE)))
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
-        raise _no_run(path, f"it has no {', '.join(missing)}")
+        raise _no_run(path, f"missing files: {', '.join(missing)}")
     settings = load_config(path / "config.resolved.toml")
     if not trust_code:
         _refuse_code(path, settings)
@@ -122,9 +122,9 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
     if code:
         raise rejected(
             "NS0823",
-            f"the run '{path}' names Python code of its own, which using the run would execute",
-            notes=(f"{', '.join(code)}, looked for in the current folder and among what is "
-                   "installed",),
+            f"the run '{path}' uses custom Python code, which nscc would execute",
+            notes=(f"{', '.join(code)}, searched in the current folder and the installed "
+                   "packages",),
             helps=("if you trust that code, because it is yours or you have read it, add "
                    "--trust-code; in Python, `trust_code=True`",),
         )  # fmt: skip
@@ -144,14 +144,14 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
         file = path / name
         actual = file_sha256(file) if file.is_file() else None
         if actual != digest:
-            difference = "is missing" if actual is None else "is of another run"
-            raise ValueError(f"{name} {difference}: result.json has another digest of it")
+            difference = "is missing" if actual is None else "belongs to another run"
+            raise ValueError(f"{name} {difference}: its digest in result.json differs")
 
 
 def _no_run(path: Path, reason: str) -> Exception:
     return rejected(
         "NS0818",
-        f"'{path}' is no finished run of nscc train",
+        f"'{path}' is not a finished run of nscc train",
         notes=(reason,),
-        helps=("`nscc train CONFIG.toml --out RUN` makes one, and finishes one that stopped",),
+        helps=("`nscc train CONFIG.toml --out RUN` creates a run, and resumes one that stopped",),
     )

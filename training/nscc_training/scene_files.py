@@ -64,12 +64,12 @@ def protocol_files(
     if not matching:
         raise rejected(
             "NS0811",
-            f"'{folder}' holds no data for protocol {protocol}",
+            f"'{folder}' contains no data for protocol {protocol}",
             notes=(
                 *(
                     ()
                     if any(map(Path.is_dir, folders_of(str(folder))))
-                    else ("there is no such folder",)
+                    else ("the folder does not exist",)
                 ),
                 f"{kind_text} {', '.join(endings)}",
             ),

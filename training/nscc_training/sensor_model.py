@@ -251,7 +251,9 @@ def differentiable_capture(
 def check_light(light: Tensor) -> None:
     """Raise ValueError for values that are complex, negative or not finite."""
     if light.is_complex():
-        raise ValueError("light is complex; give its real values, electrons of each slot")
+        raise ValueError(
+            "light is complex, but must contain real values: the electrons of each slot"
+        )
     values = light.detach()
     low, high = (float(v) for v in torch.aminmax(values)) if values.numel() else (0.0, 0.0)
     if low >= 0 and high < inf:
@@ -284,14 +286,19 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
         expected = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
-        raise ValueError(f"light is {expected}, and not {tuple(light.shape)}")
+        raise ValueError(f"light must have shape {expected}, not {tuple(light.shape)}")
     if slot_share is None:
         return
     if light.ndim == 4:
-        raise ValueError("light of every slot already has its share of the frame: no slot_share")
+        raise ValueError(
+            "slot_share applies only to stills, because light per slot already has its share of "
+            "the frame"
+        )
     slots = shutters.shape[-3]
     if slot_share.shape != (slots,):
-        raise ValueError(f"shares of {tuple(slot_share.shape)}, shutters of {slots} slots")
+        raise ValueError(
+            f"slot_share has shape {tuple(slot_share.shape)}, but the shutters have {slots} slots"
+        )
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
@@ -326,7 +333,7 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
             opened = (shutters.double() * weights).sum(dim=0)
         return light.double() * laid(opened, rows, cols)
     if light.shape[1] != slots:
-        raise ValueError(f"light of {light.shape[1]} slots, shutters of {slots}")
+        raise ValueError(f"the light has {light.shape[1]} slots, but the shutters have {slots}")
     electrons: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
     return electrons
 

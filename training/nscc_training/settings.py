@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Schema, key, keys_of
+from nscc.toml.schema import FileCodes, Schema, key, keys_of
 from nscc_training.code_choices import RELAXATIONS, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.protocols import NAMES
@@ -30,52 +30,57 @@ class ShutterSettings:
     )
     free: bool = key(Flag(), "a code for every pixel of the array instead of a tile", False)
     length: int = key(Integer(1, 65536), "slots of a bump of class c", 4)
-    rows: int = key(Integer(1, 4096), "shapes of a codebook", 64)
-    exposures: int = key(Integer(2, 32), "of a pixel that looks: one more than it has looks", 5)
+    rows: int = key(Integer(1, 4096), "rows of a codebook", 64)
+    exposures: int = key(
+        Integer(2, 32), "exposures of a pixel that looks: the number of looks plus one", 5
+    )
     init: str = key(
         Text(),
         f"{', '.join(STARTS)}, learned (as quad), a run, or a file: codes, .npz or .mat, or a "
         "program of the class, .nsl", "quad",
     )  # fmt: skip
-    learn: bool = key(Flag(), "false keeps the codes as they start", True)
+    learn: bool = key(Flag(), "false: the codes do not change", True)
     relaxation: str = key(
         Text(RELAXATIONS),
-        "how codes are learned: ways for gradients to pass the quantisation, or a search",
+        "how codes are learned: the gradient method for the quantisation, or a search",
         "straight-through",
     )  # fmt: skip
     temperature: tuple[float, ...] = key(
-        Several(Number(1e-6, 1e6), 2), "of a relaxation, at the first step and at the last",
+        Several(Number(1e-6, 1e6), 2),
+        "temperature of a relaxation at the first and at the last step",
         (1.0, 0.05),
     )  # fmt: skip
     noise: float = key(
         Number(0, 1e6),
-        "on parameters at the first step, in slots or for digits in their own unit; 0 at the last",
+        "noise on parameters at the first step, in slots (for digits in their own unit); it "
+        "falls to 0",
         0.0,
     )
     tried_share: float = key(
-        Number(1e-4, 1), "the part of the pixels that a trial moves, with `tried`", 1.0
+        Number(1e-4, 1), "with `tried`: the fraction of the pixels that a trial moves", 1.0
     )
-    moves: int = key(_COUNT, "codes with places moved together that a step of a search draws", 64)
+    moves: int = key(_COUNT, "with `search`: the number of candidate codes per step", 64)
     judged: int = key(
-        _COUNT, "of these, the most promising that the decoder judges on the step's batch", 3
+        _COUNT,
+        "with `search`: the number of best candidates that the decoder compares on the "
+        "step's batch",
+        3,
     )
     most_words: float = key(
-        Number(0, 1e6), "words a slot that a search stays within, in the mean; 0: any", 0.0
+        Number(0, 1e6), "with `search`: the largest mean number of words per slot; 0: any", 0.0
     )
     warm_up: float = key(
         Number(0, 1),
-        "the first part of the steps, in which the codes stay as they start and the decoder "
-        "learns them", 0.0,
+        "the first fraction of the steps, in which only the decoder learns", 0.0,
     )  # fmt: skip
     settle: float = key(
         Number(0, 1),
-        "the last part of the steps, in which the codes stay as they are and the decoder "
-        "learns them", 0.0,
+        "the last fraction of the steps, in which only the decoder learns", 0.0,
     )  # fmt: skip
     target: str = key(Text(), "the chip: a name or a file, as --target takes it", "scamp5")
     buckets: int = key(
         Integer(1, 2),
-        "2: the light that a code leaves out goes to a second bucket, and none is lost (clips)", 1,
+        "2: a second bucket collects the light that the code excludes (clips)", 1,
     )  # fmt: skip
     require: str = key(Text(), "a condition that legal codes fulfil, as in a program (b, c, d)", "")
     codes: str = key(
@@ -83,7 +88,10 @@ class ShutterSettings:
         "fixed",
     )  # fmt: skip
     words_weight: float = key(
-        Number(0, 1e6), "of words a slot in the loss: a search's own, else a stand-in for them", 0.0
+        Number(0, 1e6),
+        "weight of words per slot in the loss; a search counts the words, other methods "
+        "approximate them",
+        0.0,
     )
 
 
@@ -91,31 +99,43 @@ class ShutterSettings:
 class DecoderSettings:
     """[decoder]: what makes pictures of frames."""
 
-    name: str = key(Text(), f"{', '.join(DECODERS)}, or one's own as module:name", "unet2d")
+    name: str = key(Text(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d")
     size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
-    width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
-    sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
+    width: float = key(
+        Number(0.01, 1), "width of its layers, as a fraction of the size's width", 1.0
+    )
+    sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
     guess: str = key(
-        Text(("by size", "yes", "no")), "whether a U-Net improves on a first guess; by size: the "
-        "small ones do, the paper's begin with nothing", "by size",
+        Text(("by size", "yes", "no")),
+        "whether a U-Net starts from a first guess; by size: the small ones do, those of the "
+        "paper's size do not",
+        "by size",
     )  # fmt: skip
     init: str = key(
-        Text(), "the run, a folder or one that comes with nscc, whose weights it begins with; "
-        "empty: drawn from the seed", "",
+        Text(), "the run (a folder, or one that comes with nscc) whose weights it starts from; "
+                "empty: random weights", "",
     )  # fmt: skip
     learn: bool = key(
-        Flag(), "false keeps it as it begins; with `any`, codes are judged by what favours none",
+        Flag(), "false: the weights do not change; with `any`, this compares codes with a decoder "
+            "that favours no code",
         True,
     )  # fmt: skip
     lessons: str = key(
         Text(("", "denoise", "codes", "stills")),
-        "what `any` learns from pictures in [data] train: noisy clips, clips behind codes of every "
-        "class, stills behind stops; empty: captures through the run's own shutters", "",
+        "the task that `any` learns from pictures in [data] train: noisy clips, clips with "
+        "codes of every class, stills with stops; empty: captures with the run's own "
+        "shutters", "",
     )  # fmt: skip
-    films: float = key(Number(0, 1), "the part of lessons `codes` in linear light, as films", 0.0)
-    exact: float = key(Number(0, 1), "the part of the other lessons `codes` without noise", 0.5)
+    films: float = key(
+        Number(0, 1), "the fraction of lessons `codes` with linear light, as in video-v1", 0.0
+    )
+    exact: float = key(
+        Number(0, 1), "the fraction of the remaining lessons `codes` without noise", 0.5
+    )
     stages: int = key(Integer(1, 64), "stages of a lesson", 8)
-    through: int = key(Integer(1, 64), "stages that a gradient passes: an update after each", 4)
+    through: int = key(
+        Integer(1, 64), "number of stages that a gradient passes between two updates", 4
+    )
 
     @property
     def sized(self) -> str:
@@ -127,21 +147,25 @@ class DecoderSettings:
 class SensorSettings:
     """[sensor]: what becomes of the light."""
 
-    file: str = key(Text(), "a sensor's numbers (nscc effects --toml); empty: the protocol's", "")
+    file: str = key(Text(), "a sensor file (nscc effects --toml); empty: the protocol's sensor", "")
     noise: bool = key(Flag(), "photon noise and readout noise", True)
     effects: str = key(
         Text(),
-        "all that the emulator does to frames, or auto, or names, as --effects takes them; empty: "
-        "noise, full well and converter", "",
+        "sensor effects as in --effects: all, auto, or names; empty: noise, full well and "
+        "converter", "",
     )  # fmt: skip
-    slope: float = key(Number(0, 1), "stand-in slope of saturated pixels", 0.1)
+    slope: float = key(Number(0, 1), "gradient of saturated pixels", 0.1)
 
 
 @dataclass(frozen=True)
 class DataSettings:
     """[data]: scenes. Training and validation never share one."""
 
-    train: str = key(Text(), "a folder, procedural, or one's own as module:name", "procedural")
+    train: str = key(
+        Text(),
+        "a folder, procedural (synthetic scenes), or a custom source as module:name",
+        "procedural",
+    )
     val: str = key(
         Text(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
     )
@@ -151,20 +175,24 @@ class DataSettings:
         "",
     )  # fmt: skip
     patch: int = key(Integer(11, 4096), "rows and columns of a training patch", 64)
-    together: int = key(_COUNT, "patches of a batch that are cut from one exposure of a scene", 1)
+    together: int = key(
+        _COUNT, "number of patches of a batch that are cut from one exposure of a scene", 1
+    )
     scenes: int = key(_COUNT, "procedural scenes for training; a quarter as many to validate", 16)
     frames: int = key(_COUNT, "frames read of a clip", 128)
     paths: int = key(
-        _COUNT, "clips that are made of a panorama, in which a camera turns, or of a photograph, "
-        "whose parts move", 4,
+        _COUNT, "number of clips per panorama (with a turning camera) or photograph (with "
+                "moving parts)", 4,
     )  # fmt: skip
-    val_items: int = key(_COUNT, "exposures in a validation, of `together` patches", 8)
+    val_items: int = key(
+        _COUNT, "number of exposures in a validation, each with `together` patches", 8
+    )
     augment: bool = key(
-        Flag(), "turn and mirror; contrast of stills; time of clips backwards", True
+        Flag(), "augment: rotate and mirror, change the contrast of stills, reverse clips", True
     )
     saturated: tuple[float, ...] = key(
         Several(Number(0.001, 0.9), 2),
-        "the part of a still's pixels that saturate when always open, from and to", (0.3, 0.3),
+        "range of the fraction of a still's pixels that saturate when always open", (0.3, 0.3),
     )  # fmt: skip
 
 
@@ -174,8 +202,8 @@ class LossSettings:
 
     name: str = key(
         Text(),
-        "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, one's "
-        "own as module:name, or several, joined by + and added", "mu-law",
+        "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, a "
+        "custom loss as module:name, or a sum of losses joined by +", "mu-law",
     )  # fmt: skip
 
 
@@ -184,29 +212,33 @@ class TrainSettings:
     """[train]: the loop."""
 
     steps: int = key(Integer(1, 10**9), "updates", 1000)
-    batch: int = key(_COUNT, "patches an update", 4)
-    seed: int = key(Integer(0, 2**31 - 1), "of everything random", 0)
+    batch: int = key(_COUNT, "patches per update", 4)
+    seed: int = key(Integer(0, 2**31 - 1), "seed of all random numbers", 0)
     device: str = key(
         Text(("auto", "cpu", "cuda")),
-        "of networks and the frames of the emulated chip; auto: cuda where there is one", "auto",
+        "device of networks and frames of the emulated chip; auto: cuda if available", "auto",
     )  # fmt: skip
     dtype: str = key(
-        Text(("f32", "bf16")), "of the decoder; the sensor's physics stays what it is", "f32"
+        Text(("f32", "bf16")), "data type of the decoder; the sensor model is always f32", "f32"
     )
     rate: float = key(Number(0, 10), "learning rate of the decoder", 1e-3)
     optimizer: str = key(
-        Text(("adam", "muon")), "of the decoder; muon: for its inner convolutions, Adam elsewhere",
+        Text(("adam", "muon")),
+        "optimizer of the decoder; muon: Muon for its inner convolutions, Adam elsewhere",
         "adam",
     )  # fmt: skip
     average: float = key(
-        Number(0, 1), "decay of the decoder's moving average, which is what is kept; 0: none", 0.0
+        Number(0, 1),
+        "decay of the moving average of the decoder's weights; the averaged weights are "
+        "stored; 0: no average",
+        0.0,
     )
     compile: bool = key(Flag(), "compile the decoder by torch.compile", False)
-    workers: int = key(Integer(0, 256), "processes that draw batches; 0: the run's own", 0)
+    workers: int = key(Integer(0, 256), "processes that prepare batches; 0: the main process", 0)
     code_rate: float = key(
-        Number(0, 10), "learning rate of the codes, as a part of their range", 1e-3
+        Number(0, 10), "learning rate of the codes, as a fraction of their range", 1e-3
     )
-    schedule: str = key(Text(("cosine", "constant")), "of both rates over the steps", "cosine")
+    schedule: str = key(Text(("cosine", "constant")), "schedule of both learning rates", "cosine")
     clip: float = key(Number(0, 1e9), "largest norm of the decoder's gradient; 0: any", 1.0)
     validate_every: int = key(Integer(1, 10**9), "steps between validations and checkpoints", 100)
 
@@ -229,7 +261,7 @@ SCHEMA = Schema(
         key for name, section in vars(RunSettings()).items() for key in keys_of(type(section), name)
     ),
     dict.fromkeys(vars(RunSettings()), ""),
-    Codes("NS0813", "NS0813", unknown="NS0814", wrong="NS0815", change="NS0815"),
+    FileCodes("NS0813", "NS0813", unknown="NS0814", wrong_value="NS0815", change="NS0815"),
     "`nscc train --schema > config.toml` writes a complete file to start from",
     noun="setting",
     option="--set",

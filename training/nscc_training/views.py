@@ -47,21 +47,25 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     folder = run_path(path)
     if folder.is_dir():
         if not (folder / "metrics.csv").is_file():
-            raise _nothing_to_view(path, "it is a folder without metrics.csv, no run of nscc train")
+            raise _nothing_to_view(
+                path, "it is a folder without metrics.csv, not a run of nscc train"
+            )
         reads(folder / "metrics.csv")
         result = folder / "result.json"
         result_values = _json(result) if result.is_file() else {}
         return _drawn(path, run_sheet, folder, result_values)
     suffix = path.suffix.lower()
     if not path.is_file():
-        raise _nothing_to_view(path, "there is no such file")
+        raise _nothing_to_view(path, "the file does not exist")
     reads(path)
     if suffix == ".toml":
         return png_of(sensor_sheet, path)
     if suffix == ".json":
         result_values = _json(path)
         if not ("robustness" in result_values or "items" in result_values):
-            raise _nothing_to_view(path, "it has no items and no robustness: no result of nscc")
+            raise _nothing_to_view(
+                path, "it has no items and no robustness, so it is not a result of nscc"
+            )
         return _drawn(path, result_sheet, result_values, path.name)
     if suffix == ".npz":
         return _of_arrays(path, tone)
@@ -80,7 +84,7 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         clip = np.stack([light_in(_reduced(frame, _MOST_FRAME_PIXELS), "srgb") for frame in frames])
         content = Content({}, clip, moving=True, tone=tone, usual="srgb", unit="")
         return png_of(content_sheet, content, path.name)
-    raise _nothing_to_view(path, f"nothing that is viewed ends in '{suffix}'")
+    raise _nothing_to_view(path, f"the ending '{suffix}' cannot be viewed")
 
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
@@ -105,7 +109,7 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
                               usual="srgb" if moving else "log")  # fmt: skip
             return png_of(content_sheet, content, path.name)
     names = ", ".join(sorted(array_names)[:8]) or "nothing"
-    raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {names}")
+    raise _nothing_to_view(path, f"it is not a frame file and has no image or video, but {names}")
 
 
 def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
@@ -174,15 +178,15 @@ def _json(path: Path) -> dict[str, Any]:
     except (OSError, ValueError, RecursionError) as error:
         raise _nothing_to_view(path, str(error)) from error
     if not isinstance(document, dict):
-        raise _nothing_to_view(path, "it is no result of nscc")
+        raise _nothing_to_view(path, "it is not a result of nscc")
     return document
 
 
 def _nothing_to_view(path: Path, reason: str) -> Rejected:
     return rejected(
         "NS0801",
-        f"there is nothing to view in '{path}': {' '.join(reason.split())[:200]}",
-        notes=("programs, frames, reconstructions, pictures, clips, run folders, results and "
-               "sensors are viewed",),
+        f"cannot view '{path}': {' '.join(reason.split())[:200]}",
+        notes=("nscc views programs, frames, reconstructions, pictures, clips, run folders, "
+               "results and sensors",),
         helps=("name a .nsl, .icw, .npz, .json, .toml, a picture, a clip or a run folder",),
     )  # fmt: skip

@@ -15,10 +15,11 @@ from pathlib import PurePath
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.emit.cpp.bitmap import bitmap
-from nscc.emit.cpp.codes import Loading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.codes import CodeLoading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.cpp_text import comment, entry, literal, safe, section, template_lines
 from nscc.emit.cpp.devkit import Devkit, devkit_fault, devkit_of
 from nscc.emit.cpp.frame import (
-    Schedule,
+    LaunchSchedule,
     exact,
     kernel_name,
     kernel_us,
@@ -28,18 +29,17 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import comment, entry, literal, part, safe, section
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
+from nscc.words.assembly_text import number_text, ranges_text
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
 from nscc.words.legality import refuse_pictures
 from nscc.words.readout import converter_of, preparation_of
-from nscc.words.text import number_text, ranges_text
 
 _SIDE = 1 << ADDRESS_BITS
 _WORDS = {
@@ -70,7 +70,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
     if container.pixel_codes is None:
-        reason = "without `pixels` no pixel has a code to load"
+        reason = "without `pixels`, the pixels have no codes to load"
         raise Rejected(_no_cpp(program, devkit, reason, _DATA))
     planes = container.planes()
     loading = loading_of(planes, target, stem)
@@ -85,7 +85,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         "",
         "using namespace SCAMP5_PE;",
         "",
-        *part("clock"),
+        *template_lines("clock"),
         "",
         "namespace {",
         "",
@@ -113,13 +113,15 @@ def _no_cpp(
         code,
         f"C++ for the {devkit.name} devkit cannot be written: {reason}",
         source=program.source if span else None,
-        label=Label(span, "the chip is chosen here") if span else None,
+        label=Label(span, "this statement chooses the chip") if span else None,
         helps=(way_out,),
         data={"target": program.target.name},
     )
 
 
-def _check_store(program: Program, container: Container, loading: Loading, devkit: Devkit) -> None:
+def _check_store(
+    program: Program, container: Container, loading: CodeLoading, devkit: Devkit
+) -> None:
     """Refuses what the frame's kernels leave no room to load."""
     target = container.target
     frame = sum(
@@ -131,8 +133,8 @@ def _check_store(program: Program, container: Container, loading: Loading, devki
     needed = frame + loading.words + preparing
     if needed > target.store_words:
         reason = (
-            f"its kernels need {needed} words ({frame} of the frame, {loading.words} that load "
-            f"the codes, {preparing} before readout), and {target.name} stores "
+            f"its kernels need {needed} words ({frame} for the frame, {loading.words} to "
+            f"load the codes, {preparing} before the readout), but {target.name} stores "
             f"{target.store_words}"
         )
         way_out = "use fewer slots, or fewer different kernels"
@@ -145,7 +147,11 @@ def ops_of(kernel: Kernel) -> list[Op]:
 
 
 def _header(
-    lowered: Lowered, container: Container, schedule: Schedule, loading: Loading, devkit: Devkit
+    lowered: Lowered,
+    container: Container,
+    schedule: LaunchSchedule,
+    loading: CodeLoading,
+    devkit: Devkit,
 ) -> Iterator[str]:
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
@@ -202,7 +208,7 @@ def _slots_text(container: Container) -> str:
     return f"{container.slots} {each}, {total} us in all"
 
 
-def _time_text(container: Container, schedule: Schedule) -> str:
+def _time_text(container: Container, schedule: LaunchSchedule) -> str:
     target = container.target
     return (
         f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
@@ -269,7 +275,7 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
     if any(calls(ops) is None for ops in kernels):
         narrow = _narrow(program, container, devkit)
         if devkit.tables:
-            yield from ["#ifdef __LPC43XX__", *part("run"), "#endif", ""]
+            yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]
     launched: dict[int, list[int]] = {}
     for launch in container.launches:
         launched.setdefault(launch.kernel, []).append(launch.instant)
@@ -299,16 +305,21 @@ def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list
     """The kernels in words that have calls, proved as the container's own are."""
     found = narrowed(container)
     if found is None and not devkit.tables:
-        reason = "a word has more sources than a call of its library takes, and no register is free"
+        reason = (
+            "a word has more sources than a call of the devkit's library takes, and no register "
+            "is free"
+        )
         raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
     if found is not None:
         proof = prove(container, found)
         if not proof.holds:
-            raise ValueError(f"calls of few sources are another program: {proof.failure}")
+            raise ValueError(
+                f"calls with few sources do not implement the program: {proof.failure}"
+            )
     return found
 
 
-def _main(container: Container, loading: Loading) -> Iterator[str]:
+def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     shown += [(register, register) for register in state_registers(container)]
     yield "int main() {"
@@ -320,20 +331,20 @@ def _main(container: Container, loading: Loading) -> Iterator[str]:
             f"vs_gui_add_display({literal(name)}, {2 * row}, {2 * col}, 2);"
         )
     yield ""
-    yield from part("record")
+    yield from template_lines("record")
     if loading.images:
-        yield from ["", *part("awaiting", rate=loading_rate(container.target))]
+        yield from ["", *template_lines("awaiting", rate=loading_rate(container.target))]
     if loading.loads:
         yield "    load_codes();"
     preparing = preparation_of(container)
     prepare = []
     if preparing.level is not None:
         settle = ceil(exact(container.target.in_settle_us))
-        prepare = part("spread", level=preparing.level, settle=settle)
+        prepare = template_lines("spread", level=preparing.level, settle=settle)
     made = calls(preparing.words)
     assert made is not None, "every bus of at most four registers has a call"
     prepare += section((call for call, _ in made), " " * 8)
-    yield from ["", *part("frames", prepare="\n".join(prepare))]
+    yield from ["", *template_lines("frames", prepare="\n".join(prepare))]
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):
         gain = gains.get(register, 1.0)

@@ -115,12 +115,13 @@ def messages(calibration: Calibration) -> list[Diagnostic]:
         diagnostics.append(
             Diagnostic(
                 "NS0791",
-                f"these frames leave {count} of {len(calibration.quantities)} figures open",
+                f"these frames do not determine {count} of "
+                f"{len(calibration.quantities)} parameters",
                 severity=Severity.NOTE,
                 notes=tuple(
                     f"{', '.join(dict.fromkeys(titles))}: {why}" for why, titles in unknown.items()
                 ),
-                helps=("the sensor file has the defaults there, and says so",),
+                helps=("the sensor file contains the defaults for them and marks them",),
                 data={"open": [n for n, q in calibration.quantities.items() if q.value is None]},
             )
         )
@@ -130,16 +131,16 @@ def messages(calibration: Calibration) -> list[Diagnostic]:
         diagnostics.append(
             Diagnostic(
                 "NS0792",
-                f"the noise does not rise with the mean along a line: levels are {fit.apart:.2%} "
-                f"off, {fit.excess**0.5:.2g} times as much as their errors",
+                "the noise is not a linear function of the mean: levels deviate by "
+                f"{fit.apart:.2%}, {fit.excess**0.5:.2g} times their errors",
                 severity=Severity.WARNING if bent else Severity.NOTE,
                 notes=(
-                    f"chi squared is {fit.misfit:.3g} for {fit.freedom} degrees of freedom; the "
-                    "errors of gain and noise were made larger by that factor",
+                    f"chi squared is {fit.misfit:.3g} for {fit.freedom} degrees of freedom; "
+                    "the errors of gain and noise were increased by that factor",
                     "levels near saturation, light that flickers within a frame, memories that "
                     "leak and noise that grows with the signal bend the line",
                 ),
-                helps=("look at the levels with --json, and leave out what is off",)
+                helps=("check the levels with --json, and leave out levels that deviate",)
                 if bent
                 else (),
             )

@@ -153,8 +153,8 @@ def _refuse_exchanged(flats: Sequence[LevelMoments], darks: Sequence[LevelMoment
     if light <= dim:
         raise rejected(
             "NS0759",
-            f"the darks (mean {dim:.4g}) are no darker than the flats (mean {light:.4g})",
-            helps=("flats come first, darks after --dark",),
+            f"the darks (mean {dim:.4g}) are not darker than the flats (mean {light:.4g})",
+            helps=("give flats first, and darks after --dark",),
         )
 
 
@@ -186,7 +186,9 @@ def _noise(
         return _unknown(_CUT_OFF, "dark_noise_lsb", "dark_noise_e")
     if not any(level in curve.used for level in darks):
         most = sqrt(QUIET)
-        return at_most(most, f"the darks' noise is below {most:.2f} codes: rounding hides it")
+        return at_most(
+            most, f"the noise of the darks is below {most:.2f} codes, so rounding hides it"
+        )
     if curve.noise <= ROUNDING:
         error = sqrt(float(curve.covariance[1, 1]))
         most = sqrt(max(curve.noise - ROUNDING, 0.0) + 2 * error)
@@ -220,7 +222,7 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
         dsnu_e=(in_electrons, electrons_se),
     )
     if dark.currents is None or dark.current is None or dark.current_se is None:
-        why = "it takes darks of two exposure times or more, times given"
+        why = "requires darks with two or more exposure times"
         return quantities | _unknown(why, "dark_current", "dark_spread")
     current = max(dark.current, 0.0) / curve.gain
     current_se = sqrt((dark.current_se / curve.gain) ** 2 + (current * gain_share) ** 2)
@@ -228,7 +230,7 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
     quantities |= _quantities(slope, dark_current=(current, current_se))
     if dark.current < _SURE * dark.current_se:
         return quantities | _unknown(
-            "the dark current is too small to see its spread", "dark_spread"
+            "the dark current is too small to measure its spread", "dark_spread"
         )
     sigma, sigma_se = root(*_unsmeared(shared_variance(dark.currents, good_mask), curve))
     spread = sigma / dark.current
@@ -260,11 +262,14 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
         raise rejected(
             "NS0759",
             f"the pixels' response differs by {value:.0%}: the frames are not flat",
-            notes=("photon transfer takes flats: an evenly lit surface, no picture",),
+            notes=("photon transfer requires flats: an evenly lit surface",),
             helps=("take flats of an evenly lit white surface, out of focus",),
         )
     if not freed:
-        why = "no darks of the flats' times: the spread of their dark charge counts in it"
+        why = (
+            "there are no darks with the exposure time of the flats: the spread of their dark "
+            "charge is included"
+        )
         return _quantities(why, "at most", prnu=(value, None))
     return _quantities("about a smooth surface", prnu=(value, error))
 
@@ -272,7 +277,7 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
 def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dict[str, Quantity]:
     """Return the saturation in codes and in electrons."""
     if curve.offset is None:
-        return _unknown("no dark tells the code without charge", "saturation_lsb", "full_well")
+        return _unknown("no dark measures the code without charge", "saturation_lsb", "full_well")
     zero = curve.offset
     limit = curve.saturation
     if limit is not None and limit.of_pixel:
@@ -283,9 +288,9 @@ def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dic
         return _quantities(remark, saturation_lsb=(height, height_se), full_well=electrons)
     highest = max(level.mean for level in flats) - zero
     if limit is None:
-        remark = "no flat saturates"
+        remark = "no flat is saturated"
     elif max(level.share_at_top for level in flats) > 0:
-        remark = f"the ADC ends (code {top_code}) before the pixels do"
+        remark = f"the ADC saturates (code {top_code}) before the pixels do"
     else:
         remark = "the brightest flat saturates in part"
     in_electrons = (highest / curve.gain, None)

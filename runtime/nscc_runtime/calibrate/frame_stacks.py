@@ -60,7 +60,7 @@ def load_stack(source: str, top_code: int) -> Stack:
     name = str(path)
     if not path.exists():
         raise _no_frames(
-            f"the frames '{name[:200]}' cannot be read: there is no such file",
+            f"the frames '{name[:200]}' cannot be read: the file does not exist",
             helps=(
                 "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
             ),
@@ -132,7 +132,7 @@ def _is_time(us: float) -> bool:
 
 def _wrong_time(name: str, text: str) -> Rejected:
     return _no_frames(
-        f"the exposure time of '{name[:200]}' is no time: {text}",
+        f"invalid exposure time of '{name[:200]}': {text}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
     )
 
@@ -165,7 +165,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
         raise _no_frames(
             f"the frames '{path}' cannot be read: {' '.join(str(error).split())[:200]}",
-            helps=("check that the file is whole and that its ending says what it is",),
+            helps=("check that the file is complete and that its ending matches its format",),
         ) from error
 
 
@@ -184,14 +184,15 @@ def _check_size(
     of `shape` that belong to a frame."""
     if prod(frame) > _MOST_PIXELS:
         raise _no_frames(
-            f"'{key}' in '{path}' is {size(shape)}: a frame has at most {_MOST_PIXELS:,} pixels",
-            helps=("cut out a part of the array: photon transfer needs some thousand pixels",),
+            f"'{key}' in '{path}' is {size(shape)}, but a frame has at most "
+            f"{_MOST_PIXELS:,} pixels",
+            helps=("crop the array: photon transfer needs some thousand pixels",),
         )
     if prod(shape) * itemsize > _MOST_BYTES:
         raise _no_frames(
             f"'{key}' in '{path}' is {size(shape)}: {prod(shape) * itemsize / 2**30:.3g} GiB",
-            notes=(f"frames of one level take at most {_MOST_BYTES >> 30} GiB",),
-            helps=("a few hundred frames a level are plenty; save codes as uint8 or uint16",),
+            notes=(f"frames of one level may have at most {_MOST_BYTES >> 30} GiB",),
+            helps=("a few hundred frames per level are enough; save codes as uint8 or uint16",),
         )
 
 
@@ -225,8 +226,8 @@ def _ours(
     times = meta["open_us"]
     if not isinstance(times, list) or len(times) != 1 or not isinstance(times[0], int | float):
         raise _no_frames(
-            f"the pixels of '{name}' were not open for the same time",
-            notes=("photon transfer compares pixels of one light and one exposure time",),
+            f"the pixels of '{name}' were open for different times",
+            notes=("photon transfer compares pixels with the same light and exposure time",),
             helps=("expose flats and darks with a program without codes: `open when n < N`",),
         )
     if isinstance(times[0], bool) or not _is_time(times[0]):
@@ -253,7 +254,7 @@ def _pictures(path: Path) -> NDArray[Any]:
         pictures = list(picture_files.open_pages(path).read())
     else:
         raise _no_frames(
-            f"'{path}' does not end like frames",
+            f"the ending of '{path}' is not a format for frames",
             notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
@@ -261,7 +262,7 @@ def _pictures(path: Path) -> NDArray[Any]:
         if picture.ndim == 3 and np.any(picture != picture[..., :1]):
             raise _no_frames(
                 f"'{path}' is in colour",
-                notes=("photon transfer takes the codes of the ADC, one a pixel",),
+                notes=("photon transfer needs the codes of the ADC, one per pixel",),
                 helps=("save the frames as grey pictures or arrays",),
             )
     return np.stack([p[..., 0] if p.ndim == 3 else p for p in pictures])
@@ -287,11 +288,15 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
     if not (integral and low >= 0 and high <= top_code):
         problem = f"values from {low:g} to {high:g}" if integral else "values that are not whole"
         raise _no_frames(
-            f"'{key}' in '{name}' has {problem}: no codes of an ADC that ends at {top_code}",
-            notes=("averages and electrons have lost what photon transfer measures: the noise",),
+            f"'{key}' in '{name}' has {problem}, which are not codes of an ADC with the "
+            f"largest code {top_code}",
+            notes=(
+                "averaging and conversion to electrons remove the noise that photon transfer "
+                "measures",
+            ),
             helps=(
-                "give the frames as the ADC gave them, one by one",
-                "an ADC of more bits is a key of the target (adc_bits): --target FILE.toml",
+                "use the original frames of the ADC, one by one",
+                "if the ADC has more bits, set the key adc_bits of the target: --target FILE.toml",
             ),
         )
     return values.astype(np.uint16)

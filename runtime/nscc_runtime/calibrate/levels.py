@@ -89,8 +89,10 @@ def level_of(stack: Stack, top_code: int) -> Level:
     if count < 2:
         raise rejected(
             "NS0758",
-            f"'{stack.name}' is one frame: noise takes two of the same light or more",
-            helps=("expose with --repeat K, or give a folder or an array (K, rows, cols) a level",),
+            f"'{stack.name}' has one frame, but the noise needs at least two of the same light",
+            helps=(
+                "expose with --repeat K, or give a folder or an array (K, rows, cols) per level",
+            ),
             data={"required": 2, "available": count},
         )
     codes = stack.codes
@@ -165,6 +167,6 @@ def _refuse_twice(codes: Codes, level: Level) -> None:
         raise rejected(
             "NS0757",
             f"'{level.name}' has the same frame more than once",
-            notes=("noise is what differs between frames: a copy makes it look smaller",),
-            helps=("give each frame once; frames of an emulator take different seeds",),
+            notes=("noise is the difference between frames: a copy makes it look smaller",),
+            helps=("give each frame once; frames of the emulator need different seeds",),
         )

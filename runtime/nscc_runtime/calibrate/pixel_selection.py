@@ -41,9 +41,10 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     if start < LEAST_PIXELS:
         raise rejected(
             "NS0757",
-            f"{start} pixels are valid in all frames, photon transfer needs {LEAST_PIXELS} or more",
+            f"{start} pixels are valid in all frames, but photon transfer needs at least "
+            f"{LEAST_PIXELS}",
             notes=(f"the frames are {size(first.variance.shape)}",),
-            helps=("give frames of the whole array; `valid` in frame files says which count",),
+            helps=("use frames of the whole array; `valid` in frame files marks the valid pixels",),
             data={"required": LEAST_PIXELS, "available": start},
         )
     for level in darks:
@@ -55,8 +56,11 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     if defect_count > max(MOST_DEFECTS * start, 2):
         raise rejected(
             "NS0759",
-            f"{defect_count} of {start} pixels are far off the others: the frames are not flat",
-            notes=(f"a pixel counts as far off beyond {OUTLIER:g} standard deviations",),
+            f"{defect_count} of {start} pixels are outliers: the frames are not flat",
+            notes=(
+                f"a pixel is an outlier if it deviates by more than {OUTLIER:g} standard "
+                "deviations",
+            ),
             helps=(
                 "take flats of an evenly lit white surface, out of focus; darks with the cap on",
             ),
@@ -78,13 +82,14 @@ def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
         if light > 0 and fall > MOST_UNEVEN * light:
             raise rejected(
                 "NS0759",
-                f"'{level.name}' is not flat: its light falls from code "
-                f"{smooth[good_mask].max():.4g} to {smooth[good_mask].min():.4g} over the array",
+                f"'{level.name}' is not flat: its light decreases from code "
+                f"{smooth[good_mask].max():.4g} to {smooth[good_mask].min():.4g} over the "
+                "array",
                 notes=(
-                    f"up to {MOST_UNEVEN:.0%} of the mean is taken, as a smooth surface that is "
-                    "subtracted; EMVA 1288 asks for 3 %",
+                    f"a variation up to {MOST_UNEVEN:.0%} of the mean is subtracted as a "
+                    "smooth surface; EMVA 1288 allows 3 %",
                 ),
-                helps=("light the array evenly, or cut the frames to their even part",),
+                helps=("light the array evenly, or crop the frames to their even part",),
             )
 
 

@@ -131,7 +131,7 @@ def _fitted(
         return np.asarray(np.sqrt(errors))
 
     if np.ptp(x) < 1e-6:
-        raise _no_transfer("all its levels have the same mean")
+        raise _no_transfer("all levels have the same mean")
     fit = line(x, variance, standard_errors)
     across = line(x, neighbours, lambda _: standard_errors(fit.start + fit.slope * x) / 2)
     if fit.slope <= 3 * sqrt(fit.covariance[1, 1]):
@@ -180,11 +180,13 @@ def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Reject
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]
     if len(used) > count:
-        notes.append(f"{len(used)} flats have the same mean, {used[0].mean:.4g}: that is one level")
+        notes.append(
+            f"{len(used)} flats have the same mean, {used[0].mean:.4g}: they count as one level"
+        )
     return rejected(
         "NS0758",
-        f"{count} level{'' if count == 1 else 's'} of light can be used, photon transfer needs 2 "
-        "or more",
+        f"{count} level{'' if count == 1 else 's'} of light can be used, but photon "
+        "transfer needs 2 or more",
         notes=notes[-10:],
         helps=(
             "add flats of other exposure times or other light, with means spread evenly up to "
@@ -197,7 +199,7 @@ def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Reject
 def _no_transfer(why: str) -> Rejected:
     return rejected(
         "NS0759",
-        f"the noise of the flats does not rise with their mean: {why}",
-        notes=("photon transfer takes frames with photon shot noise, of several levels of light",),
+        f"the noise of the flats does not increase with their mean: {why}",
+        notes=("photon transfer needs frames with shot noise at several levels of light",),
         helps=("check that flats and darks are not exchanged, and that frames are not averaged",),
     )

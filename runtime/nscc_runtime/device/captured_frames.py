@@ -79,7 +79,7 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
         raise rejected(
             "NS0784",
             f"cannot write into '{folder}': {error.strerror}",
-            helps=("name a folder that you may write",),
+            helps=("choose a folder that you may write to",),
         ) from None
     existing = set(folder.glob("frame-*.npz"))
     named = (folder / f"frame-{number:06d}.npz" for number in count(1))

@@ -19,12 +19,12 @@ FAILED = 3
 TOO_LONG, NO_BREATH, FADES = 7, 8, 9
 """Details of the fault SCHEDULE: invalid times of a schedule."""
 _UNTIMED = {
-    TOO_LONG: "they last longer than its clock counts",
-    NO_BREATH: "they keep it from its other work for more than two seconds",
-    FADES: "a register that holds a code is not written often enough",
+    TOO_LONG: "their duration exceeds the range of its clock",
+    NO_BREATH: "they block its other work for more than two seconds",
+    FADES: "a register with a code is not rewritten often enough",
 }
 _LIST = "`nscc doctor` lists the serial ports of this machine"
-_STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
+_STAND_IN = "`nscc device serve --scene SCENE` starts a simulated device and prints its port"
 
 
 def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
@@ -39,16 +39,16 @@ def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
         return rejected(
             "NS0761",
             f"the port '{shown}' is busy: {trouble.reason}",
-            "end the other program (`fuser PORT` names it), or wait until it is done",
+            "end the other program (`fuser PORT` names it), or wait until it ends",
         )
     helps = {
         "missing": (_LIST, _STAND_IN),
         "forbidden": (
-            "have your user added to the group that owns the port (`ls -l PORT` shows it; often "
+            "add your user to the group that owns the port (`ls -l PORT` shows it; often "
             "dialout or uucp), then log in again",
         ),
         "unsuited": (_LIST, _STAND_IN),
-        "baud": ("choose another speed: --baud 115200 is what every port can do",),
+        "baud": ("choose another speed: every port supports --baud 115200",),
     }.get(trouble.kind, (_LIST,))
     return rejected("NS0760", f"cannot open the port '{shown}': {trouble.reason}", *helps)
 
@@ -57,8 +57,10 @@ def port_lost(port: str, seconds: float) -> Rejected:
     """Return NS0766 for a port that was lost and did not return."""
     return rejected(
         "NS0766",
-        f"the device at '{port[:200]}' was lost, and did not come back within {seconds:g} s",
-        "check cable and power, then give the command again: what the device has is not sent twice",
+        f"the connection to the device at '{port[:200]}' was lost and did not return within "
+        f"{seconds:g} s",
+        "check the cable and the power, then run the command again: it does not resend data "
+        "that the device has",
         "--patience S waits longer",
     )
 
@@ -71,36 +73,36 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
     except Silent as silent:
         if silent.ever:
             raise port_lost(port, patience_s) from None
-        behaviour = "sends bytes that are no packets" if silent.noise else "says nothing"
+        behaviour = "sends bytes that are not packets" if silent.noise else "says nothing"
         raise rejected(
             "NS0762",
-            f"no loader of nscc answers at '{port[:200]}': what is there {behaviour}",
-            "put the loader on the device (runtime/firmware/README.md says how), or name another "
-            "port",
-            "if the loader is there, it may run at another speed: --baud",
+            f"no nscc loader answers at '{port[:200]}': the device {behaviour}",
+            "install the loader on the device (see runtime/firmware/README.md), or name "
+            "another port",
+            "if the loader is installed, it may use another speed: --baud",
             _LIST,
         ) from None
     except Stalled:
         raise rejected(
             "NS0766",
-            f"the device at '{port[:200]}' answers, and nothing gets through to it",
-            "the line is too bad, or the device keeps starting anew: check cable, speed (--baud) "
-            "and power",
+            f"the device at '{port[:200]}' answers, but the transfer fails",
+            "the line is too bad, or the device restarts repeatedly: check the cable, the "
+            "speed (--baud) and the power",
         ) from None
     except Contested:
         raise rejected(
             "NS0775",
-            f"another program speaks to the device at '{port[:200]}'",
-            "end it, or wait until it is done: a device has one host at a time",
-            notes=("the device did not start anew, and yet began other conversations than ours",),
+            f"another program uses the device at '{port[:200]}'",
+            "end it, or wait until it ends: a device has one host at a time",
+            notes=("the device did not restart, but it started conversations with another host",),
         ) from None
     except Implausible as implausible:
         captured = implausible.captured
         raise rejected(
             "NS0767",
-            f"the device at '{port[:200]}' has a frame of {captured.length} bytes in "
-            f"{captured.readouts} buckets, which is not the program's",
-            "put the loader that came with this nscc on the device",
+            f"the device at '{port[:200]}' reports a frame of {captured.length} bytes in "
+            f"{captured.readouts} buckets, which does not match the program",
+            "install the loader that came with this nscc",
         ) from None
     except RequestRefused as refused:
         raise _refused(port, refused) from None
@@ -113,22 +115,22 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
         case LoaderFault.VERSION:
             return rejected(
                 "NS0762",
-                f"{at} speaks version {failure.detail} of the protocol, this nscc version "
-                f"{VERSION}",
-                "put the loader that came with this nscc on the device (runtime/firmware)",
+                f"{at} uses version {failure.detail} of the protocol, but this nscc uses "
+                f"version {VERSION}",
+                "install the loader that came with this nscc (runtime/firmware)",
             )
         case LoaderFault.HARDWARE:
             return rejected(
                 "NS0768",
                 f"{at} could not expose a frame",
-                "a stand-in says why where it runs (a scene that does not suit the program, say); "
-                "a chip wants to be switched off and on",
+                "a simulated device prints the reason in its own terminal (for example a "
+                "scene that does not fit the program); switch a real chip off and on",
             )
         case LoaderFault.TARGET:
             return rejected(
                 "NS0764",
-                f"{at} is another chip than the program is for",
-                "build it for the device's: `nscc device info PORT` names it",
+                f"the program was compiled for another chip than {at}",
+                "build it for the target of the device: `nscc device info PORT` names the target",
             )
         case LoaderFault.NO_PROGRAM:
             return no_program(port)
@@ -143,7 +145,7 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
         case LoaderFault.SCHEDULE if failure.detail in _UNTIMED:
             return rejected(
                 "NS0722",
-                f"{at} cannot time the program's frames: {_UNTIMED[failure.detail]}",
+                f"{at} cannot schedule the frames of the program: {_UNTIMED[failure.detail]}",
                 "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
                 "enough",
             )
@@ -153,10 +155,13 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
     )
     return rejected(
         "NS0767",
-        f"{at} refuses the program or the request: {name.lower().replace('_', ' ')}, "
+        f"{at} rejects the program or the request: {name.lower().replace('_', ' ')}, "
         f"{failure.detail}, in answer to {request}",
-        "build the program again, and put the loader that came with this nscc on the device",
-        notes=("nscc checks programs before it sends them, so the two disagree",),
+        "build the program again, and install the loader that came with this nscc",
+        notes=(
+            "nscc checked the program before sending it, so nscc and the loader use different "
+            "rules",
+        ),
     )
 
 
@@ -165,7 +170,7 @@ def no_program(port: str) -> Rejected:
     return rejected(
         "NS0771",
         f"the device at '{port[:200]}' holds no program",
-        "bring it one: `nscc device upload PORT FILE`, or name it: `nscc device capture PORT FILE`",
+        "upload one: `nscc device upload PORT FILE`, or name it: `nscc device capture PORT FILE`",
     )
 
 
@@ -173,9 +178,9 @@ def states_lost(port: str) -> Rejected:
     """Return NS0774: the states of the previous frame were lost."""
     return rejected(
         "NS0774",
-        f"the device at '{port[:200]}' lost what its pixels keep from frame to frame",
-        "give the command again: the frames then begin with the program's first values",
-        notes=("it started anew, or another host brought it a program, between two frames",),
+        f"the device at '{port[:200]}' lost the kept states of its pixels",
+        "run the command again: the frames then start with the program's initial states",
+        notes=("the device restarted, or another host uploaded a program, between two frames",),
     )
 
 
@@ -186,15 +191,15 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
     if theirs != ours:
         return rejected(
             "NS0764",
-            f"the program is for {ours}, and {at} is {theirs}",
-            f"build it for the device: `--target {theirs}`, or a file for it",
+            f"the program is for {ours}, but {at} is {theirs}",
+            f"build it for the target of the device: `--target {theirs}`, or its target file",
         )
     return rejected(
         "NS0764",
-        f"the program is for {ours}, and {at} is a {theirs} whose target table is another",
-        "build the program with the table that the device's loader was built with",
+        f"the program is for {ours}, but {at} is a {theirs} with another target table",
+        "build the program with the target table of the device's loader",
         notes=(
-            f"the program's array is {target.rows} x {target.cols}, the device's "
+            f"the program's array is {target.rows} x {target.cols}, but the device's is "
             f"{info.rows} x {info.cols}",
         ),
     )
@@ -217,10 +222,10 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
         if required > available:
             raise rejected(
                 "NS0765",
-                f"the program does not fit the loader at '{port[:200]}': it needs {required} "
-                f"{resource}, and the loader has room for {available}",
-                "use fewer slots, or fewer buckets; the loader's room is set where it is built "
-                "(runtime/firmware)",
+                f"the program does not fit the loader at '{port[:200]}': it needs "
+                f"{required} {resource}, but the loader supports {available}",
+                "use fewer slots, or fewer buckets; the limits are set when the loader is "
+                "built (runtime/firmware)",
                 data={
                     "resource": resource, "required": required, "available": available,
                     "proved": True,
@@ -229,13 +234,13 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     if (upload.levels or upload.states) and not info.capabilities & Capability.LOOKS:
         raise rejected(
             "NS0765",
-            f"the program's pixels look at the light, and the loader at '{port[:200]}' neither "
-            "sets IN nor sends digital registers",
-            "put the loader that came with this nscc on the device (runtime/firmware)",
+            f"the program's pixels look at the light, but the loader at '{port[:200]}' does "
+            "not support this",
+            "install the loader that came with this nscc (runtime/firmware)",
         )
     if upload.gains and not info.capabilities & Capability.GAIN:
         raise rejected(
             "NS0765",
-            f"the program scales its readouts, which the loader at '{port[:200]}' cannot",
+            f"the program scales its readouts, which the loader at '{port[:200]}' does not support",
             "build the program with another --lowering",
         )

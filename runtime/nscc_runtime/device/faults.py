@@ -53,7 +53,7 @@ def parse_faults(text: str) -> LineFaults:
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
         if name not in NAMES:
-            raise _invalid_faults(f"'{name[:40]}' is no fault", *meant(name, NAMES))
+            raise _invalid_faults(f"unknown fault '{name[:40]}'", *meant(name, NAMES))
         if NAMES[name] in values:
             raise _invalid_faults(f"'{name}' is given twice")
         values[NAMES[name]] = _value(name, value)
@@ -66,7 +66,7 @@ def _value(name: str, text: str) -> float | int:
         with suppress(ValueError):
             if 0 <= float(text) <= 1:
                 return float(text)
-        raise _invalid_faults(f"'{shown}' is not a rate from 0 to 1 a byte")
+        raise _invalid_faults(f"'{shown}' is not a rate per byte from 0 to 1")
     if name in ("delay", "outage"):
         match = _TIME.fullmatch(text)
         seconds = float(match[1]) * _UNITS[match[2]] if match else _LONGEST_S + 1
@@ -86,7 +86,7 @@ def _invalid_faults(problem: str, *helps: str) -> Rejected:
     return rejected(
         "NS0769",
         f"--fault: {problem}",
-        notes=(f"it takes, comma separated: {', '.join(NAMES)}",),
+        notes=(f"--fault takes a comma-separated list of: {', '.join(NAMES)}",),
         helps=helps or (f"for instance --fault {EXAMPLE}",),
     )
 

@@ -68,7 +68,7 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     nscc's cache folder, or in `folder`; without a cache, for this process only."""
     compiler_path = compiler()
     if compiler_path is None:
-        raise NotBuilt("there is no C++ compiler")
+        raise NotBuilt("no C++ compiler was found")
     command = [compiler_path, *CORE_FLAGS, *WARNINGS, *extra]
     return Built(
         compiled(command, ("core", "emulated", "host"), target, folder), compiler_path, target

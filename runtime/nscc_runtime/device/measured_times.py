@@ -82,8 +82,10 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
     if min(analog_us, digital_us) < _NO_TIME_US:
         raise rejected(
             "NS0723",
-            f"words take no time on the device at '{link.path[:200]}': it has no pixels of its own",
-            "measure a chip; `nscc device serve` stands in for one, with the times of its target",
+            f"words take no time on the device at '{link.path[:200]}', because it has no "
+            "pixels of its own",
+            "calibrate a real chip, or `nscc device serve`, which simulates the word times "
+            "of its target",
         )
     return MeasuredTimes(
         round((plain.lasted_us - once) / (LAUNCHES - 1) - analog_us, 4),

@@ -136,15 +136,15 @@ def upload_of(container: Container, label: bytes) -> Upload:
     Rejected: NS0510 for a program with planes instead of words."""
     refuse_planes(
         container.target,
-        "the loader takes words, and cannot be sent this program",
+        "the loader runs words, but this program has planes of bits",
         "`nscc build --emit planes` writes an .npz for a driver of the chip",
     )
     refuse_pictures(container, "the loader cannot be sent this program", "run it on the emulator")
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
-            "the program does not say which code each pixel has",
-            helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
+            "the program has no pixel codes",
+            helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
     target = container.target

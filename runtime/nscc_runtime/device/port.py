@@ -82,14 +82,14 @@ def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
 def _trouble(error: OSError) -> PortTrouble:
     number = error.errno
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV, errno.ENOTDIR):
-        return PortTrouble("missing", "there is no such port")
+        return PortTrouble("missing", "the port does not exist")
     if number in (errno.EACCES, errno.EPERM):
-        return PortTrouble("forbidden", "you may not use it")
+        return PortTrouble("forbidden", "you have no permission to use it")
     if number in (errno.EAGAIN, errno.EWOULDBLOCK, errno.EBUSY):
         return PortTrouble("busy", "another program has it open")
     # For a file that is not a terminal, pyserial wraps the error of termios without its number.
     if number in (errno.ENOTTY, errno.EINVAL, errno.EISDIR) or "configure port" in str(error):
-        return PortTrouble("unsuited", "it is no serial port")
+        return PortTrouble("unsuited", "it is not a serial port")
     return PortTrouble("other", os.strerror(number) if number else str(error))
 
 

@@ -88,7 +88,7 @@ def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
             f"the firmware cannot be run on this machine: {reason}",
             helps=(
                 "CXX names another compiler, for instance CXX=clang++",
-                "see that programs in the cache folder (NSCC_CACHE_DIR) may be executed",
+                "allow the execution of programs in the cache folder (NSCC_CACHE_DIR)",
             ),
         )
     if machine == "host":

@@ -28,10 +28,14 @@ def target_header(target: Target) -> str:
     target with words of its own, which the loader does not know, and for a target whose pixels have
     no logic."""
     if target.streamed:
-        raise ValueError(f"the loader's firmware runs words, and the pixels of {target.name} none")
+        raise ValueError(
+            f"the loader's firmware runs words, but the pixels of {target.name} have no logic"
+        )
     if target.words:
         names = ", ".join(row.name for row in target.words)
-        raise ValueError(f"the loader's firmware knows no words of {target.name}'s own: {names}")
+        raise ValueError(
+            f"the loader's firmware does not support custom words of {target.name}: {names}"
+        )
     return "\n".join([*_numbers(target), "", *_operations(), "", *_registers(target), "",
                       *_sequences(target), "", "}  // namespace nscc::target", "", "#endif",
                       ""])  # fmt: skip

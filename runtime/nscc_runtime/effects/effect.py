@@ -164,11 +164,13 @@ class Effect:
             found.append("`sums`, its parts in sums over slots, or CannotHave(reason)")
         elif not isinstance(self.sums, CannotHave):
             strange = [each for each in self.sums if not isinstance(each, Part)]
-            found += [f"`sums` of known parts only, and {each!r:.60} is none" for each in strange]
+            found += [
+                f"`sums` with known parts only, but {each!r:.60} is unknown" for each in strange
+            ]
             made = {getattr(part, "at", part.stage) for part in self.parts(Part)}
             bare = {*self.reference} ^ made
             if not strange and bare:
-                text = "`sums` that go with `reference`: one of them has no "
+                text = "`sums` that match `reference`: one of them has no "
                 found.append(text + ", ".join(sorted(bare)))
         if not isinstance(self.words, InLoop | CannotHave):
             found.append("`words`, InLoop(..) or CannotHave(reason)")
@@ -182,5 +184,5 @@ class Effect:
         for name in ("cost_ns", "light_ns"):
             cost = getattr(self, name)
             if not (isinstance(cost, int | float) and 0 <= cost < math.inf):
-                found.append(f"`{name}`, a number from 0 on")
+                found.append(f"`{name}`, a number of 0 or more")
         return found

@@ -50,7 +50,9 @@ def register(effect: Effect) -> None:
 
     Raises Rejected (NS0905) with all missing entries; then nothing is added.
     """
-    lacking = effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is no Effect"]
+    lacking = (
+        effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is not an Effect"]
+    )
     lacking = lacking or _clashes(effect)
     if lacking:
         name = getattr(effect, "name", None)
@@ -59,7 +61,7 @@ def register(effect: Effect) -> None:
             "NS0905",
             f"the effect {shown[:60]!a} cannot be used: it lacks {lacking[0]}",
             notes=tuple(f"it also lacks {each}" for each in lacking[1:]),
-            helps=("docs/emulator.md says what an effect declares",),
+            helps=("docs/emulator.md describes the declaration of an effect",),
         )
     _registered[effect.name] = effect
 

@@ -125,14 +125,16 @@ def selected(text: str) -> Selection:
 def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
     parts = [part.strip() for part in text.split(",") if part.strip()]
     if not parts:
-        raise _wrong("--effects names no effect", f"write one of {', '.join(RESERVED)}, or effects")
+        raise _wrong(
+            "--effects is empty", f"write one of {', '.join(RESERVED)}, or names of effects"
+        )
     auto = parts[0] == "auto"
     on = set(optional()) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
     forced: set[str] = set()
     for index, part in enumerate(parts):
         if part in RESERVED:
             if index:
-                raise _wrong(f"--effects has `{part}` after its beginning", f"put `{part}` first")
+                raise _wrong(f"--effects has `{part}` after its start", f"put `{part}` first")
             continue
         add, name = part[0] != "-", part.lstrip("+-") if part[0] in "+-" else part
         effect = named(name)
@@ -149,8 +151,8 @@ def named(name: str) -> Effect:
     found = by_name().get(name)
     if found is None:
         raise _wrong(
-            f"there is no effect {name[:60]!a}",
-            *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists them"),
+            f"unknown effect {name[:60]!a}",
+            *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists the effects"),
         )
     return found
 
@@ -160,8 +162,8 @@ def _wrong(what: str, help_text: str) -> Rejected:
         "NS0756",
         what,
         notes=(
-            "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
-            "-NAME leaves one out",
+            "--effects takes auto, all, none or names separated by commas; +NAME adds an "
+            "effect, -NAME removes one",
             f"the effects are {', '.join(by_name())}",
         ),
         helps=(help_text,),

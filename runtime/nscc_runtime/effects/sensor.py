@@ -36,7 +36,7 @@ class Sensor:
     def __getattr__(self, name: str) -> float:
         # Copies and pickles read attributes before the values are set.
         if name.startswith("__") or name == "values" or name not in self.values:
-            raise AttributeError(f"a sensor has no parameter {name!a}")
+            raise AttributeError(f"unknown sensor parameter {name!a}")
         return self.values[name]
 
     def __hash__(self) -> int:
@@ -65,7 +65,7 @@ class Sensor:
         """
         unknown = [name for name in values if name not in self.values]
         if unknown:
-            raise TypeError(f"a sensor has no parameter {unknown[0]!a}")
+            raise TypeError(f"unknown sensor parameter {unknown[0]!a}")
         return Sensor({**self.values, **values})
 
 

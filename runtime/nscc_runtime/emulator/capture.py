@@ -159,8 +159,8 @@ def check_program(container: Container) -> None:
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
-            "the program does not say which code each pixel has",
-            helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
+            "the program has no pixel codes",
+            helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
     unsound = _faults(container)
@@ -175,9 +175,9 @@ def check_size(container: Container, light: Light) -> None:
         there, here = (" x ".join(map(str, each)) for each in (light.shape, shape))
         raise rejected(
             "NS0734",
-            f"the light is {there} pixels in {light.slots} slots, the array "
-            f"is {here} pixels in {container.slots} slots",
-            helps=("lay the scene on the array and the slots of this program",),
+            f"the light has {there} pixels in {light.slots} slots, but the array has "
+            f"{here} pixels in {container.slots} slots",
+            helps=("prepare the scene for the array and the slots of this program",),
             status=1,
         )
 

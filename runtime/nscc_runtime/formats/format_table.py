@@ -63,8 +63,8 @@ def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
     known = ", ".join(allowed)
     raise rejected(
         "NS0786",
-        f"{product} cannot be written as '{path.name}': "
-        f"no format ends in '{path.suffix[:20]}' here",
+        f"{product} cannot be written as '{path.name}': the ending '{path.suffix[:20]}' is "
+        "not supported here",
         notes=(f"it can end in {known}" if len(allowed) > 1 else f"it ends in {known}",),
         helps=(f"name it {path.stem or 'name'}{allowed[0]}",),
         data={"endings": list(allowed)},

@@ -99,9 +99,9 @@ def _lanes(container: Container) -> NDArray[np.signedinteger]:
 def _one_bucket() -> Rejected:
     return rejected(
         "NS0786",
-        "a .mat of snapshot compressive imaging holds one bucket of one colour",
+        "a .mat of snapshot compressive imaging contains one bucket of one colour",
         notes=("mask is (H, W, T), meas (H, W, K), orig (H, W, T * K)",),
-        helps=("write an .npz: it holds all there is",),
+        helps=("write an .npz: it contains all data",),
     )
 
 

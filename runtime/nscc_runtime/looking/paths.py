@@ -123,7 +123,7 @@ def start_bits(container: Container) -> dict[str, Bits]:
     column = {name: i for i, name in enumerate(container.target.digital_registers)}
     found = {name: encoding[:, column[name]] for name in container.code_registers}
     for k, state in enumerate(machine.states):
-        if state.kept:
+        if state.is_kept:
             planes = container.state_planes[state.name]
             rows = dict(zip(planes.values, planes.bits, strict=True))
             bits = np.array([rows[value] for value in machine.values[nodes, k].tolist()])
@@ -172,7 +172,7 @@ class _Walk:
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
         bits = bits.reshape(len(names), self.registers.pixels)
         if (bits == UNKNOWN).any():
-            raise Pathless("a state that is told hangs on a bit that nothing has set")
+            raise Pathless("a state that is read depends on a bit that no word has set")
         endings, ending = np.unique(bits, axis=1, return_inverse=True)
         return dict(zip(names, endings, strict=True)), ending.reshape(-1)
 
@@ -184,7 +184,7 @@ class _Walk:
         acts = np.ones_like(flag) if everywhere else flag
         self.size += len(acts)
         if self.size > MOST:
-            raise Pathless("its codes, states and answers make too many ways through a frame")
+            raise Pathless("its codes, states and answers give too many paths through a frame")
         self.passed.append((word.number, self.segment.copy(), acts))
         if word.compares:
             self._answered(acts)

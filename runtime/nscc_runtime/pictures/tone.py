@@ -43,9 +43,7 @@ class Tone:
 def check_tone(tone: str) -> None:
     """Raise Rejected (NS0739) for a name that is not in `TONES`."""
     if tone not in TONES:
-        raise unknown_name(
-            "NS0739", "there is no tone curve '{}'", tone, [*TONES], "the curves are {}"
-        )
+        raise unknown_name("NS0739", "unknown tone curve '{}'", tone, [*TONES], "the curves are {}")
 
 
 def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:

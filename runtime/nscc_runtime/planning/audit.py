@@ -90,8 +90,8 @@ class Audit:
             )
         if most_e is not None and self.measured_max_e > SLACK * most_e:
             return (
-                f"the audit found a pixel that is {self.measured_max_e:.3g} e off, more than "
-                f"{SLACK} times the {most_e:.4g} e of --tolerance-max"
+                f"the audit found a pixel with an error of {self.measured_max_e:.3g} e, "
+                f"more than {SLACK} times the {most_e:.4g} e of --tolerance-max"
             )
         if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
             return (

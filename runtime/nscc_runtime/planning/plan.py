@@ -296,7 +296,7 @@ def _table(plan: Plan) -> str:
         (name, "", "", "", what, f"{cost_ms:.2f}", *(("",) if looks else ()))
         for name, what, cost_ms in plan.costs
     ]
-    lines = [columns(rows, left=(0, 3, 4)), *_errors(plan), *approximation_lines(plan)]
+    lines = [columns(rows, left_aligned=(0, 3, 4)), *_errors(plan), *approximation_lines(plan)]
     lines.append(
         ": ".join(filter(None, (_LOOPS[plan.slot_loop], "; ".join(plan.slot_loop_reasons))))
     )
@@ -377,4 +377,4 @@ def _read(kind: Any, value: Any) -> Any:
         return value
     # A whole number may have too many digits to be written out.
     shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"
-    raise ValueError(f"{shown} is no {getattr(kind, '__name__', kind)}")
+    raise ValueError(f"{shown} is not a {getattr(kind, '__name__', kind)}")

@@ -34,7 +34,7 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
             raise rejected(
                 "NS0748",
                 f"the plan '{path}' was made for another {what}",
-                notes=(f"its {what}_sha256 is {found[:12]}.., here it is {here[:12]}..",),
+                notes=(f"its {what}_sha256 is {found[:12]}.., but here it is {here[:12]}..",),
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
     return plan
@@ -61,9 +61,9 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
     ) as error:  # fmt: skip
         raise rejected(
             "NS0747",
-            f"'{path}' is no plan of this version",
+            f"invalid plan '{path}': it does not belong to this version of nscc",
             notes=(_reason(error),),
-            helps=("give --plan a name that does not exist: the plan made is written there",),
+            helps=("give --plan a name that does not exist: nscc writes a new plan there",),
         ) from error
 
 
@@ -73,13 +73,13 @@ def _reason(error: Exception) -> str:
     if isinstance(error, OSError):
         return f"it cannot be read: {error.strerror}"
     if isinstance(error, UnicodeDecodeError):
-        return "it is no text"
+        return "it is not text"
     if isinstance(error, json.JSONDecodeError):
         return f"it is not JSON: {words}"
     if isinstance(error, KeyError):
-        return f"it lacks {words}"
+        return f"{words} is missing"
     if isinstance(error, (TypeError, AttributeError, RecursionError)):
-        return "its values are of other kinds than a plan's"
+        return "its values have other types than those of a plan"
     return words
 
 

@@ -119,9 +119,9 @@ def tolerance_of(given: Given, sensor: Sensor, scene: Follows, option: str = OPT
     if not signal > 0:
         raise rejected(
             "NS0746",
-            f"{text[:40]} of this scene is nothing: its mean signal is 0 electrons",
-            notes=("a part of the signal is a part of the mean exposure, without effects",),
-            helps=(f"say it in electrons, {option} 5e, or in codes, {option} 0.1lsb",),
+            f"{text[:40]} of this scene is 0: its mean signal is 0 electrons",
+            notes=("a percentage refers to the mean exposure without effects",),
+            helps=(f"use electrons, {option} 5e, or codes, {option} 0.1lsb",),
         )
     found = Tolerance(text, value / 100 * signal, signal_e=signal)
     return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons", option)
@@ -174,11 +174,11 @@ def _malformed(shown: str, option: str) -> Rejected:
     what = "a tolerance" if option == OPTION else f"the tolerance of {option}"
     return rejected(
         "NS0746",
-        f"{what} is a number above 0 with its unit, not {shown}",
+        f"{what} must be a number above 0 with its unit, not {shown}",
         notes=(
-            "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean signal; "
-            "noise: parts of the frame's own noise",
-            f"it lies between {LEAST_E:g} and {MOST_E:g} electrons",
+            "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean "
+            "signal; noise: a fraction of the frame's own noise",
+            f"it must be between {LEAST_E:g} and {MOST_E:g} electrons",
         ),
         helps=(
             f"write {option} 5e, {option} 0.1lsb, {option} 1%, {option} {DEFAULT} or leave it out",

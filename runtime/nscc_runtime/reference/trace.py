@@ -113,7 +113,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
     """Every bus and reset word of a frame in the order of execution.
 
     A digital register reads 0 when no word wrote it for more than `retention_us`. Raises Rejected
-    as `nscc.words.legality.decoded` does, and NS0442 where FLAG hangs on the light.
+    as `nscc.words.legality.decoded` does, and NS0442 if FLAG depends on the light.
     """
     target, encoding = container.target, container.encoding
     nothing = np.zeros(len(encoding), np.bool_)
@@ -126,7 +126,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
         pixel.now_us = float(start_us[word.boundary])
         if word.compares:
             raise opens_no_shutters(
-                f"`{word.op}` makes FLAG hang on the light: this program opens no shutters"
+                f"`{word.op}` makes FLAG depend on the light: this program opens no shutters"
             )
         if word.resets or word.op.operation.effect is Effect.BUS:
             everywhere = word.resets and target.reset_honours_flag == "no"

@@ -124,8 +124,8 @@ class Backward:
         found = self.slots > 0.5
         if not np.allclose(self.slots, found, rtol=0, atol=1e-9):
             raise opens_no_shutters(
-                "the words of this program open no shutters: some slot's light counts neither "
-                "once nor not at all"
+                "the words of this program do not implement shutters: the light of some "
+                "slot has a weight other than 0 or 1"
             )
         return found
 

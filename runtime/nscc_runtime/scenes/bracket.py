@@ -28,7 +28,7 @@ def parse_times(text: str) -> tuple[float, ...]:
         times = ()
     if not times or not all(0 < time < np.inf for time in times):
         raise _refused(
-            f"'{text[:60]}' are no exposure times", "for instance --times 1/250,1/60,1/15"
+            f"invalid exposure times '{text[:60]}'", "for instance --times 1/250,1/60,1/15"
         )
     return times
 
@@ -38,7 +38,7 @@ def bracket_files(spec: str) -> list[Path]:
     path = Path(spec)
     files = files_of(path, skip=True) if path.is_dir() else [Path(p) for p in sorted(glob(spec))]
     if len(files) < 2:
-        text = f"'{spec[:200]}' names too few photos, {len(files)}: a bracket has two at least"
+        text = f"'{spec[:200]}' names too few photos, {len(files)}: a bracket needs at least two"
         raise _refused(text, "name a folder, or a pattern in quotes: --scene 'b/*.jpg' --bracket")
     return files
 
@@ -73,15 +73,19 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
     exposures = [*times] if times is not None else [_exif_exposure(path) for path in files]
     log_exposures = [float(np.float32(np.log(exposure))) for exposure in exposures]
     if len(exposures) != len(files):
-        text = f"{len(files)} photos and {len(exposures)} exposure times do not go together"
-        raise _refused(text, "give one time a photo, in the order of their names")
+        text = f"{len(files)} photos do not match {len(exposures)} exposure times"
+        raise _refused(text, "give one time per photo, in the order of their names")
     if len(set(exposures)) == 1:
-        raise _refused("all photos have the same exposure", "a bracket has several; see --times")
+        raise _refused(
+            "all photos have the same exposure", "a bracket needs several exposures; see --times"
+        )
     weights = weighted = shortest = longest = np.zeros((), np.float32)
     for path, photo, log_exposure in zip(files, read_folder([*files]), log_exposures, strict=True):
         if photo.dtype not in (np.uint8, np.uint16):
-            text = f"'{path.name}' has {photo.dtype} samples: brackets of integers are merged"
-            raise _refused(text, "develop the photos to .tiff, .png or .jpg of 8 or 16 bits")
+            text = (
+                f"'{path.name}' has {photo.dtype} samples, but only integer samples can be merged"
+            )
+            raise _refused(text, "convert the photos to .tiff, .png or .jpg with 8 or 16 bits")
         colours = photo if photo.ndim == 3 else photo[..., None]
         weight, logarithm = _weights(colours), _log_light(colours, transfer_of(path)) - log_exposure
         weights, weighted = weights + weight, weighted + weight * logarithm
@@ -122,7 +126,7 @@ def _exif_exposure(path: Path) -> float:
         exposure = time_s * iso / 100 / float(exif.get(_F_NUMBER) or 1) ** 2
     except Exception as error:  # Pillow's plugins raise what they like
         raise _refused(
-            f"'{path}' does not say its exposure time",
+            f"the exposure time of '{path}' is missing",
             "give the times in seconds: --times 1/250,1/60",
         ) from error
     if not 0 < exposure < np.inf:

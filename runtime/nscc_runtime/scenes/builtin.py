@@ -67,8 +67,8 @@ def _clip_share(spec: str, text: str) -> float:
         return share
     raise rejected(
         "NS0731",
-        f"'{text[:60]}' in '{spec[:80]}' is no part of the clip",
-        notes=("builtin:motion:PART shows the middle PART of it, 0 to 1, so much more slowly",),
+        f"invalid part of the clip '{text[:60]}' in '{spec[:80]}'",
+        notes=("builtin:motion:PART shows the middle PART of the clip, 0 to 1, in slow motion",),
         helps=("for instance builtin:motion:0.2",),
     )
 
@@ -82,7 +82,7 @@ def _electrons(spec: str, text: str) -> float:
         return electrons
     raise rejected(
         "NS0731",
-        f"'{text[:60]}' in '{spec[:80]}' is no number of electrons",
+        f"invalid number of electrons '{text[:60]}' in '{spec[:80]}'",
         notes=("builtin:flat:E gives every pixel E electrons over the whole frame, 0 or more",),
         helps=("for instance builtin:flat:10000",),
     )
@@ -94,7 +94,7 @@ def _unknown(spec: str, name: str) -> Exception:
     help_text = did_you_mean(written) if suggestion else "choose one of these, or name a file"
     return rejected(
         "NS0731",
-        f"there is no scene '{spec[:80]}'",
+        f"unknown scene '{spec[:80]}'",
         notes=("builtin scenes: builtin:hdr, builtin:motion, builtin:flat:E, builtin:dark",),
         helps=(help_text,),
     )

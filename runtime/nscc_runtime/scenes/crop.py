@@ -27,7 +27,7 @@ class Window:
                 "NS0734",
                 f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
                 notes=(
-                    "sizes are rows x columns; without --fit pictures are cropped, never scaled",
+                    "sizes are rows x columns; without --fit pictures are cropped but not scaled",
                 ),
                 helps=("use a larger picture, `--fit scale`, or a target with a smaller array",),
                 data={"scene": list(have), "array": list(need)},
@@ -54,7 +54,7 @@ def parse_crop(text: str) -> tuple[int, int]:
         return int(numbers[0]), int(numbers[1])
     raise rejected(
         "NS0739",
-        f"'{text[:60]}' is no corner for --crop",
+        f"invalid corner '{text[:60]}' for --crop",
         notes=("--crop R,C: the row and column of the top left corner, from 0",),
         helps=("for instance --crop 120,300",),
     )

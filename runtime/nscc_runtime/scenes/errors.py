@@ -25,7 +25,7 @@ def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) ->
         "NS0732",
         f"cannot read '{name}' as {f'a {ending} file' if ending else 'a scene'}",
         notes=notes,
-        helps=helps or ("check that the file is whole and that its ending says what it is",),
+        helps=helps or ("check that the file is complete and that its ending matches its format",),
     )
 
 
@@ -43,10 +43,10 @@ def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
     """Return the warning (NS0740) for `count` pixels of a picture slightly below 0."""
     return Diagnostic(
         "NS0740",
-        f"{count} of {total} pixels of '{name}' were negative and are taken as dark",
+        f"{count} of {total} pixels of '{name}' were negative and were set to 0",
         severity=Severity.WARNING,
-        notes=(f"the lowest is {low:.3g}; so little below zero is left by filters, not by light",),
-        helps=("nothing needs to be done; clip the picture at 0 to be rid of this message",),
+        notes=(f"the lowest is {low:.3g}; filters produce such small negative values",),
+        helps=("you need to do nothing; to avoid this message, clip the picture at 0",),
         data={"count": count},
     )
 

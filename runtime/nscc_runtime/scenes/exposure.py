@@ -37,7 +37,7 @@ def parse_exposure(exposure: str | float) -> ExposureLevel:
     if not (0 < parsed.electrons < math.inf and 0 <= parsed.percentile <= 100):
         raise rejected(
             "NS0738",
-            f"'{text[:60]}' is no exposure",
+            f"invalid exposure '{text[:60]}'",
             notes=(
                 "--exposure E or E@P: E electrons, above 0, over the whole frame, for the pixel at "
                 "percentile P (0 to 100, 99 if not given) of the scene",
@@ -53,8 +53,8 @@ def checked_white(white: float | None) -> float | None:
         return white
     raise rejected(
         "NS0739",
-        f"--white {white:g} is no white level",
-        notes=("--white W: the sample that is white, above 0",),
+        f"invalid white level --white {white:g}",
+        notes=("--white W: the sample value of white, above 0",),
         helps=("for instance --white 4095 for 12 bits",),
     )
 
@@ -63,8 +63,8 @@ def needed(name: Path_or_name) -> ExposureLevel:
     """Raise NS0737 for a scene without a unit and without an exposure."""
     raise rejected(
         "NS0737",
-        f"the scene '{name}' says nothing about electrons: --exposure is needed",
-        notes=("pictures and clips hold relative light; only `light` arrays hold electrons",),
+        f"--exposure is missing: the scene '{name}' has no scale in electrons",
+        notes=("pictures and clips contain relative light; only `light` arrays contain electrons",),
         helps=(
             "add --exposure 30000: the pixel at percentile 99 then gets 30000 electrons over "
             "the whole frame, a full well of scamp5",
@@ -81,8 +81,8 @@ def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_
         lit = int(np.count_nonzero(open_sum > 0))
         raise rejected(
             "NS0738",
-            f"the scene '{name}' is dark at percentile {exposure.percentile:g}: no factor makes "
-            f"that {exposure.electrons:g} electrons",
+            f"the scene '{name}' is dark at percentile {exposure.percentile:g}, so it "
+            f"cannot be scaled to {exposure.electrons:g} electrons",
             notes=(f"{lit} of {open_sum.size} pixels have light",),
             helps=("use a higher percentile, such as @100, or another --crop",)
             if lit
@@ -94,7 +94,7 @@ def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_
         raise rejected(
             "NS0738",
             f"{exposure.electrons:g} electrons at percentile {exposure.percentile:g} of "
-            f"'{name}' leave the range of numbers for light (3.4e38)",
+            f"'{name}' exceed the largest light value (3.4e38)",
             helps=("a full well of scamp5 is 30000 electrons: --exposure 30000",),
         )
     return factor

@@ -48,8 +48,8 @@ def exr_pages(path: Path) -> Pages:
             "save the picture as the channels R, G, B, or as Y",
         )
     if len(pictures) > 1:
-        text = f"holds {len(names)} parts with a picture, taken as frames of a clip"
-        notes.append((f"{text}: {_listed(names)}", "--still --first K takes one of them"))
+        text = f"contains {len(names)} parts with a picture, used as frames of a clip"
+        notes.append((f"{text}: {_listed(names)}", "--still --first K selects one of them"))
 
     def read() -> Iterator[NDArray[Any]]:
         yield from pictures
@@ -73,7 +73,7 @@ def _picture_layer(channels: Mapping[str, Any]) -> str | None:
         raise UnsupportedPicture(
             f"it holds the pictures of {len(usable)} layers: "
             f"{_listed([layer.rstrip('.') for layer in usable])}",
-            "save the layer that is meant as the channels R, G, B of a file",
+            "save the required layer as the channels R, G, B of a file",
         )
     return usable[0]
 
@@ -142,7 +142,7 @@ def _primaries_note(header: Mapping[str, Any]) -> list[Note]:
     shown = ", ".join(f"{value:.4g}" for value in np.ravel(named))
     return [(
         f"names other primaries ({shown}); its luminance is weighted as of Rec. 709",
-        "convert its colours to Rec. 709 (sRGB) primaries, if they matter",
+        "convert its colours to Rec. 709 (sRGB) primaries if the weights matter",
     )]  # fmt: skip
 
 

@@ -63,18 +63,20 @@ def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, 
     if tuple(shape[-2:]) != need:
         raise rejected(
             "NS0734",
-            f"'light' in '{name}' is {size(shape[-2:])}, the array is {size(need)}",
-            notes=("sizes are rows x columns; light in electrons is neither cropped nor scaled",),
-            helps=("cut the array to that size, or use a target of the scene's size",),
+            f"'light' in '{name}' is {size(shape[-2:])}, but the array is {size(need)}",
+            notes=("sizes are rows x columns; light in electrons is not cropped or scaled",),
+            helps=("crop the array to that size, or use a target of the scene's size",),
             data={"scene": list(shape[-2:]), "array": list(need)},
         )
     if len(shape) == 3 and shape[0] != slots:
         raise rejected(
             "NS0735",
-            f"'light' in '{name}' has {shape[0]} frame{'' if shape[0] == 1 else 's'}, "
+            f"'light' in '{name}' has {shape[0]} frame{'' if shape[0] == 1 else 's'}, but "
             f"the program has {slots} slots",
-            notes=("a light array holds the electrons of each slot: one frame a slot",),
-            helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
+            notes=("a light array contains the electrons of each slot: one frame per slot",),
+            helps=(
+                "use a program with as many slots, or a still: (rows, cols), electrons per second",
+            ),
             data={"frames": shape[0], "needed": slots},
         )
 
@@ -87,13 +89,16 @@ def _refuse_other_axes(
     if shape[-3:-1] != need or tuple(shape[-2:]) == need:
         return
     subject = f"'light' in '{name}' is {size(shape)}"
-    grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
-    ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
+    grey = (
+        "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` computes the luminance of red, "
+        "green, blue"
+    )
+    ahead = "time must be the first axis: `np.moveaxis(a, -1, 0)`"
     if count in (3, 4):
-        message = f"{subject}: a colour picture, it seems, and light is one number a pixel"
+        message = f"{subject}: this looks like a colour picture, but light is one number per pixel"
         helps = (grey, ahead) if len(shape) == 3 and count == slots else (grey,)
     elif len(shape) == 3:
-        message, helps = f"{subject}: (rows, cols, slots), it seems", (ahead,)
+        message, helps = f"{subject}: this looks like (rows, cols, slots)", (ahead,)
     else:
         return
     raise rejected(
@@ -134,8 +139,8 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
         f"'{path}' has no array {names}",
         notes=(f"it holds {shown}{further}",),
         helps=(
-            "save the scene's light under that name: np.savez(file, light=a), electrons a slot "
-            "(T, rows, cols) or electrons a second (rows, cols)",
+            "save the scene's light under that name: np.savez(file, light=a), electrons per "
+            "slot (T, rows, cols) or electrons per second (rows, cols)",
         ),
     )
 
@@ -166,7 +171,7 @@ def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> 
 def _exactly(file: IO[bytes], count: int) -> bytes:
     data = file.read(count)
     if len(data) != count:
-        raise ValueError("the array's data ends early")
+        raise ValueError("the data of the array is incomplete")
     return data
 
 

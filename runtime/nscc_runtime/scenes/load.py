@@ -188,7 +188,7 @@ def laid_scene(
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
-        why = "a builtin scene is made for the array and the program's slots"
+        why = "a built-in scene already fits the array and the program's slots"
         _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket")
         light = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
         if light.kind != "still":
@@ -224,7 +224,7 @@ def _existing(spec: str) -> Path:
     try:
         if path.is_dir() or path.is_file():
             return path
-        reason = "it is not a file" if path.exists() else "there is no such file"
+        reason = "it is not a file" if path.exists() else "the file does not exist"
     except (OSError, ValueError) as error:
         reason = str(error)
     suggestion = spec if spec in _BUILTINS else closest(spec, _BUILTINS)
@@ -261,7 +261,7 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
-        f"'{path}' does not end like a scene",
+        f"the ending of '{path}' is not a scene format",
         notes=(f"scenes end in {known}, or are folders of pictures",),
         helps=("give the file the ending of its format",),
     )
@@ -288,7 +288,7 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
             option = "--still" if name == "single" else f"--{name}"
             raise rejected(
                 "NS0739",
-                f"{option} means nothing for the scene '{request.name}'",
+                f"{option} does not apply to the scene '{request.name}'",
                 notes=(why,),
                 helps=(f"leave {option} out",),
             )
@@ -331,8 +331,8 @@ def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
         raise rejected(
             "NS0736",
             f"the scene '{request.name}' gives {peak:g} electrons in one slot",
-            notes=("a slot's light must stay below 3.4e38 electrons",),
-            helps=("a still in a `light` array is in electrons a second: divide it",),
+            notes=("the light of a slot must be below 3.4e38 electrons",),
+            helps=("a still in a `light` array is in electrons per second: divide it",),
         )
     return Light.of_still(values, seconds)
 

@@ -31,7 +31,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
         and Path(name).stem not in stems
         and (_is_picture(name) or (place is not None and _counts(name, split_names[0], place)))
     ]
-    sentences = [f"{_listed(unread)}: not a picture that is read"] if unread else []
+    sentences = [f"{_listed(unread)}: unsupported format"] if unread else []
     if place is not None:
         read = {int(split_name[place]) for split_name in split_names}
         # Numbers of unread files are reported already.
@@ -39,13 +39,13 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
                  if _counts(name, split_names[0], place)}  # fmt: skip
         gaps = _gaps(sorted(read | unread_numbers))
         if gaps:
-            sentences.append(f"no frame has the number {gaps}")
+            sentences.append(f"the frame numbers {gaps} are missing")
     return tuple(sentences)
 
 
 def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) -> Diagnostic:
     """Return NS0776: an error, or a warning if missing frames are `skipped` on request."""
-    helps = ("convert or remove the files, or add --skip to expose the frames that are there",)
+    helps = ("convert or remove the files, or add --skip to expose the remaining frames",)
     return Diagnostic(
         "NS0776",
         f"frames of the folder '{folder}' are missing" + " and left out" * skipped,

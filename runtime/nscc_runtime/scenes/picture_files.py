@@ -84,8 +84,8 @@ def read_picture(path: Path) -> NDArray[Any]:
     pages = open_pages(path)
     if pages.count != 1:
         raise unsupported(
-            path, f"it holds {pages.count} pictures, and one is needed here",
-            "save the picture that is meant in a file of its own",
+            path, f"it contains {pages.count} pictures, but one is needed here",
+            "save the required picture in a separate file",
         )  # fmt: skip
     return next(iter(pages.read()))
 
@@ -218,9 +218,11 @@ def files_of(
     if len(first) > 1:
         raise rejected(
             "NS0739",
-            f"the folder '{folder}' mixes linear pictures ({first['linear']}) and display ones "
-            f"({first['srgb']})",
-            helps=("a clip is one kind: put the others into a folder of their own",),
+            f"the folder '{folder}' contains linear pictures ({first['linear']}) and "
+            f"display pictures ({first['srgb']})",
+            helps=(
+                "all frames of a clip must have one kind: move the others into a separate folder",
+            ),
         )
     missing = missing_frames([path.name for path in pictures], names)
     if missing:

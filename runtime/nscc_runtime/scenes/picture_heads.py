@@ -52,12 +52,12 @@ def png_head(path: Path) -> PngHead:
 
 def _png_transfer(chunks: dict[bytes, bytes]) -> tuple[Transfer | None, tuple[Note, ...]]:
     """Return the curve of cICP, sRGB or gAMA, in this order of precedence."""
-    help_text = "--transfer says which curve is meant"
+    help_text = "--transfer selects another curve"
     if len(chunks.get(b"cICP", b"")) == 4:
         number = chunks[b"cICP"][1]
         if number in TRANSFERS:
             return TRANSFERS[number], ()
-        text = f"names transfer curve {number} (cICP), which is not known: sRGB is taken"
+        text = f"names the unknown transfer curve {number} (cICP): the sRGB curve is used"
         return None, ((text, help_text),)
     if b"sRGB" in chunks or len(chunks.get(b"gAMA", b"")) != 4:
         return None, ()
@@ -66,7 +66,7 @@ def _png_transfer(chunks: dict[bytes, bytes]) -> tuple[Transfer | None, tuple[No
         return "linear", ()
     if abs(gamma - _SRGB_GAMMA) <= _GAMMA_SLACK:
         return "srgb", ()
-    return None, ((f"names gamma {gamma / 1e5:g} (gAMA): the sRGB curve is taken", help_text),)
+    return None, ((f"names gamma {gamma / 100000.0:g} (gAMA): the sRGB curve is used", help_text),)
 
 
 _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILINE)

@@ -38,10 +38,10 @@ def refuse_size(path: Path, rows: int, cols: int) -> None:
     if rows * cols > MOST_PIXELS:
         raise rejected(
             "NS0734",
-            f"'{path}' is {rows:,} x {cols:,} pixels: at most {MOST_PIXELS:,} are read",
+            f"'{path}' has {rows:,} x {cols:,} pixels, but at most {MOST_PIXELS:,} are allowed",
             helps=(
-                "make the picture smaller, or cut out a part of it; a scene that is one picture of "
-                f"8 bits a sample may have {MOST_LARGE_PIXELS:,} pixels",
+                "reduce or crop the picture; a single picture with 8 bits per sample may "
+                f"have {MOST_LARGE_PIXELS:,} pixels",
             ),
         )
 
@@ -86,9 +86,9 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
     if samples > _MOST_SAMPLES * MOST_PIXELS:
         raise rejected(
             "NS0734",
-            f"'{path}' holds {samples:,} samples in its parts and channels: at most "
-            f"{_MOST_SAMPLES * MOST_PIXELS:,} are read",
-            helps=("save the picture that is meant in a file of its own",),
+            f"'{path}' has {samples:,} samples in its parts and channels, but at most "
+            f"{_MOST_SAMPLES * MOST_PIXELS:,} are allowed",
+            helps=("save the required picture in a separate file",),
         )
     return max(sizes, key=prod, default=None)
 

@@ -95,8 +95,8 @@ def placement_of(
         if picture[0] * picture[1] > MOST_PIXELS:
             raise rejected(
                 "NS0734",
-                f"the scene '{name}' is {size(picture)}: too large to be exposed in pieces",
-                notes=(f"at most {MOST_PIXELS} pixels can be",),
+                f"the scene '{name}' is {size(picture)}, which is too large for --fit tiles",
+                notes=(f"the limit is {MOST_PIXELS} pixels",),
                 helps=("--fit scale exposes the whole picture, reduced to the array",),
             )
         return Placement(fit, picture, picture, array)
@@ -141,17 +141,17 @@ def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
         )
         notes.append(picture_note(
             f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
-            "--fit scale exposes the whole picture, reduced; --fit tiles all of it, in pieces; "
-            "--crop R,C says which part",
+            "--fit scale exposes the whole picture, reduced; --fit tiles exposes all of it "
+            "in parts; --crop R,C selects the part",
         ))  # fmt: skip
     elif placement.fit == "scale" and placement.picture != placement.size:
         text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
-        notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in pieces"))
+        notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in parts"))
     elif placement.fit == "tiles" and placement.arrays != (1, 1):
-        text = f"'{name}' is {picture}: it is exposed in {size(placement.arrays)} pieces of {array}"
+        text = f"'{name}' is {picture}: it is exposed in {size(placement.arrays)} parts of {array}"
         notes.append(picture_note(text, "--fit scale exposes it at once, reduced"))
     if colour:
-        text = f"'{name}' is in colour, and its luminance is exposed"
+        text = f"'{name}' is in colour: its luminance is exposed"
         note = picture_note(text, "--color exposes red, green and blue one after the other")
         notes.append(replace(note, data={"grey": True}))
     return notes
@@ -159,14 +159,14 @@ def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
 
 def no_colours(name: str) -> Diagnostic:
     """Return the note (NS0773) on a grey scene that is to be exposed in colours."""
-    return picture_note(f"'{name}' has no colours: it is exposed once", "leave --color out")
+    return picture_note(f"'{name}' has no colours, so it is exposed once", "leave --color out")
 
 
 def taken_for_srgb(name: str) -> Diagnostic:
     """Return the note (NS0773) on floating-point samples in a format made for screens."""
     return picture_note(
-        f"the numbers of '{name}' are taken for sRGB, 1 for white",
-        "--transfer linear takes them for light",
+        f"the numbers of '{name}' are treated as sRGB, with white at 1",
+        "--transfer linear treats them as linear light",
     )
 
 
@@ -180,9 +180,9 @@ def few_bits(stored: NDArray[Any]) -> bool:
 def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
     """Return the note (NS0773) on curve and white level of a first picture with `few_bits`."""
     return picture_note(
-        f"the samples of '{name}' are taken with {CURVES[transfer]} and {white_of(stored.dtype):g} "
-        f"for white; the largest is {stored.max():g}",
-        "--white W says which sample is white, such as --white 4095 for 12 bits",
+        f"the samples of '{name}' are converted with {CURVES[transfer]} and white at "
+        f"{white_of(stored.dtype):g}; the largest is {stored.max():g}",
+        "--white W sets the sample value of white, such as --white 4095 for 12 bits",
     )
 
 

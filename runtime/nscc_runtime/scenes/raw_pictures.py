@@ -16,7 +16,7 @@ RAW = (".arw", ".cr2", ".dng", ".nef")
 """Endings of raw files."""
 _NOTE = (
     "is a raw file: linear light, black and white level applied, colours as the camera has them",
-    "develop it to .tiff or .exr, if the colours of a standard are needed",
+    "convert it to .tiff or .exr if you need the colours of a standard",
 )
 
 

@@ -121,8 +121,8 @@ def check_fps(fps: float) -> Fraction:
         return Fraction(repr(float(fps)))
     raise rejected(
         "NS0739",
-        f"--fps {fps:g} is no frame rate",
-        notes=("--fps F: frames a second, from 1e-6 to 1e9",),
+        f"invalid frame rate --fps {fps:g}",
+        notes=("--fps F: frames per second, from 1e-6 to 1e9",),
         helps=("for instance --fps 60",),
     )
 
@@ -133,15 +133,16 @@ def too_short(
     """Return the error (NS0735) for a clip with fewer frames than the slots need: `have` from frame
     `first` on."""
     if fps is None:
-        why = f"{slots} slots take one frame each"
+        why = f"{slots} slots need one frame each"
         ways = "a program with fewer slots, or give the clip's frame rate: --fps F"
     else:
-        why = f"the {slots} slots last {need} frames at {fps:g} frames a second"
+        why = f"the {slots} slots last {need} frames at {fps:g} frames per second"
         ways = "a lower --fps, or a program with a shorter frame"
     return rejected(
         "NS0735",
-        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}"
-        f"{f' from frame {first} on' if first else ''}, {need} are needed",
+        f"the clip '{name}' has "
+        f"{have} frame{'' if have == 1 else 's'}{f' from frame {first} on' if first else ''}, "
+        f"but {need} are needed",
         notes=(why,),
         helps=(f"use a longer clip, {ways}",),
         data={"frames": have, "needed": need},
@@ -161,7 +162,8 @@ def no_such_frame(name: Path_or_name, have: int, first: int) -> Rejected:
     """Return the error (NS0735) for a clip that ends before the frame used as a still."""
     return rejected(
         "NS0735",
-        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, and no frame {first}",
+        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, so frame "
+        f"{first} does not exist",
         notes=("frames are counted from 0",),
         helps=("give a smaller --first" if have else "use a clip that has frames",),
         data={"frames": have, "needed": first + 1},

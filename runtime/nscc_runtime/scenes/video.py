@@ -64,7 +64,7 @@ def video_pages(path: Path) -> Pages:
         trc, primaries = int(context.color_trc), int(context.color_primaries)
     count, notes = len(timing.times), _notes(timing, primaries)
     if not count:
-        raise ValueError("no frame of it can be decoded")
+        raise ValueError("no frame can be decoded")
     if timing.is_variable:
         count = round((timing.times[-1] - timing.times[0]) / timing.step) + 1
     transfer = TRANSFERS.get(trc)
@@ -112,20 +112,21 @@ def _notes(timing: _Timing, primaries: int) -> tuple[Note, ...]:
     have = len(timing.times)
     if have < timing.declared:
         notes.append((
-            f"breaks off: it holds {have} of the {timing.declared} frames that its header declares",
-            "copy the file once more, if the other frames are needed",
+            f"is incomplete: it contains {have} of the {timing.declared} frames that its "
+                "header declares",
+            "copy the file again if you need the other frames",
         ))  # fmt: skip
     if timing.is_variable:
         steps_ms = np.diff(timing.times) * timing.unit_s * 1e3
         rate = 1 / (timing.step * timing.unit_s)
         notes.append((
-            f"has a variable frame rate, {steps_ms.min():.4g} to {steps_ms.max():.4g} ms a frame: "
-            f"frames are repeated or left out to have {rate:.4g} a second",
-            "record with a constant frame rate, if motion matters",
+            f"has a variable frame rate, {steps_ms.min():.4g} to {steps_ms.max():.4g} ms "
+            f"per frame: frames are repeated or dropped to get {rate:.4g} per second",
+            "record with a constant frame rate if motion matters",
         ))  # fmt: skip
     if primaries == _BT_2020_PRIMARIES:
         text = "names primaries of BT.2020; its luminance is weighted as of Rec. 709"
-        notes.append((text, "convert its colours to Rec. 709 primaries, if they matter"))
+        notes.append((text, "convert its colours to Rec. 709 primaries if the weights matter"))
     return tuple(notes)
 
 

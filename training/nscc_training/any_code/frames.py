@@ -103,16 +103,16 @@ def read_coded_frames(
         pixels, own = (each[name].shape[-2:] for each, name in
                        ((table, "decode_row"), (arrays, "frame")))  # fmt: skip
         if pixels != own:
-            sizes = f"{own[0]} x {own[1]} pixels, and '{program}' has {pixels[0]} x {pixels[1]}"
-            raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed it")
+            sizes = f"{own[0]} x {own[1]} pixels, but '{program}' has {pixels[0]} x {pixels[1]}"
+            raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed the frame")
         if not _is_exposed_by(program, arrays, meta, table):
             reason = f"it was exposed with other shutters than those of '{program}'"
             raise nocoded_frame(path, f"{reason} (`program_sha256` of its meta is another)",
-                                "name the .icw file that exposed it, or leave --program out where "
-                                "the frame holds its shutters")  # fmt: skip
+                                "name the .icw file that exposed it, or leave --program out "
+                                "if the frame contains its shutters")  # fmt: skip
         arrays |= table
     if "decode_row" not in arrays:
-        raise nocoded_frame(path, "it does not hold its pixels' shutters",
+        raise nocoded_frame(path, "it does not contain the shutters of its pixels",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
     offset = None if dark is None else _dark_of(dark, arrays, meta, warn)
     try:
@@ -126,7 +126,9 @@ def read_coded_frames(
             for k in range(len(arrays["frame"]))
         )
     except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise nocoded_frame(path, f"its arrays do not fit together: {one_line(error)}") from error
+        raise nocoded_frame(
+            path, f"its arrays do not match each other: {one_line(error)}"
+        ) from error
 
 
 def _dark_of(
@@ -143,8 +145,8 @@ def _dark_of(
     needed = [-(-most // side) for most, side in zip(own, dark, strict=True)]
     fits = isinstance(laid, dict) and needed == laid.get("arrays")
     if not fits and any(most < side or most % side for most, side in zip(own, dark, strict=True)):
-        sizes = f"{dark[0]} x {dark[1]} pixels, the frame {own[0]} x {own[1]}"
-        raise nocoded_frame(path, f"without light it has {sizes}",
+        sizes = f"{dark[0]} x {dark[1]} pixels, but the frame has {own[0]} x {own[1]}"
+        raise nocoded_frame(path, f"the dark frame has {sizes}",
                              "expose the dark frame with the same program")  # fmt: skip
     for doubt in found.checked(meta, dark):
         warn(doubt)
@@ -167,7 +169,7 @@ def coded_frame(
         arrays["decode_shutter"], axis=-1, count=len(slot_us), bitorder="little"
     ).astype(bool)
     if not are_lengths(slot_us):
-        raise ValueError("`decode_slot_us` are no lengths of slots")
+        raise ValueError("`decode_slot_us` are not valid slot lengths")
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
     responses = [arrays[f"decode_{name}"] for name in ("gain", "bias_e", "variance_e2")]
@@ -178,8 +180,8 @@ def coded_frame(
     largest = np.maximum(np.abs(gain), np.abs(bias_e))
     known = (np.abs(gain) > 1e-15) & (largest < 1e15) & (variance_e2 >= 0)
     if not known.all():
-        raise ValueError("how light follows from an exposure (`decode_gain`, `decode_bias_e`, "
-                         "`decode_variance_e2`) is not said in numbers")  # fmt: skip
+        raise ValueError("the response (`decode_gain`, `decode_bias_e`, `decode_variance_e2`) "
+                         "is not numeric")  # fmt: skip
     read = codes.mean(axis=0) - number_of(meta, "adc_offset")
     if dark is not None:
         read, bias_e = undarkened(read, dark), 0
@@ -216,8 +218,8 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
     if not found:
         raise rejected(
             "NS0819",
-            f"the codes of '{program}' do not tell its pixels' shutters",
-            notes=("its shutters hang on the light, or its words open none",),
+            f"the codes of '{program}' do not determine the shutters of its pixels",
+            notes=("its shutters depend on the light, or its words do not implement shutters",),
             helps=("name the program that exposed the frame",),
         )
     return found
@@ -246,7 +248,7 @@ def nocoded_frame(path: Path, reason: str, help_text: str | None = None) -> Exce
     """NS0819 for a file that no light can be found from."""
     return rejected(
         "NS0819",
-        f"'{path}' is no frame that can be reconstructed",
+        f"'{path}' is not a frame that can be reconstructed",
         notes=(reason,),
         helps=(help_text or "`nscc run FILE --scene .. -o FRAME.npz` writes one",),
     )

@@ -169,9 +169,9 @@ def pictures_below(folder: Path) -> list[Path]:
     if not files:
         raise rejected(
             "NS0811",
-            f"there are no pictures below '{folder}'",
+            f"the folder '{folder}' contains no pictures",
             notes=(f"pictures end in {', '.join(PICTURES)}",),
-            helps=("`python training/data/fetch.py DIR` fetches photographs that may be used",),
+            helps=("`python training/data/fetch.py DIR` downloads photographs with free licences",),
         )
     return files
 

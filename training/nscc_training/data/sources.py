@@ -108,7 +108,8 @@ def load_scenes(
             "training and validation share scenes" if shared else "there are too few scenes",
             notes=(f"shared: {', '.join(names[:5])}",) if shared else (),
             helps=("name different folders in [data] train and val, or leave val empty: every "
-                   "fifth file of train is kept back then, which takes two at least",),
+                   "fifth file of train is then used for validation, which needs at least two "
+                   "files",),
         )  # fmt: skip
     return Scenes(tuple(train), tuple(val))
 
@@ -152,7 +153,7 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
         kind_text = "stills" if kind.still else "clips"
         raise rejected(
             "NS0811",
-            f"'{folder}' holds no {kind_text} to learn from",
+            f"'{folder}' contains no {kind_text} for training",
             notes=(f"{kind_text} end in {', '.join(endings)}",),
             helps=("name a folder of such files, `procedural`, or a function as module:name",),
         )
@@ -258,8 +259,8 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
     share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
     lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
     return "" if lit >= share else (
-        f"{lit:.1%} of its pixels have light, and {share:.0%} at least must: "
-        "it is dark where it should saturate"
+        f"{lit:.1%} of its pixels have light, but at least {share:.0%} must: it is dark "
+        "where it should saturate"
     )  # fmt: skip
 
 
@@ -271,19 +272,21 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
     elif light.ndim != (2 if kind.still else 3):
         reason = f"its light is {light.shape}"
     elif min(light.shape[-2:]) < patch:
-        reason = f"it is {light.shape[-2]} x {light.shape[-1]}, a patch {patch} x {patch}"
+        reason = f"it is {light.shape[-2]} x {light.shape[-1]}, but a patch is {patch} x {patch}"
     elif not kind.still and len(light) < kind.slots:
-        reason = f"it has {len(light)} frames, a window {kind.slots}"
+        reason = f"it has {len(light)} frames, but a window has {kind.slots}"
     elif not (light.min() >= 0 and light.max() <= _MOST_LIGHT):
-        reason = f"its light is negative, no number, or above {_MOST_LIGHT:g} somewhere"
+        reason = (
+            f"its light contains values that are negative, not a number, or above {_MOST_LIGHT:g}"
+        )
     else:
         reason = _too_dark(light, kind)
     if reason:
         raise rejected(
             "NS0811",
-            f"'{name}' is no scene for this configuration",
+            f"'{name}' cannot be used as a scene of this configuration",
             notes=(reason,),
-            helps=("take it out of the folder, or change [data] patch or [shutter] slots",),
+            helps=("remove it from the folder, or change [data] patch or [shutter] slots",),
         )
     if kind.still and not _MOST_LIGHT**-0.25 < light.max() < _MOST_LIGHT**0.25:
         # Stills have an arbitrary unit; far from 1 their powers and sums overflow float32.

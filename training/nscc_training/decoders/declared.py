@@ -64,7 +64,7 @@ class Decoder:
 
 
 _HERE = "nscc_training.decoders"
-_PROJECTS = "projects with the code: it cannot do without"
+_PROJECTS = "projects with the code, so it needs the code"
 _UNROLLED = {"paper": (64, 128, 256), "small": (24, 48, 64)}
 
 _OWN = (
@@ -81,7 +81,7 @@ _OWN = (
         "unet3d",
         f"{_HERE}.unet:deep",
         {"paper": (24, 48, 96, 192, 384), "small": (8, 16, 32, 64)},
-        needs_code="is fed with S^T E, which holds the code: it cannot do without",
+        needs_code="receives S^T E, which contains the code, so it needs the code",
         guesses=True,
         two_buckets=True,
     ),
@@ -92,7 +92,7 @@ _OWN = (
         "nscc_training.any_code.decoder:any_code",
         {"paper": (32, 64, 96), "small": (32, 64, 96)},
         stills=True,
-        needs_code="asks what a clip would have given behind its code: it cannot do without",
+        needs_code="simulates the capture of a clip with its code, so it needs the code",
         fixed_channels=True,
         two_buckets=True,
     ),
@@ -103,7 +103,7 @@ _OWN = (
         stills=True,
         clips=False,
         fixed_channels=True,
-        needs_code="divides by the time that a code is open: it cannot do without",
+        needs_code="divides by the open time of a code, so it needs the code",
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )

@@ -49,9 +49,9 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
     if declared is None or size not in SIZES:
         known = (*DECODERS, *added_decoders())
         if size not in SIZES or not (is_import_path(name) or name in known):
-            raise ValueError(f"{name!r} {size!r} is none of {known} in the sizes {SIZES}")
+            raise ValueError(f"{name!r} {size!r} is not one of {known} in the sizes {SIZES}")
         if width != 1:
-            raise ValueError(f"a width is for nscc's own decoders, and '{name}' is none of them")
+            raise ValueError(f"decoder.width applies only to nscc's own decoders, not to '{name}'")
         _check_guess(name, False, task)
         return _own_decoder(name, size, task)
     if task.kind == "still" and not declared.stills:
@@ -62,7 +62,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         raise ValueError(f"{name} {declared.needs_code}")
     if task.buckets > 1 and not declared.two_buckets:
         takers = [decoder.name for decoder in DECODERS.values() if decoder.two_buckets]
-        raise ValueError(f"{name} takes one bucket; {', '.join(takers)} take two")
+        raise ValueError(f"{name} accepts one bucket; {', '.join(takers)} accept two")
     _check_guess(name, declared.guesses, task)
     if declared.fixed_channels and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
@@ -86,9 +86,9 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
 def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
     if task.guess is not None and not guesses:
         takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
-        raise ValueError(f"decoder.guess is for {takers}, and {name} is neither")
+        raise ValueError(f"decoder.guess applies to {takers}, not to {name}")
     if task.guess and not task.sees_code:
-        raise ValueError("a first guess is made of the code: it takes decoder.sees_code")
+        raise ValueError("a first guess is computed from the code: it needs decoder.sees_code")
 
 
 def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
@@ -109,7 +109,7 @@ def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
             **extra,
         )  # fmt: skip
     if not isinstance(network, nn.Module):
-        raise ValueError(f"'{name}' gave a {type(network).__name__}, not a torch module")
+        raise ValueError(f"'{name}' returned a {type(network).__name__}, not a torch module")
     # Not a module around it: weights keep the names that they have in the user's own.
     network.forward = partial(_called, network, network.forward, name, task)
     return network
@@ -127,14 +127,14 @@ def _called(
     if task.kind != "still":
         expected_shape = (expected_shape[0], task.slots, *expected_shape[1:])
     if not isinstance(output, Tensor):
-        raise own_failed(name, "decoder", f"it gives a {type(output).__name__}, not a tensor")
+        raise own_failed(name, "decoder", f"it returns a {type(output).__name__}, not a tensor")
     if tuple(output.shape) != expected_shape or not output.is_floating_point():
         reason = f"it gives {tuple(output.shape)} {output.dtype}, and should "
         reason += f"real numbers {expected_shape}"
         raise own_failed(name, "decoder", reason)
     learns = any(p.requires_grad for p in module.parameters())
     if module.training and torch.is_grad_enabled() and learns and not output.requires_grad:
-        raise own_failed(name, "decoder", "what it gives has no gradient: it cannot learn")
+        raise own_failed(name, "decoder", "its output has no gradient, so it cannot learn")
     return output
 
 

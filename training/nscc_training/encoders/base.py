@@ -38,7 +38,7 @@ class Encoder(nn.Module, ABC):
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__()
         if relaxation not in RELAXATIONS:
-            raise ValueError(f"{relaxation!r} is none of {RELAXATIONS}")
+            raise ValueError(f"{relaxation!r} is not one of {RELAXATIONS}")
         self.spec = spec
         self.relaxation = relaxation
         self.temperature = 1.0
@@ -225,7 +225,7 @@ class Encoder(nn.Module, ABC):
         for name, (low, high) in limits.items():
             values = codes.get(name)
             if values is None:
-                raise ValueError(f"there is no field '{name}'")
+                raise ValueError(f"unknown field '{name}'")
             if values.shape != self.spec.tile:
                 raise ValueError(f"'{name}' is {values.shape}, the tile {self.spec.tile}")
             if values.min() < low or values.max() > high:

@@ -45,7 +45,7 @@ class AlwaysOpen(Encoder):
         return self.always.expand(self.spec.slots, *self.spec.tile)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        raise ValueError("class a has nothing to try")
+        raise ValueError("class a has no parameters to try")
 
 
 class Bump(Encoder):
@@ -235,7 +235,7 @@ class StartStop(Bump):
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         start, stop = self.checked(codes, self.limits)
         if not bool((start < stop).all()):
-            raise ValueError("a bump stops before it has begun")
+            raise ValueError("a bump stops before it starts")
         super().load_codes(codes)
 
     def start_random(self, generator: np.random.Generator) -> None:

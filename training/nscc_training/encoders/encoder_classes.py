@@ -51,16 +51,16 @@ def make_encoder(
         For a start or a relaxation that the class does not support.
     """
     if spec.kind not in CLASSES:
-        raise ValueError(f"{spec.kind!r} is none of {', '.join(CLASSES)}")
+        raise ValueError(f"{spec.kind!r} is not one of {', '.join(CLASSES)}")
     if spec.slots < 1 or min(spec.tile) < 1:
         raise ValueError(f"{spec.slots} slots, a tile of {spec.tile}")
     encoder = CLASSES[spec.kind](spec, relaxation)
     if relaxation in ("tried", "search") and spec.kind == "a":
-        raise ValueError("class a is always open: there is nothing to try")
+        raise ValueError("class a is always open and has no parameters to try")
     if relaxation == "search" and spec.kind == LOOKS:
-        raise ValueError("a search moves codes of places, and pixels that look have levels")
+        raise ValueError("a search changes the codes of places, but pixels that look have levels")
     if start not in STARTS:
-        raise ValueError(f"{start!r} is none of {', '.join(STARTS)}")
+        raise ValueError(f"{start!r} is not one of {', '.join(STARTS)}")
     if start in SCATTERED:
         _scatter(encoder, start, np.random.default_rng(seed))
     elif start in ORDERED:
@@ -76,7 +76,7 @@ def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> No
     """Start with exposures that keep away from equal ones. ValueError for classes without
     exposures."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
-        raise ValueError(f"{start} is for codes of one field, classes b and c")
+        raise ValueError(f"{start} needs codes with one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()
     levels = np.arange(low, high + 1)
     if len(levels) > _MOST_LEVELS:

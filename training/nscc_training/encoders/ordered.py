@@ -29,13 +29,13 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
     at the begin.
     """
     if spec.kind not in _CODES:
-        raise ValueError(f"{name} is for bumps of clips, classes {', '.join(_CODES)}")
+        raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
     if any(side % _SIDE for side in spec.tile):
-        raise ValueError(f"{name} repeats after {_SIDE} x {_SIDE} places: a tile is a multiple of "
-                         f"that, and not {spec.tile[0]} x {spec.tile[1]}")  # fmt: skip
+        raise ValueError(f"{name} repeats every {_SIDE} x {_SIDE} places: the tile must be a "
+                         f"multiple of that, but is {spec.tile[0]} x {spec.tile[1]}")  # fmt: skip
     if name == "cyclic" and spec.kind in "cd":
-        raise ValueError(f"bumps of class {spec.kind} end with the frame, those of cyclic go on "
-                         "at its begin: class e and a codebook of 16 rows have them")  # fmt: skip
+        raise ValueError(f"bumps of class {spec.kind} end with the frame, but those of cyclic "
+                         "continue at its start: use class e or a codebook of 16 rows")  # fmt: skip
     length = spec.length or -(-spec.slots // 4)
     return _CODES[spec.kind](spec, _first(name, spec, length), length)
 
@@ -78,7 +78,7 @@ def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
     begins, row_of_place = np.unique(first, return_inverse=True)
     if spec.rows is None or len(begins) > spec.rows:
         raise ValueError(
-            f"its {len(begins)} shutters are more than the codebook's {spec.rows} rows"
+            f"its {len(begins)} shutters do not fit into the codebook's {spec.rows} rows"
         )
     # Unused rows of the codebook repeat used ones.
     begins = np.resize(begins, spec.rows)

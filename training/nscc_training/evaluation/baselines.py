@@ -194,7 +194,7 @@ def _choices(
 
     if baseline.tiles is not None:
         if codes:
-            raise rejected("NS0840", f"{name} has codes of its own", helps=("leave --shutter out",))
+            raise rejected("NS0840", f"{name} has fixed codes", helps=("leave --shutter out",))
         tile = torch.from_numpy(baseline.tiles(protocol, seed)).float()
         return [(tile, {"frames": len(tile), "tile": [*tile.shape[2:]]})]
     slots = int(protocol["slots" if protocol.still else "frames"])
@@ -248,12 +248,12 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
             except ValueError as error:
                 raise rejected("NS0840", f"'{text}' names no codes: {error}") from error
             return spec, start
-        reason = f"'{text[:40]}' names no codes of protocol {protocol.name}"
+        reason = f"'{text[:40]}' does not name codes of protocol {protocol.name}"
         note = f"its classes are {', '.join(known)}; starts are {', '.join(STARTS)}"
     else:
         takers = ", ".join(row_name for row_name, row in rows.items() if row.takes_codes)
-        reason = f"{name} has codes of its own"
-        note = f"under {protocol.name} these take others: {takers}"
+        reason = f"{name} has fixed codes"
+        note = f"under {protocol.name} these accept other codes: {takers}"
     raise rejected("NS0840", reason, notes=(note,), helps=(f"such as {known[0]}:quad",))
 
 
@@ -266,9 +266,9 @@ def evaluate_sci8(
     if chosen is None:
         raise rejected(
             "NS0810",
-            f"there is no method '{method[:60]}' for sci8",
+            f"unknown method '{method[:60]}' for sci8",
             notes=(f"the methods are {', '.join(methods.CLIPS)}",),
-            helps=("a trained decoder is evaluated by the name of its run folder",),
+            helps=("to evaluate a trained decoder, name its run folder",),
         )
     methods.load(method, int(protocol["frames"]))
     options = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}

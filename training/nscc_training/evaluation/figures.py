@@ -102,9 +102,10 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
     if data is not None and not any(scenes.values()):
         raise rejected(
             "NS0811",
-            f"'{data}' holds nothing to show",
+            f"'{data}' contains no scenes to show",
             notes=(
-                "what the runs learned from is not shown, nor what is smaller than their array",
+                "scenes that the runs were trained on, and scenes smaller than their array, "
+                "are not shown",
             ),
             helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
         )

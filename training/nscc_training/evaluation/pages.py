@@ -181,7 +181,7 @@ class Page:
 
     def _word(self, word: str = "", *arguments: str) -> str:
         if word not in _WORDS:
-            raise ValueError(f"'{word}' is no word of a template")
+            raise ValueError(f"unknown placeholder '{word}' in a template")
         try:
             text: str = getattr(self, word)(*arguments)
         except (KeyError, TypeError, ValueError) as error:
@@ -210,7 +210,7 @@ def page_of(
     folder = shipped_evaluations() if results is None else results
     if not folder.is_dir():
         hint = "`nscc sweep GRID.toml --out DIR` makes one"
-        raise rejected("NS0807", f"'{folder}' is no folder of results", helps=(hint,))
+        raise rejected("NS0807", f"'{folder}' is not a folder of results", helps=(hint,))
     page = Page(folder / "results" if (folder / "results").is_dir() else folder)
     source = template or files("nscc_training.evaluation") / "tables.md"
     return page.rows, page.filled(source.read_text(encoding="utf-8"))

@@ -41,7 +41,7 @@ def result_text(result: dict[str, Any]) -> str:
         trained = result["settings"]["trained_effects"] or "noise and full well alone"
         lines.append(f"  on a chip with effects {effects}; trained with {trained}")
     if result["sees"] == "truth":
-        lines.append("  a yardstick: it sees the truth, not the capture")
+        lines.append("  an oracle: it reads the truth, not the capture")
     for file in dict.fromkeys(item["file"] for item in result["items"]):
         items = [item for item in result["items"] if item["file"] == file]
         finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]

@@ -104,8 +104,8 @@ def check_finite(result: Array, name: str) -> None:
         raise rejected(
             "NS0804",
             f"{bad_count} of {result.size} values of the reconstruction of '{name}' are not finite",
-            notes=("PSNR and SSIM of such values mean nothing",),
-            helps=("look at the decoder and its weights: NaN and infinity come from there",),
+            notes=("PSNR and SSIM of such values are meaningless",),
+            helps=("check the decoder and its weights, which are the source of NaN and infinity",),
             data={"count": bad_count},
         )
 
@@ -138,9 +138,9 @@ def result(
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
             "NS0811",
-            f"protocol {protocol.name} can use nothing of this data",
+            f"protocol {protocol.name} cannot use any of this data",
             notes=tuple(list(reasons)[:_MOST_REASONS]),
-            helps=("name a folder of other scenes, or bring these into the protocol's form",),
+            helps=("name a folder with other scenes, or convert these to the protocol's form",),
         )
     values = [number(item.metrics["psnr_db"]) for item in items]
     return {
@@ -194,11 +194,11 @@ def read_result(path: Path) -> dict[str, Any]:
         document = json.loads(read_whole(path))
         if isinstance(document, dict) and document.get("schema") == SCHEMA:
             if not isinstance(document.get("mean"), int | float | None):
-                raise ValueError("its mean is no number")
+                raise ValueError("its mean is not a number")
             _ = [str(entry["sha256"]) for entry in document.get("data", ())]
             for item in document["items"]:
                 if math.isnan(number(item["psnr_db"])):
-                    raise ValueError("an item's PSNR is no number")
+                    raise ValueError("the PSNR of an item is not a number")
                 _ = item["file"], item["crop"], item["frame"]
             return dict(document)
         reason = f"it has no schema {SCHEMA}"
@@ -208,7 +208,7 @@ def read_result(path: Path) -> dict[str, Any]:
         reason = f"{type(error).__name__}: {' '.join(str(error).split())[:100]}"
     raise rejected(
         "NS0807",
-        f"'{path}' is no result of nscc evaluate",
+        f"'{path}' is not a result of nscc evaluate",
         notes=(reason,),
         helps=("`nscc evaluate ... -o OUT.json` writes one",),
     )
@@ -253,7 +253,7 @@ def compare(
         if not set(items[0]) & set(items[1]):
             raise rejected(
                 "NS0808",
-                "the results have no item in common",
+                "the results have no common item",
                 notes=("results are compared in pairs: the same crop or frame of the same file",),
                 helps=("evaluate both on the same data",),
             )
@@ -289,8 +289,8 @@ def _check_alike(*results: dict[str, Any]) -> None:
         if len(values) > 1:
             raise rejected(
                 "NS0808",
-                f"the results are of two {plural_name}: {values[0]} and {values[1]}",
-                notes=("a number without its protocol is no number: these do not compare",),
+                f"the results belong to two {plural_name}: {values[0]} and {values[1]}",
+                notes=("results of different protocols cannot be compared",),
                 helps=("evaluate both under one protocol",),
             )
 

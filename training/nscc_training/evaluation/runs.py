@@ -71,8 +71,8 @@ def evaluate_run(
     files = [path for path in files if path not in seen_files]
     if effects and protocol.name == "sci8":
         raise rejected(
-            "NS0841", "sci8 brings its own measurements, which no chip has made",
-            helps=("leave --effects out, or take video-v1",),
+            "NS0841", "sci8 contains measurements that were not made by the emulated chip",
+            helps=("leave --effects out, or use video-v1",),
         )  # fmt: skip
     decode = (
         _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, seed, effects, changes)
@@ -105,10 +105,10 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
     scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
         raise rejected(
-            "NS0811", f"'{folder.path}' was validated on other scenes than those of its "
-            "configuration today",
-            notes=("split.json has the digests of those that it was chosen by",),
-            helps=("give [data] val the files that it had",),
+            "NS0811", f"'{folder.path}' was validated on other scenes than those that its "
+                      "configuration now names",
+            notes=("split.json contains the digests of the original validation scenes",),
+            helps=("set [data] val to the original files",),
         )  # fmt: skip
     shown = validation_scenes(folder.setup, scenes)
     effects = settings.sensor.effects
@@ -187,7 +187,8 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     if protocol.name == "staggered-v1":
         raise rejected(
             "NS0821",
-            f"'{folder.path}' was trained for one exposure; protocol {protocol.name} has several",
+            f"'{folder.path}' was trained for one exposure, but protocol "
+            f"{protocol.name} has several",
             helps=("its rows are those of `nscc evaluate --help`",),
         )
     kind = setup.encoder.spec.kind
@@ -202,20 +203,20 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     if not matches:
         raise rejected(
             "NS0821",
-            f"'{folder.path}' was trained for {have}; protocol {protocol.name} takes {want}",
+            f"'{folder.path}' was trained for {have}, but protocol {protocol.name} needs {want}",
             helps=("train with [data] protocol and [shutter] slots of the protocol",),
         )
     name = setup.settings.decoder.name
     if protocol.name == "sci8" and setup.buckets > 1:
         raise rejected(
-            "NS0821", f"'{folder.path}' was trained with two buckets, and clips of sci8 have one",
+            "NS0821", f"'{folder.path}' was trained with two buckets, but clips of sci8 have one",
             helps=("protocol two-bucket-v1 has two",),
         )  # fmt: skip
     if protocol.name == "sci8" and name in DECODERS and not DECODERS[name].any_code:
         raise rejected(
             "NS0821",
-            f"{name} knows the one code that it was trained with, and sci8 brings its own mask",
-            helps=("take a decoder that sees the code, such as unet3d",),
+            f"{name} was trained for one code, but sci8 uses its own mask",
+            helps=("use a decoder that receives the code, such as unet3d",),
         )
 
 
@@ -234,10 +235,10 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
             "NS0820",
             f"'{folder.path}' was trained or validated on {len(shared)} of these "
             f"{counted(len(files), 'file')}",
-            notes=(f"it has seen {listed(shared, 8)}",),
+            notes=(f"used files: {listed(shared, 8)}",),
             helps=(
                 *(skip if len(shared) < len(files) else ()),
-                "evaluate on other files: split.json in the run lists what it has seen",
+                "evaluate on other files: split.json in the run lists the used files",
             ),
             data={"files": shared},
         )

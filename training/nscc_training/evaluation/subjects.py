@@ -41,8 +41,9 @@ def evaluate(
     if subject in known:
         if effects or changes:
             raise rejected(
-                "NS0841", f"the baseline {subject} has no chip that effects are of",
-                notes=("its codes are exposed by the sensor that the protocol fixes",),
+                "NS0841", f"the baseline {subject} has no program, so effects of a chip cannot be "
+                    "applied",
+                notes=("its codes are exposed with the fixed sensor of the protocol",),
                 helps=("name a run folder of nscc train, or leave --effects out",),
             )  # fmt: skip
         return evaluate_baseline(chosen, subject, data, seed, codes)
@@ -55,7 +56,8 @@ def evaluate(
         )
     raise rejected(
         "NS0810",
-        f"there is no '{subject[:60]}' to evaluate under protocol {chosen.name}",
+        f"'{subject[:60]}' cannot be evaluated under protocol {chosen.name}: unknown "
+        "baseline or run",
         notes=(f"its baselines are {', '.join(known)}",) if known else (),
         helps=meant(subject, known, "name one of them, or a run folder of nscc train")
         if known
@@ -66,4 +68,4 @@ def evaluate(
 def _refuse_codes(codes: str, subject: str) -> None:
     """Raise Rejected (NS0840) for other codes of a subject that has its own."""
     if codes:
-        raise rejected("NS0840", f"{subject} has codes of its own", helps=("leave --shutter out",))
+        raise rejected("NS0840", f"{subject} has fixed codes", helps=("leave --shutter out",))

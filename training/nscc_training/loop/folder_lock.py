@@ -25,8 +25,11 @@ def locked_folder(folder: Path) -> Iterator[None]:
         except BlockingIOError:
             raise rejected(
                 "NS0848",
-                f"another process trains into '{folder}'",
-                notes=("one process at a time writes a run folder: two would mix their results",),
+                f"another process is training in '{folder}'",
+                notes=(
+                    "only one process at a time may write a run folder, because two would mix "
+                    "their results",
+                ),
                 helps=("wait until it ends, or give --out another folder",),
             ) from None
         yield

@@ -33,9 +33,9 @@ class Log:
         except ValueError:
             raise rejected(
                 "NS0816",
-                f"training cannot go on from '{folder}'",
+                f"training cannot resume from '{folder}'",
                 notes=(f"{path.name} is damaged: its lines do not begin with a step",),
-                helps=("without that file the run goes on, and its log begins there",),
+                helps=("without that file the run resumes, and its log starts there",),
             ) from None
         return cls(out, [head, *kept_rows])
 

@@ -153,12 +153,10 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
     decoder.requires_grad_(settings.decoder.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
-        raise _invalid_setting(
-            "shutter.learn", "neither the decoder nor the shutters have anything to learn"
-        )
+        raise _invalid_setting("shutter.learn", "neither the decoder nor the shutters can learn")
     device_name, has_cuda = settings.train.device, torch.cuda.is_available()
     if device_name == "cuda" and not has_cuda:
-        raise _invalid_setting("train.device", "there is no CUDA device here")
+        raise _invalid_setting("train.device", "CUDA is not available on this machine")
     device = torch.device("cuda" if device_name != "cpu" and has_cuda else "cpu")
     _check_effects(settings, encoder)
     # Values of the sensor if a file or effects are named, else those of the protocol,
@@ -187,8 +185,8 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     if tile != array and tile[0] * tile[1] > MOST_LISTED:
         raise _invalid_setting(
             "shutter.tile",
-            f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, "
-            "which only `free`, a code for every pixel, may have",
+            f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, which only `free`, "
+            "a code for every pixel, allows",
         )
     spec = ShutterSpec(
         chosen.kind, chosen.slots, (1, 1) if chosen.kind == "a" else tile,
@@ -206,7 +204,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     encoder.tried_share = chosen.tried_share
     if chip.require is not None:
         if not isinstance(encoder, Bump):
-            raise _invalid_setting("shutter.require", "it is for the classes b, c and d")
+            raise _invalid_setting("shutter.require", "it applies to the classes b, c and d")
         drawn = np.random.default_rng(seed) if start == "random" else None
         encoder.restrict(programs.legal_codes(spec, chip), drawn)
     if not named:
@@ -235,7 +233,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
     if not np.array_equal(mine.cpu().numpy() > 0, start.opened):
         bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
         raise ValueError(
-            f"the program opens other shutters for them than class {encoder.spec.kind}{bump} does"
+            f"the program has other shutters for them than class {encoder.spec.kind}{bump}"
         )
 
 
@@ -257,21 +255,22 @@ def _check_learning(settings: RunSettings) -> None:
     chosen = settings.shutter
     if settings.decoder.lessons:
         if settings.decoder.name != "any":
-            raise _invalid_setting("decoder.lessons", "they are for the decoder `any`")
+            raise _invalid_setting("decoder.lessons", "they need the decoder `any`")
         if chosen.learn:
             raise _invalid_setting(
                 "shutter.learn",
-                "lessons have codes of every kind, and the run's own do not learn: set it to false",
+                "lessons use codes of every kind, and the run's own codes do not learn: set "
+                "it to false",
             )
     if chosen.most_words and chosen.relaxation != "search":
         raise _invalid_setting(
             "shutter.most_words",
-            "a search alone stays within words: take the relaxation "
-            "`search`, or weigh them by `words_weight`",
+            "only a search stays within a limit of words: use the relaxation `search`, or "
+            "add words to the loss with `words_weight`",
         )
     if chosen.learn and chosen.warm_up + chosen.settle >= 1:
-        reason = ("with `shutter.settle` it takes all steps, and leaves codes none to learn in: "
-                  "take less, or set `shutter.learn` to false")  # fmt: skip
+        reason = ("with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, "
+                  "or set `shutter.learn` to false")  # fmt: skip
         raise _invalid_setting("shutter.warm_up", reason)
 
 
@@ -281,11 +280,13 @@ def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
         return
     selected(settings.sensor.effects)
     if settings.shutter.free:
-        reason = "a code for every pixel has no tile to be exposed at all levels: leave out `free`"
+        reason = (
+            "a code for every pixel has no tile that can be exposed at all levels: leave out `free`"
+        )
         raise _invalid_setting("sensor.effects", reason)
     if not settings.sensor.noise:
         raise _invalid_setting(
-            "sensor.effects", "effects are noise, too, and `sensor.noise` is false"
+            "sensor.effects", "effects include noise, but `sensor.noise` is false"
         )
 
 
@@ -293,28 +294,29 @@ def _check_looks(settings: RunSettings, still: bool) -> None:
     """Raise Rejected (NS0815) for settings that pixels that look do not support."""
     if not still:
         raise _invalid_setting(
-            "shutter.class", "looks are learned from stills: [data] protocol is hdr-v1"
+            "shutter.class", "looks are learned from stills: set [data] protocol to hdr-v1"
         )
     if settings.sensor.effects:
-        raise _invalid_setting("sensor.effects", "pixels that look are learned under noise alone")
+        raise _invalid_setting("sensor.effects", "pixels that look are trained with noise alone")
     if settings.shutter.words_weight:
         raise _invalid_setting(
-            "shutter.words_weight", "every look takes as many words: there is nothing to weigh"
+            "shutter.words_weight",
+            "every look takes the same number of words, so words cannot be weighted",
         )
 
 
 def _check_buckets(settings: RunSettings, still: bool) -> None:
     """Raise Rejected (NS0815) for settings that two buckets do not support."""
     if settings.shutter.kind in ("a", LOOKS):
-        reason = f"class {settings.shutter.kind} has no light to leave to a second bucket"
+        reason = f"class {settings.shutter.kind} leaves no light for a second bucket"
         raise _invalid_setting("shutter.buckets", reason)
     if still:
         raise _invalid_setting(
-            "shutter.buckets", "two are for clips: [data] protocol is two-bucket-v1"
+            "shutter.buckets", "two buckets need clips: set [data] protocol to two-bucket-v1"
         )
     if settings.sensor.effects:
         raise _invalid_setting(
-            "sensor.effects", "two buckets are learned under noise, full well and converter alone"
+            "sensor.effects", "two buckets are trained with noise, full well and converter alone"
         )
 
 
@@ -322,7 +324,9 @@ def _loss(names: str) -> Loss:
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:
-            raise _invalid_setting("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
+            raise _invalid_setting(
+                "loss.name", f"unknown loss '{name[:60]}': the losses are {', '.join(LOSSES)}"
+            )
         losses.append(_own_loss(name) if is_import_path(name) else LOSSES[name])
     if len(losses) == 1:
         return losses[0]
@@ -337,9 +341,9 @@ def _own_loss(name: str) -> Loss:
             value = call(prediction, truth)
         if not isinstance(value, Tensor) or value.numel() != 1:
             shape = tuple(value.shape) if isinstance(value, Tensor) else type(value).__name__
-            raise own_failed(name, "loss", f"it gives {shape}, not a tensor of one number")
+            raise own_failed(name, "loss", f"it returns {shape}, not a tensor of one number")
         if prediction.requires_grad and not value.requires_grad:
-            raise own_failed(name, "loss", "what it gives has no gradient: nothing can learn")
+            raise own_failed(name, "loss", "its output has no gradient, so nothing can learn")
         return value.reshape(())
 
     return loss
@@ -348,6 +352,6 @@ def _own_loss(name: str) -> Loss:
 def _invalid_setting(key: str, reason: object) -> Exception:
     return rejected(
         "NS0815",
-        f"{key} cannot be: {' '.join(str(reason).split())}",
-        helps=("`nscc train --schema` prints every key with what it allows",),
+        f"invalid setting {key}: {' '.join(str(reason).split())}",
+        helps=("`nscc train --schema` prints the allowed values of every key",),
     )

@@ -133,8 +133,8 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
                if about.get("files", {}).get(name) != digest]  # fmt: skip
     if changed:
         names = " and the ".join(changed)
-        raise _refused(path, "the chip or the sensor has changed since: what the run began with is "
-                       f"the {names} in its folder")  # fmt: skip
+        raise _refused(path, "the chip or the sensor has changed since: the original is "
+                             f"{names} in the run folder")  # fmt: skip
     if about.get("split_sha256") != split_digest(scenes):
         raise _refused(path, "it was made with other scenes: the files of [data] have changed")
     try:
@@ -143,7 +143,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
             set_tensors(state.setup, best)
         state.set(tensors)
     except (KeyError, RuntimeError, ValueError) as error:
-        raise _refused(path, f"it lacks something: {' '.join(str(error).split())[:100]}") from error
+        raise _refused(path, f"a part is missing: {' '.join(str(error).split())[:100]}") from error
     progress.best = best or None
     return progress
 
@@ -181,7 +181,7 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
 def _refused(path: Path, reason: str) -> Exception:
     return rejected(
         "NS0816",
-        f"training cannot go on from '{path}'",
+        f"training cannot resume from '{path}'",
         notes=(reason,),
-        helps=("--resume never starts again from the beginning; or name another --out",),
+        helps=("use --resume never to start from the beginning, or choose another --out",),
     )

@@ -110,7 +110,7 @@ def finite_norm(loss: Tensor, setup: TrainingSetup, names: tuple[str, ...], step
         "NS0817",
         f"{culprit} is not finite in step {step}",
         notes=("the batch: " + "; ".join(names),),
-        helps=("look at these scenes, lower [train] rate, or use the dtype f32",),
+        helps=("check these scenes, lower [train] rate, or use the dtype f32",),
         data={"step": step, "batch": list(names)},
         status=3,
     )

@@ -162,15 +162,15 @@ def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
     if settings.train.batch < ranks.count:
         raise rejected(
             "NS0815",
-            f"train.batch is {settings.train.batch}, and {ranks.count} processes share it",
-            notes=("every process takes its part of each batch, a patch at least",),
+            f"train.batch is {settings.train.batch}, but {ranks.count} processes share it",
+            notes=("every process takes a part of each batch, at least one patch",),
             helps=("raise [train] batch, or start fewer processes",),
         )
     searched = settings.shutter.learn and settings.shutter.relaxation == "search"
     if ranks.count > 1 and (searched or settings.decoder.lessons):
         activity = "codes are searched" if searched else "lessons are learned"
         raise rejected(
-            "NS0815", f"{activity} by one process, and here are {ranks.count}",
+            "NS0815", f"{activity} by one process, but {ranks.count} are running",
             helps=("start one: `nscc train` without torchrun",),
         )  # fmt: skip
 
@@ -185,9 +185,9 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
     if not checkpoint.is_file():
         raise rejected(
             "NS0816",
-            f"there is no checkpoint to go on from: '{resume[:200]}'",
+            f"no checkpoint to resume from: '{resume[:200]}'",
             notes=("--resume takes auto, never, a run folder or a checkpoint",),
-            helps=("leave --resume out to begin, or to go on in --out",),
+            helps=("leave --resume out to start, or to resume the run in --out",),
         )
     return checkpoint
 
@@ -378,11 +378,11 @@ def take_best(run: TrainingRun) -> None:
     words = words_per_slot(compiled(program_of(setup.encoder, setup.chip), setup.chip))
     if not within(setup.settings.shutter, words):
         raise rejected(
-            "NS0850", f"the search has found no code of at most {most:g} words a slot",
-            notes=(f"it stands at {words:.1f} after {run.progress.step} steps; words_per_slot in "
-                   f"{METRICS} says how it came there",),
+            "NS0850", f"the search found no code with at most {most:g} words per slot",
+            notes=(f"it has {words:.1f} after {run.progress.step} steps; words_per_slot in "
+                   f"{METRICS} shows the progress",),
             helps=("raise [shutter] most_words, or give the search more steps",
-                   "begin with `quad` or `uniform`, which take few words"),
+                   "start with `quad` or `uniform`, which need few words"),
         )  # fmt: skip
 
 

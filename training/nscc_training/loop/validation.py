@@ -50,7 +50,7 @@ def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScen
     if not shown:
         raise rejected(
             "NS0811",
-            f"protocol {protocol.name} can expose none of the validation scenes",
+            f"protocol {protocol.name} cannot expose any of the validation scenes",
             notes=(f"they are {', '.join(scene.name for scene in scenes.val)[:200]}",),
             helps=("name other scenes in [data] val",),
         )

@@ -65,9 +65,9 @@ def kinds_in(data: Path) -> list[Kind]:
         all_endings = ", ".join(ending for kind in KINDS for ending in endings[kind])
         raise rejected(
             "NS0811",
-            f"'{data}' holds no scenes",
+            f"'{data}' contains no scenes",
             notes=(f"clips and panoramas end in {all_endings}",),
-            helps=("name a folder of such files, or leave --data out: scenes are made then",),
+            helps=("name a folder of such files, or leave --data out to use synthetic scenes",),
         )
     return kinds
 

@@ -93,7 +93,7 @@ def exposed_crop(
         return Unusable(path.name, place, "its light is not finite")
     level = float(np.quantile(light, 1 - share, method="higher"))
     if level <= 0:
-        return Unusable(path.name, place, "it is dark where it should saturate")
+        return Unusable(path.name, place, "it is dark at the percentile that should saturate")
     scaled = light * (well_e / level)
     saturated = float(np.mean(scaled >= well_e))
     if abs(saturated - share) > float(protocol["saturated_tolerance"]):

@@ -65,14 +65,14 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     try:
         arrays = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:
-        raise _unusable(path, "there is no such file") from None
+        raise _unusable(path, "the file does not exist") from None
     except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
         raise _unusable(path, one_line(error)) from error
     frames = int(protocol["frames"])
     try:
         orig, mask, meas = (np.asarray(arrays[key]) for key in ("orig", "mask", "meas"))
     except KeyError as error:
-        raise _unusable(path, f"it has no array {error}") from None
+        raise _unusable(path, f"the array {error} is missing") from None
     meas = meas[..., None] if meas.ndim == 2 else meas
     shape = orig.shape[:2]
     if orig.ndim != 3 or orig.shape[2] < frames or mask.shape != (*shape, frames):
@@ -90,7 +90,7 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     if not np.array_equal(values[0], np.clip(np.rint(values[0]), 0, 255)):
         raise _unusable(path, "`orig` has other values than whole numbers 0..255")
     if values[1].min() < 0 or values[1].max() == 0:
-        raise _unusable(path, "`mask` is negative somewhere, or 0 everywhere")
+        raise _unusable(path, "`mask` has negative values, or is 0 everywhere")
     truth, opened, measured = values[0][:frames], values[1], values[2][0]
     if not np.allclose((truth * opened).sum(axis=0), measured, rtol=1e-4, atol=0.5):
         raise _unusable(path, "its first measurement is not sum(mask x orig) of its first frames")
@@ -102,7 +102,7 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
 def _unusable(path: Path, reason: str) -> Exception:
     return rejected(
         "NS0809",
-        f"'{path}' is no clip of the sci8 benchmark",
+        f"'{path}' is not a clip of the sci8 benchmark",
         notes=(reason,),
         helps=(
             "such a .mat file holds `orig` (rows, cols, T >= 8) of 0..255, `mask` (rows, cols, 8) "

@@ -77,7 +77,7 @@ def windows_of(
             yield exposed_window(path, number + 1 - count, clip, srgb, protocol)
             window = []
     if number + 1 < count:
-        yield Unusable(path.name, start, f"it has {number + 1} frames, a window {count}")
+        yield Unusable(path.name, start, f"it has {number + 1} frames, but a window has {count}")
 
 
 def exposed_window(
@@ -86,7 +86,9 @@ def exposed_window(
     """Return the window scaled so that the percentile of its all-open sum is a full well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
-        return Unusable(path.name, {"frame": first}, "it is dark where it should fill a well")
+        return Unusable(
+            path.name, {"frame": first}, "it is dark at the percentile that should fill a well"
+        )
     # In a film of several coded frames, each frame fills a well on average.
     scale_e = float(protocol["full_well_e"]) / level * int(protocol.values.get("film", 1))
     return ClipWindow(path, None, first, light * scale_e, protocol, scale_e, srgb)

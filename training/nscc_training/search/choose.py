@@ -76,7 +76,7 @@ def design_motion(
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
-        raise rejected("NS0843", "there is no scene whose motion could be looked at",
+        raise rejected("NS0843", "no scene whose motion can be measured",
                        helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
     encoders = _encoders(frame.slots)
@@ -100,9 +100,9 @@ def design_motion(
     if refused and all(code_name.endswith("(does not fit)") for code_name in passed):
         raise refused  # the compiler's message says more
     raise rejected(
-        "NS0843", f"no code for clips takes at most {most_words:g} words a slot here",
-        notes=(f"passed over: {'; '.join(passed)}",),
-        helps=("allow more with --max-words, or take longer slots",),
+        "NS0843", f"no code for clips has at most {most_words:g} words per slot here",
+        notes=(f"rejected: {'; '.join(passed)}",),
+        helps=("allow more words with --max-words, or use longer slots",),
     )  # fmt: skip
 
 
@@ -110,9 +110,9 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: Chip) -> Motio
     """Return the motion of the light, with the chip's noise."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
-        raise rejected("NS0824", "a scene has no light: there is nothing to design shutters for",
-                       helps=("name a scene with light; --exposure says how much of it a frame "
-                              "gets",))  # fmt: skip
+        raise rejected("NS0824", "a scene has no light, so no shutters can be designed for it",
+                       helps=("use a scene with light; --exposure sets how much light a frame "
+                              "receives",))  # fmt: skip
     dark_e = float(chip.exposed_sd_e(np.zeros(1))[0])
     motion = Motion(SPEEDS.get(kind, (0.0,)), noise=(dark_e / mean_e) ** 2, counts=1 / mean_e)
     if scene is None:

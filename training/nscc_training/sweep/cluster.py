@@ -72,7 +72,7 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor]:
         reason = " ".join(str(error).split())[:200]
         raise rejected(
             "NS0835",
-            f"no scheduler answers at '{scheduler[:100]}'",
+            f"the scheduler at '{scheduler[:100]}' does not answer",
             notes=(reason,) if reason else (),
             helps=("`dask scheduler` prints its address, tcp://HOST:PORT",),
         ) from None

@@ -21,8 +21,8 @@ def _keys() -> tuple[Key, ...]:
     return (
         *scene_keys(),
         axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
-        axis("criterion", Text(_CRITERIA), "the curve on which the error is least; sve-risk: a "
-             "fixed 2 x 2 tile instead of looks", "mu"),
+        axis("criterion", Text(_CRITERIA), "the curve on which the error is minimised; "
+                                           "sve-risk: a fixed 2 x 2 tile instead of looks", "mu"),
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
         axis("slot_us", Number(0.01, 1e6), "their length in microseconds", 125.0),
         axis("target", Text(), "the chip, by name or file", DEFAULT_NAME),
@@ -33,12 +33,14 @@ def _keys() -> tuple[Key, ...]:
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if "scene" not in values:
-        return PointFault("", "a point is designed for a scene", 'add scene = "builtin:hdr"')
+        return PointFault("", "a point needs a scene to design for", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):
-        message = "a point has looks, or else the criterion sve-risk"
+        message = "a point needs looks or the criterion sve-risk"
         return PointFault("looks" if "looks" in values else "", message, "for instance looks = 5")
     if values.get("looks", 0) > values["slots"]:
-        message = f"{values['looks']} exposures end at as many of {values['slots']} boundaries"
+        message = (
+            f"{values['looks']} exposures need {values['looks']} of {values['slots']} boundaries"
+        )
         return PointFault("looks", message, "ask for fewer looks, or for more slots")
     return None
 

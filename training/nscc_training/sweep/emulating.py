@@ -44,17 +44,19 @@ def _keys() -> tuple[Key, ...]:
     return (
         *program_keys(),
         *scene_keys(),
-        axis("bench", Text(_BENCHES), "instead: scenes of a protocol, decoded without training"),
-        axis("data", Text(), "a bench's folder of scenes; empty: made ones", ""),
-        axis("scenes", Integer(1, 1000), "how many of them", 1),
-        axis("frames", Integer(1, 4096), "frames of a bench's clips, a multiple of the slots", 16),
-        axis("at_us", Number(0.01, 1e6, automatic=True), "slots that a bench is captured with; "
-             "auto: the shortest", None),
-        axis("effects", Text(), "of the sensor, as --effects", "auto"),
-        axis("tolerance", Text(), "the error that a plan may make, as --tolerance", "5e"),
+        axis("bench", Text(_BENCHES),
+             "instead of scene: scenes of a protocol, decoded without training"),
+        axis("data", Text(), "the bench's folder of scenes; empty: synthetic scenes", ""),
+        axis("scenes", Integer(1, 1000), "the number of scenes", 1),
+        axis("frames", Integer(1, 4096),
+             "number of frames of the bench's clips, a multiple of the slots", 16),
+        axis("at_us", Number(0.01, 1e6, automatic=True), "slot length of the bench; auto: the "
+                                                         "shortest", None),
+        axis("effects", Text(), "sensor effects, as in --effects", "auto"),
+        axis("tolerance", Text(), "the tolerance of the plan, as in --tolerance", "5e"),
         axis("fidelity", Text(("planned", "reference")), "how words are executed", "planned"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),
-        axis("device_seed", Integer(0, 2**31 - 1), "of fixed patterns", 0),
+        axis("device_seed", Integer(0, 2**31 - 1), "seed of fixed patterns", 0),
         *sensor_keys(),
     )  # fmt: skip
 
@@ -63,11 +65,11 @@ def _fault(values: Values, named: Collection[str]) -> PointFault | None:
     if ("scene" in values) == ("bench" in values):
         return PointFault(
             "bench" if "bench" in values else "",
-            "a point exposes a scene, or else a bench",
+            "a point needs a scene or a bench",
             'for instance scene = "builtin:hdr", or bench = "clips"',
         )
     if "bench" in values and "class" not in values:
-        return PointFault("bench", "a bench exposes a class, and here is none", 'add class = "d"')
+        return PointFault("bench", "a bench needs a class, but it is missing", 'add class = "d"')
     if values.get("bench") == "clips" and values["frames"] % values["slots"]:
         return PointFault(
             "frames",
@@ -77,12 +79,10 @@ def _fault(values: Values, named: Collection[str]) -> PointFault | None:
     if values.get("bench") == "stills" and values["class"] != "b":
         return PointFault("bench", "a bench of stills exposes class b", 'write class = "b"')
     if "bench" in values and not values["target"]:
-        return PointFault("bench", "a bench names the chip", 'add target = "scamp5"')
+        return PointFault("bench", "a bench needs a chip", 'add target = "scamp5"')
     changed = next((name for name in values if name.startswith("chip.")), None)
     if "bench" in values and changed:
-        return PointFault(
-            changed, "a bench takes the chip as it is", "name a target's file instead"
-        )
+        return PointFault(changed, "a bench cannot change the chip", "name a target's file instead")
     source = "bench" if "bench" in values else "scene"
     return silent(named, _SILENT[source], f"a {source}") or program_fault(values, named)
 

@@ -21,15 +21,20 @@ RUN = "run"
 
 def _keys() -> tuple[Key, ...]:
     return (
-        axis(RUN, Text(), "parts of this grid, of kind train, whose runs are scored"),
-        axis("subject", Text(), "instead: a baseline, a run folder, or for sci8 a method"),
-        axis("protocol", Text(NAMES), "what the numbers mean", "hdr-v1"),
+        axis(RUN, Text(), "parts of this grid, of kind train, whose runs are evaluated"),
+        axis("subject", Text(), "instead of run: a baseline, a run folder, or for sci8 a method"),
+        axis("protocol", Text(NAMES), "the evaluation protocol", "hdr-v1"),
         axis("data", Text(), "the folder of scenes"),
-        axis("seed", Integer(0, 2**31 - 1), "of random codes and noise", 0),
-        axis("shutter", Text(), "other codes of a baseline that takes any, as --shutter", ""),
-        axis("effects", Text(), "of the emulated chip that exposes a run's scenes", ""),
+        axis("seed", Integer(0, 2**31 - 1), "seed of random codes and noise", 0),
+        axis(
+            "shutter",
+            Text(),
+            "other codes for a baseline that accepts any code, as in --shutter",
+            "",
+        ),
+        axis("effects", Text(), "effects of the emulated chip that exposes the scenes", ""),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
-        axis("skip_seen", Flag(), "leave out files that a run has seen", False),
+        axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),
         axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
     )
@@ -37,7 +42,7 @@ def _keys() -> tuple[Key, ...]:
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if (RUN in values) == ("subject" in values):
-        message = "a point evaluates a run of this grid, or else a subject"
+        message = "a point needs a run of this grid or a subject"
         return PointFault(
             "subject" if RUN in values else "", message, 'for instance subject = "quad"'
         )

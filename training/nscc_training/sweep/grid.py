@@ -25,16 +25,16 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
-from nscc.toml.files import file_bytes, file_table, file_text
 from nscc.toml.kinds import Axis, Several, Text
-from nscc.toml.schema import Codes, Key, Schema
+from nscc.toml.schema import FileCodes, Key, Schema
+from nscc.toml.schema_files import file_bytes, file_table, file_text
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointFault, Values
 
 MOST_POINTS = 100_000
 
-_CODES = Codes("NS0830", "NS0830", unknown="NS0831", wrong="NS0832", missing="NS0832")
+_CODES = FileCodes("NS0830", "NS0830", unknown="NS0831", wrong_value="NS0832", missing="NS0832")
 _START = "`nscc sweep --schema KIND` prints a complete part to start from"
 _KIND = Key(
     "", "kind", Text(tuple(KINDS)), "; ".join(f"{k.name}: {k.summary}" for k in KINDS.values()), ""
@@ -45,17 +45,29 @@ _PLOT = "plot"
 _CALLED = Key(
     "", "name", Text(
         pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
-        said='a name, "{KEY}" in it for a value',
+        phrase='a name, "{KEY}" in it for a value',
     ), "what its points are called, instead of part and axes", "",
 )  # fmt: skip
 _LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has none", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
 _PLOT_KEYS = (
-    Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
-    Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
-    Key(_PLOT, "line", Several(Text(), said="a list of axes"), "those whose values have lines", ()),
-    Key(_PLOT, "panel", Text(), "the axis of which each value has a panel", ""),
+    Key(_PLOT, "x", Text(), "the horizontal axis; by default the first numeric axis", ""),
+    Key(
+        _PLOT,
+        "y",
+        Several(Text(), text="a list of results"),
+        "the results on the vertical axis",
+        (),
+    ),
+    Key(
+        _PLOT,
+        "line",
+        Several(Text(), text="a list of axes"),
+        "the axes with one line per value",
+        (),
+    ),
+    Key(_PLOT, "panel", Text(), "the axis with one panel per value", ""),
 )
 
 
@@ -96,9 +108,9 @@ def read_grid(path: Path) -> Grid:
         part_keys = _flat(value)
         like = part_keys.get(_LIKE.name)
         if like is not None and like not in grid_parts:
-            message = f"[{name}]: there is no part {str(like)[:60]!a} above"
+            message = f"[{name}]: there is no part {str(like)[:60]!a} above it"
             unknown_parts.append(
-                head.problem(_CODES.wrong, message, name, _LIKE.name, source, _START)
+                head.problem(_CODES.wrong_value, message, name, _LIKE.name, source, _START)
             )
         grid_parts[name] = {**grid_parts.get(str(like), {}), **part_keys}
     if unknown_parts:
@@ -107,7 +119,7 @@ def read_grid(path: Path) -> Grid:
     schema = _schema(kinds)
     values, problems = schema.read({**tables, **grid_parts}, source)
     if not (grid_parts or problems):
-        message = "a grid has a table for each of its parts, and here is none"
+        message = "a grid needs a table for each of its parts, but it has none"
         problems.append(schema.problem(_CODES.missing, message, "", "", source, _START))
     if problems:
         raise Rejected(problems, status=2)
@@ -132,7 +144,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     for grid_part in grid_parts:
         if grid_part not in known_parts:
             hint = meant(grid_part, known_parts, f"the parts are {', '.join(known_parts)}")
-            raise rejected("NS0832", f"the grid has no part '{grid_part[:60]}'", helps=hint)
+            raise rejected("NS0832", f"unknown part '{grid_part[:60]}' of the grid", helps=hint)
     points: dict[GridPoint, None] = {}
 
     def take(point: GridPoint) -> None:
@@ -154,7 +166,7 @@ def part_text(kind: str) -> str:
 
     def remark(key: Key) -> str:
         axis = key.kind
-        return f"{key.meaning} ({axis.each.allowed})" if isinstance(axis, Axis) else ""
+        return f"{key.meaning} ({axis.element.allowed})" if isinstance(axis, Axis) else ""
 
     head = (
         f"A part of a grid for `nscc sweep`, of kind {kind}: {KINDS[kind].summary}.",
@@ -194,7 +206,9 @@ def _kinds(
         kind = keys.get(_KIND.name, common)
         if not re.fullmatch(_NAME, grid_part):
             message = f"a part cannot be called {grid_part[:60]!a}: files are named after it"
-            problems.append(head.problem(_CODES.wrong, message, grid_part, "", source, _NAME_SAID))
+            problems.append(
+                head.problem(_CODES.wrong_value, message, grid_part, "", source, _NAME_SAID)
+            )
             continue
         if isinstance(kind, str) and kind in KINDS:
             kinds[grid_part] = kind
@@ -203,7 +217,9 @@ def _kinds(
         fault_text = "is missing" if kind is None else f"is not {str(kind)[:60]!a}"
         message = f"the kind of [{grid_part}] {fault_text}: it is {_KIND.kind.allowed}"
         help_text = 'write kind = "compile" above all parts, or in this one'
-        problems.append(head.problem(_CODES.wrong, message, section, _KIND.name, source, help_text))
+        problems.append(
+            head.problem(_CODES.wrong_value, message, section, _KIND.name, source, help_text)
+        )
     if problems:
         raise Rejected(problems, status=2)
     return kinds
@@ -227,9 +243,11 @@ def _points(
     """Return the points of all parts, with runs before the points that need them."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
-        message = f"the grid has {count} points, {MOST_POINTS} are the most"
+        message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
         help_text = "split it into several files"
-        raise Rejected(schema.problem(_CODES.wrong, message, "", "", source, help_text), status=2)
+        raise Rejected(
+            schema.problem(_CODES.wrong_value, message, "", "", source, help_text), status=2
+        )
     problems: dict[tuple[str, str, str], Diagnostic] = {}
     points_by_part: dict[str, list[GridPoint]] = {}
     for grid_part in sorted(axes_by_part, key=lambda grid_part: RUN in axes_by_part[grid_part]):
@@ -244,7 +262,7 @@ def _points(
                 problems.setdefault(
                     (grid_part, fault.key, fault.message),
                     schema.problem(
-                        _CODES.wrong,
+                        _CODES.wrong_value,
                         f"[{grid_part}]: {fault.message}",
                         grid_part,
                         fault.key,
@@ -258,13 +276,11 @@ def _points(
                 continue
             runs = points_by_part.get(point.values[RUN], [])
             if not runs or runs[0].kind != "train":
-                message = (
-                    f"[{grid_part}]: there is no part [{point.values[RUN][:60]}] of kind train"
-                )
+                message = f"[{grid_part}]: unknown part [{point.values[RUN][:60]}] of kind train"
                 trains = [name for name, kind in kinds.items() if kind == "train"]
                 help_text = f"such parts are {', '.join(trains)}" if trains else "add such a part"
                 problems[grid_part, RUN, message] = schema.problem(
-                    _CODES.wrong, message, grid_part, RUN, source, help_text
+                    _CODES.wrong_value, message, grid_part, RUN, source, help_text
                 )
             points_by_part[grid_part] += (
                 _about(point, run, axes_by_part[grid_part], called[grid_part]) for run in runs
@@ -289,7 +305,8 @@ def _linked(
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
         help_text = "name a point of kind train, with what stands in its `name`"
         return Rejected(
-            schema.problem(_CODES.wrong, message, point.grid_part, key, source, help_text), status=2
+            schema.problem(_CODES.wrong_value, message, point.grid_part, key, source, help_text),
+            status=2,
         )
 
     def link(point: GridPoint, above: tuple[str, ...] = ()) -> GridPoint:

@@ -33,7 +33,7 @@ def sensor_keys() -> tuple[Key, ...]:
     from nscc_runtime.sensor.file import schema
 
     numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
-    return (axis(_FILE, Text(), "a sensor's numbers (nscc effects --toml)", ""), *numbers)
+    return (axis(_FILE, Text(), "a sensor file (nscc effects --toml)", ""), *numbers)
 
 
 def light_files(values: Values) -> Sequence[Path]:

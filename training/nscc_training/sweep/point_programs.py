@@ -11,7 +11,7 @@ from pathlib import Path
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
 from nscc.limits.families import program_text
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
@@ -56,8 +56,8 @@ def program_keys() -> tuple[Key, ...]:
     """Return the keys of programs and of their compilation."""
     return (
         axis("program", Text(), "a file of a program"),
-        axis("rule", Text(), "instead: all of a program that stands below its frame"),
-        axis("class", Text(CLASSES), "instead: codes of a class on a tile"),
+        axis("rule", Text(), "instead of program: the statements below `frame`"),
+        axis("class", Text(CLASSES), "instead of program: codes of a class on a tile"),
         axis("slots", Integer(1, 65536), "slots of a frame, for a rule or a class", 16),
         axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
@@ -68,10 +68,20 @@ def program_keys() -> tuple[Key, ...]:
             "slots of a bump of class c; auto: a quarter of the frame",
             None,
         ),
-        axis("rows", Integer(1, 4096), "shapes of a codebook", 64),
-        axis("seed", Integer(0, 2**31 - 1), "of everything random", 0),
-        axis("codes", Text(("fixed", "open")), "those in use, or every legal one", "fixed"),
-        axis("lowering", Text(("auto", *LOWERINGS)), "how exposure is gathered", "auto"),
+        axis("rows", Integer(1, 4096), "rows of a codebook", 64),
+        axis("seed", Integer(0, 2**31 - 1), "seed of all random numbers", 0),
+        axis(
+            "codes",
+            Text(("fixed", "open")),
+            "fixed: the used codes; open: every legal code",
+            "fixed",
+        ),
+        axis(
+            "lowering",
+            Text(("auto", *LOWERINGS)),
+            "the lowering: how the exposure is computed",
+            "auto",
+        ),
         axis("level", Integer(0, 3), "as -O", 2),
         axis("max_words", Integer(1, 10**6, unlimited=True), "most words in a slot", None),
         *target_keys(),
@@ -86,11 +96,11 @@ def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
         have = " and ".join(sources) or "none of them"
         return PointFault(
             sources[-1] if sources else "",
-            f"a point compiles one of {', '.join(SOURCES)}, and here is {have}",
+            f"a point needs one of {', '.join(SOURCES)}, but has {have}",
             'for instance program = "hdr_2x2.nsl", or class = "d"',
         )
     if "class" in values and prod(values["tile"]) > _MOST_PLACES:
-        return PointFault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
+        return PointFault("tile", f"a tile has at most {_MOST_PLACES} places", "use a smaller tile")
     return silent(named, _SILENT[sources[0]], sources[0]) or target_fault(values)
 
 
@@ -99,7 +109,7 @@ def target_fault(values: Values) -> PointFault | None:
     name = next((name for name in values if name.startswith(_CHIP)), None)
     if name is None or values["target"]:
         return None
-    message = f"{name} changes a chip, and none is named"
+    message = f"{name} changes a chip, but target is missing"
     return PointFault(name, message, f'add target = "{DEFAULT_NAME}"')
 
 
@@ -110,7 +120,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
     if name is None:
         return None
     return PointFault(
-        name, f"{name} says nothing of a point with {point_text}", f"leave {name} out"
+        name, f"{name} has no effect on a point with {point_text}", f"leave {name} out"
     )
 
 

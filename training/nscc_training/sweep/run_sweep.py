@@ -135,7 +135,7 @@ def failures(swept: Swept) -> Rejected:
         FAILED,
         f"{counted(swept.failed, 'point')} of {len(swept.table)} failed",
         notes=tuple(dict.fromkeys(errors))[:_MOST_REASONS],
-        helps=("the same command with --again computes them again",),
+        helps=("the same command with --again computes the failed points again",),
         status=1,
     )
 
@@ -259,12 +259,13 @@ def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iter
 def _differs(result: Done) -> Rejected:
     return rejected(
         "NS0836",
-        f"the worker {result.worker} would compute another point than {result.task.point.name}",
+        f"the worker {result.worker} has other code or data than the process that requested "
+        f"{result.task.point.name}",
         notes=(
-            "its nscc, its Python or the files that the grid names are not those of this process, "
-            "or they changed after the sweep began",
+            "its nscc, its Python or the files of the grid differ from those of this "
+            "process, or they changed during the sweep",
         ),
-        helps=("install the same versions everywhere, on a file system that all share",),
+        helps=("install the same versions on all machines, and use a shared file system",),
         status=3,
     )
 

@@ -138,7 +138,7 @@ def _check(key: str, name: str, table: Table) -> None:
     if name not in table.columns:
         raise rejected(
             "NS0832",
-            f"plot.{key} is '{name[:60]}', and the table has no such column",
+            f"plot.{key} is '{name[:60]}', but the table has no such column",
             notes=(f"it has {', '.join(table.columns)}",),
             helps=meant(name, table.columns, "name one of them"),
         )

@@ -115,10 +115,10 @@ class Bench:
             return found
         raise rejected(
             "NS0826",
-            f"'{self.asked.scene.name}' leaves no light in the frame to have an error of",
-            notes=("errors are compared as parts of the mean signal, and it is 0 electrons",),
-            helps=("name a scene with light, such as --scene builtin:hdr, or one that the open "
-                   "pixels see",),
+            f"'{self.asked.scene.name}' gives no signal: the mean signal of the frame is 0",
+            notes=("errors are relative to the mean signal, which is 0 electrons",),
+            helps=("use a scene with light, such as --scene builtin:hdr, that the open pixels "
+                   "receive",),
         )  # fmt: skip
 
     @cached_property
@@ -255,21 +255,21 @@ def target_of(text: str, sensor: Any, scene: Follows) -> Tolerance:
     except Rejected as refused:
         if refused.diagnostics[0].code != "NS0746":
             raise
-        reason = f"a target is a number above 0 with its unit, not '{text[:40]}'"
+        reason = f"a target error must be a number above 0 with its unit, not '{text[:40]}'"
     else:
         if found.electrons < scene.signal_e():
             return found
         reason = (
-            f"a target of {text[:40]} is no target: the mean signal is {scene.signal_e():.3g} "
-            "electrons, so that a black frame is as near"
+            f"the target error {text[:40]} is too large: the mean signal is "
+            f"{scene.signal_e():.3g} electrons, so a black frame has a smaller error"
         )
     raise rejected(
         "NS0827",
         reason,
         notes=(
-            "%: of the scene's mean signal; e: electrons; lsb: codes of the ADC; noise: parts of "
-            "the frame's own noise",
-            f"it lies between {LEAST_E:g} electrons and the mean signal",
+            "%: of the scene's mean signal; e: electrons; lsb: codes of the ADC; noise: a "
+            "fraction of the frame's own noise",
+            f"it must be between {LEAST_E:g} electrons and the mean signal",
         ),
         helps=("write --target-error 1%, --target-error 50e or --target-error 0.5lsb",),
     )

@@ -96,7 +96,7 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
         if run.setup.buckets > 1:
             raise rejected(
                 "NS0821",
-                f"'{run.path}' was trained with two buckets, and methods beside it take one",
+                f"'{run.path}' was trained with two buckets, but the other methods use one",
                 helps=("`nscc evaluate of RUN --protocol two-bucket-v1` scores it",),
             )
     if not runs:

@@ -11,12 +11,12 @@ from nscc.syntax.parse import parse, read_source
 
 def files_of(program: Path) -> set[Path]:
     """A program's file, there or not, and the files of chips, codebooks and codes that it names."""
-    found = {program}
+    files = {program}
     try:
         statements = parse(read_source(program))[0].statements
     except Rejected:
-        return found
+        return files
     for statement in statements:
         if isinstance(statement, tree.TargetFromFile | tree.BookFromFile | tree.PixelsFromFile):
-            found.add(program.parent / statement.path.value)
-    return found
+            files.add(program.parent / statement.path.value)
+    return files

@@ -1,7 +1,7 @@
-"""The small pieces of assembly text, each written and read here: names, numbers, times, ranges.
+"""Elements of assembly text: names, numbers, times and ranges, written and read.
 
-What a `*_text` function writes, its `read_*` partner reads back exactly. Readers return None for
-text that is malformed.
+Each `read_*` function reads exactly what its `*_text` partner writes, and returns None for
+malformed text.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 
 def name_text(name: str) -> str:
-    """A name as one token: bare if it is plain, else a JSON string."""
+    """A name as one token: bare if possible, else a JSON string."""
     return name if _PLAIN.fullmatch(name) else json.dumps(name)
 
 
@@ -32,7 +32,7 @@ def number_text(value: float) -> str:
 
 
 def read_integer(text: str) -> int | None:
-    """An integer of 64 bits."""
+    """Read an integer of 64 bits."""
     if not _INTEGER.fullmatch(text):
         return None
     value = int(text)
@@ -40,13 +40,13 @@ def read_integer(text: str) -> int | None:
 
 
 def read_number(text: str) -> float | None:
-    """A decimal number, None where it is not finite."""
+    """Read a finite decimal number."""
     value = float(text)
     return value if isfinite(value) else None
 
 
 def read_time_us(text: str) -> float | None:
-    """A time such as `125us`, in microseconds; None where it is not finite and above zero."""
+    """Read a finite positive time such as `125us`, in microseconds."""
     from decimal import Decimal
 
     number = text.rstrip("nums")
@@ -56,8 +56,9 @@ def read_time_us(text: str) -> float | None:
 
 
 def ranges_text(values: Sequence[int]) -> str:
-    """Rising integers as ranges: `0..15`, `1..63/2` (every second), `4`, joined by commas."""
-    parts: list[str] = []
+    """Format ascending integers as ranges joined by commas: `0..15`, `1..63/2` (every second),
+    `4`."""
+    texts: list[str] = []
     at = 0
     while at < len(values):
         step = values[at + 1] - values[at] if at + 1 < len(values) else 1
@@ -67,18 +68,18 @@ def ranges_text(values: Sequence[int]) -> str:
         if end - at < 2 and step > 1:
             end = at
         if end == at:
-            parts.append(str(values[at]))
+            texts.append(str(values[at]))
         else:
-            parts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
+            texts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
         at = end + 1
-    return ",".join(parts)
+    return ",".join(texts)
 
 
 def read_ranges(text: str, most: int) -> list[range] | None:
-    """The ranges of `ranges_text`; None where one is malformed, empty or reaches beyond `most`."""
-    found: list[range] = []
-    for part in text.split(","):
-        match = _RANGE.fullmatch(part)
+    """The inverse of `ranges_text`; None for malformed or empty ranges and values beyond `most`."""
+    ranges: list[range] = []
+    for range_text in text.split(","):
+        match = _RANGE.fullmatch(range_text)
         if match is None:
             return None
         first = int(match[1])
@@ -86,15 +87,13 @@ def read_ranges(text: str, most: int) -> list[range] | None:
         step = int(match[3]) if match[3] else 1
         if not first <= last <= most or step < 1:
             return None
-        found.append(range(first, last + 1, step))
-    return found
+        ranges.append(range(first, last + 1, step))
+    return ranges
 
 
 def slots_text(slots: NDArray[np.bool_]) -> str:
-    """The open slots of a shutter, bool (slots,): ranges, `never`, or `x` and hexadecimal.
-
-    The hexadecimal form packs slot 8 k + i in bit i of byte k; it is used where it is shorter.
-    """
+    """Format open slots, bool (slots,): ranges, `never`, or `x` and hexadecimal. The hexadecimal
+    form, used if shorter, has slot 8 k + i in bit i of byte k."""
     if not slots.any():
         return "never"
     turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
@@ -102,7 +101,7 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
     if len(turns) <= _FEW_TURNS:
         runs = zip(turns[::2], turns[1::2], strict=True)
         return ",".join(f"{a}..{b - 1}" if b - a > 1 else str(a) for a, b in runs)
-    # A range takes at least two characters, so that many turns need not be written to compare.
+    # A range takes at least two characters, which bounds the length without formatting.
     if len(turns) < 4 * hexadecimal:
         ranges = ranges_text(np.flatnonzero(slots).tolist())
         if len(ranges) <= max(hexadecimal, 20):
@@ -112,9 +111,9 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
 
 def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
     """The inverse of `slots_text`: bool (slots,)."""
-    found = np.zeros(slots, dtype=np.bool_)
+    opened = np.zeros(slots, dtype=np.bool_)
     if text == "never":
-        return found
+        return opened
     if text.startswith("x"):
         if len(text) != 1 + 2 * ((slots + 7) // 8) or not re.fullmatch("[0-9a-fA-F]+", text[1:]):
             return None
@@ -124,13 +123,14 @@ def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
     ranges = read_ranges(text, slots - 1)
     if ranges is None:
         return None
-    for part in ranges:
-        found[part.start : part.stop : part.step] = True
-    return found
+    for span in ranges:
+        opened[span.start : span.stop : span.step] = True
+    return opened
 
 
 def block_text(lines: Sequence[str]) -> list[str]:
-    """Lines of free text, each behind a bar; those with invisible ends as JSON strings."""
+    """Lines of free text, each after a bar; unprintable ones and those with trailing blanks as
+    JSON."""
     return [
         f"| {line}" if line.isprintable() and not line.endswith(" ") and line
         else "|" if not line
@@ -140,7 +140,7 @@ def block_text(lines: Sequence[str]) -> list[str]:
 
 
 def read_block_line(text: str) -> str | None:
-    """One line of `block_text`, from its bar on."""
+    """Read one line of `block_text`, starting at its bar."""
     if text == "|":
         return ""
     if text.startswith("| "):
@@ -151,7 +151,7 @@ def read_block_line(text: str) -> str | None:
 
 
 def read_string(text: str) -> str | None:
-    """A JSON string."""
+    """Read a JSON string."""
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):

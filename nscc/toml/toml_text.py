@@ -1,4 +1,4 @@
-"""TOML as text: what a file holds, where its keys stand, and how values are spelled."""
+"""TOML as text: parsing, the places of keys, and the spelling of values."""
 
 from __future__ import annotations
 
@@ -14,18 +14,20 @@ _LONGEST_LINE = 1000
 
 
 class NotToml(Exception):
-    """These bytes are no TOML file; the text says why in half a sentence."""
+    """The bytes are not a TOML file, for a reason in half a sentence."""
 
 
 def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
-    """The text of a file and its TOML values; raises NotToml."""
+    """Decode and parse the bytes of a file; raises NotToml."""
     try:
         if len(data) > LARGEST_FILE:
             raise NotToml(f"it is larger than {LARGEST_FILE // 1024} KiB")
         text = data.decode("utf-8-sig").replace("\r\n", "\n")
         longest = max(map(len, text.split("\n")))
         if longest > _LONGEST_LINE:
-            raise NotToml(f"a line has {longest} characters, {_LONGEST_LINE} are the most")
+            raise NotToml(
+                f"a line has {longest} characters, but at most {_LONGEST_LINE} are allowed"
+            )
         return text, tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise NotToml(f"byte {error.start} is not UTF-8 text") from error
@@ -36,7 +38,7 @@ def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
 
 
 def span_of(text: str, section: str, name: str) -> Span:
-    """Where a key stands in a TOML text; else its section's header, else the first line."""
+    """The place of a key in a TOML text, else of its section's header, else of the first line."""
     current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
     for line in text.split("\n"):
         stripped = line.strip()
@@ -55,7 +57,7 @@ def span_of(text: str, section: str, name: str) -> Span:
 
 
 def shown(value: Any) -> str:
-    """A value as a message quotes it: short, on one line, whatever it is."""
+    """Format any value for a message: short, on one line."""
     if isinstance(value, Mapping):
         return "a table"
     if isinstance(value, list | tuple):
@@ -69,16 +71,16 @@ def shown(value: Any) -> str:
 
 
 def spelled_value(text: str) -> Any:
-    """The value that a text spells in TOML; the text itself where it spells none."""
+    """The value of a TOML expression; the text itself if it is not TOML."""
     try:
-        found = tomllib.loads(f"value = {text}")
+        document = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):
         return text
-    return found["value"] if found.keys() == {"value"} else text
+    return document["value"] if document.keys() == {"value"} else text
 
 
 def written(value: Any) -> str:
-    """A text, a number, true, false or a list of them as TOML spells it."""
+    """The TOML spelling of a text, number, boolean, or list of these."""
     if isinstance(value, str):
         return '"' + "".join(map(_character, value)) + '"'
     if isinstance(value, bool):

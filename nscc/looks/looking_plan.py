@@ -1,11 +1,11 @@
-"""What must happen at each boundary of a program that looks, pixel by pixel, before any gate.
+"""The analog plan of a program with senses: what happens to each pixel at each boundary.
 
-PIX is never reset but where the program says so: `light` is the charge since then. A shutter that
-closes adds PIX - reset level to its bucket, one that opens subtracts it; a bucket that has been
-open since the frame began and is still empty takes the difference as a copy, which needs no word
-to read the bucket.
+PIX is reset only where the program says so; `light` is the charge since then. When a shutter
+closes, PIX - reset level is added to its bucket; when it opens, it is subtracted. A bucket that was
+open since the frame began and is still empty gets the difference as a copy, so no word reads the
+bucket.
 
-What a boundary asks is said over its lanes. A lane is a node that a pixel can be in before the
+Each moment is described over its lanes. A lane is a node that a pixel can be in before the
 boundary, with one outcome of the boundary's comparisons.
 """
 
@@ -19,7 +19,7 @@ from itertools import chain
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.lower.plan import Misfit, analog_registers
+from nscc.lower.exposure_plan import Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.truth import vector
@@ -31,11 +31,12 @@ Bits = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False)
 class Moment:
-    """One boundary at which something happens.
+    """A boundary with comparisons or changes.
 
-    `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) what it found.
-    The rest are truth vectors over the lanes: by bucket, whose shutter closes (`falls`; `copies`:
-    the bucket may take a copy) and opens (`rises`), and whose PIX is reset in between.
+    `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers. The
+    other fields are truth vectors over the lanes: for each bucket, where its shutter closes
+    (`falls`; `copies`: the bucket may take a copy) and opens (`rises`), and where PIX is reset in
+    between.
     """
 
     boundary: int
@@ -54,17 +55,15 @@ class Moment:
         return (1 << len(self.before)) - 1
 
     def below(self, comparison: int) -> int:
-        """The lanes whose signal is not above the level of a comparison."""
+        """The lanes whose signal is at most the level of a comparison."""
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
 @dataclass(frozen=True, eq=False)
 class LookingPlan:
-    """The moments of a frame in their order, and who holds which analog register.
-
-    `reference` holds the reset level, or its negative where every exposure is one copy: each word
-    has an error of its own, and the negative takes one word less.
-    """
+    """The moments of a frame in order, and the use of analog registers. `reference` holds the reset
+    level, or its negative if every exposure is a single copy: each word adds an error, and the
+    negative takes one word less."""
 
     program: Program
     machine: Machine
@@ -76,34 +75,34 @@ class LookingPlan:
 
     @cached_property
     def latches(self) -> bool:
-        """Whether every shutter that closes copies, and none opens after the frame has begun."""
+        """Whether every closing shutter copies, and none opens after the start of the frame."""
         falls = (
-            each
+            pair
             for moment in self.moments
-            for each in zip(moment.falls, moment.copies, strict=True)
+            for pair in zip(moment.falls, moment.copies, strict=True)
         )
         rises = chain.from_iterable(moment.rises for moment in self.moments)
         return all(copy or not fall for fall, copy in falls) and not any(rises)
 
-    def sampled(self, *held: str) -> Op:
-        """Brings -(what is held + PIX) into scratch; the reset level is taken off as well if its
-        negative is at hand."""
+    def sampled(self, *registers: str) -> Op:
+        """The word that puts -(sum of `registers` + PIX) into scratch; it also subtracts the reset
+        level if a register holds its negative."""
         level = (self.reference,) if self.latches else ()
-        return op("bus", (self.scratch,), (*held, "PIX", *level))
+        return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
-    def kept(self, register: str) -> Op:
-        """Brings -what is held into scratch, as `sampled` does of a PIX without light."""
+    def register_to_scratch(self, register: str) -> Op:
+        """The word that puts -`register` into scratch, like `sampled` with a PIX without light."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 
     @property
     def scratched(self) -> tuple[str, ...]:
-        """What adds up to -signal once either has run."""
+        """The registers whose sum is -signal after either of these words."""
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
 def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:
-    """The plan of a program, or the analog registers that it lacks."""
+    """The plan of a program, or the lack of analog registers."""
     analog = analog_registers(program, "edges", reference=True)
     if isinstance(analog, Misfit):
         return analog
@@ -115,25 +114,25 @@ def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:
 
 
 def _moments(machine: Machine) -> Iterator[Moment]:
-    """Every boundary at which pixels compare, open, close or are reset."""
+    """Every boundary with comparisons, opening or closing shutters, or resets."""
     fresh = _fresh(machine)
     for stage in range(machine.stages):
         span = machine.nodes(stage)
         nodes = np.arange(span.start, span.stop)
         begin, end = machine.starts(stage), machine.ends(stage)
-        # Most slots are like the one before them in every node.
+        # Most slots are equal to the previous one in every node.
         opens, resets = machine.opens[span], machine.resets[span]
         changes = (opens[:, :, 1:] != opens[:, :, :-1]).any(axis=(0, 1)) | resets[:, 1:].any(axis=0)
         for boundary in (np.flatnonzero(changes) + 1).tolist():
             if begin < boundary < end:
                 yield _moment(machine, fresh, boundary, (), nodes, nodes)
         if stage + 1 < machine.stages:
-            asked = machine.at(end)
-            outcomes = 1 << len(asked)
+            comparisons = machine.at(end)
+            outcomes = 1 << len(comparisons)
             before = np.repeat(nodes, outcomes)
             outcome = np.tile(np.arange(outcomes), len(nodes))
             after = machine.steps[before, outcome].astype(np.intp)
-            yield _moment(machine, fresh, end, asked, before, after, outcome)
+            yield _moment(machine, fresh, end, comparisons, before, after, outcome)
         elif begin < end:
             yield _moment(machine, fresh, end, (), nodes, nodes)
 
@@ -169,17 +168,17 @@ def _moment(
 
 
 def _fresh(machine: Machine) -> Bits:
-    """By node and bucket: whether a shutter that is open at the end of the node's stage has been
-    open ever since the frame began, without a reset, however the pixel came there."""
+    """For each node and bucket, whether a shutter that is open at the end of the node's stage was
+    open since the start of the frame without a reset, on every path to the node."""
     nodes, buckets = len(machine.behaviour), machine.opens.shape[1]
     fresh = np.zeros((nodes, buckets), np.bool_)
     fresh[: machine.first[1]] = True
     reached = np.zeros(nodes, np.bool_)
     for stage in range(machine.stages):
         span, slots = machine.nodes(stage), slice(machine.starts(stage), machine.ends(stage))
-        whole = machine.opens[span][:, :, slots].all(axis=2)
+        always_open = machine.opens[span][:, :, slots].all(axis=2)
         reset = np.asarray(machine.resets[span, slots].any(axis=1))
-        fresh[span] &= whole & ~reset[:, None]
+        fresh[span] &= always_open & ~reset[:, None]
         for node in range(span.start, span.stop):
             for step in {step for step in machine.steps[node].tolist() if step >= 0}:
                 fresh[step] = fresh[node] & (fresh[step] | ~reached[step])

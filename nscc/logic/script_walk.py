@@ -1,9 +1,9 @@
-"""A walk through the frame: scripted gates, and the cheapest answers found between them.
+"""Walk through a frame: run scripted gates, and find the cheapest gates for each demand.
 
-A script says what the planes hold at the start and which gates run before each demand (planes
-turned over, states brought forward). The walk runs them on truth vectors, so it knows what every
-register holds, and answers each demand from what stands there: by an OR of values and new cubes,
-or by the complement of one. Cubes that serve demands to come stay in scratch registers.
+A script defines the planes and the gates that run before each demand (inversions, state updates).
+The walk runs them on truth vectors, so it knows the content of every register. It answers each
+demand by an OR of values and new cubes, or by the complement of one. Cubes that serve later demands
+stay in scratch registers.
 """
 
 from __future__ import annotations
@@ -24,11 +24,8 @@ from nscc.truth import union
 
 @dataclass(frozen=True)
 class Script:
-    """An encoding and the gates that do not depend on how demands are answered.
-
-    `before[i]` runs before demand i is answered; it may use states, scratch registers and FLAG,
-    which lose what they hold.
-    """
+    """An encoding and the gates that do not depend on how demands are answered. `before[i]` runs
+    before demand i is answered; it may overwrite states, scratch registers and FLAG."""
 
     encoding: str
     planes: Planes
@@ -41,10 +38,8 @@ class Script:
 
 @dataclass(frozen=True)
 class _Choice:
-    """A cover of a demand, or of its complement where `inverted`, over the values of `names`.
-
-    With `turned`, the last name stands for the inverse of that value, which is made first.
-    """
+    """A cover of a demand, or of its complement if `inverted`, over the values of `names`. With
+    `turned`, the last name is the inverse of that value, which must be computed first."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -55,18 +50,17 @@ class _Choice:
 
 _TURNED = "turned"
 
-# Words of an answer that need no other kind of cover (a NOR, a WHERE and a share of a kept cube),
-# and those from which one is looked for.
+# Words of an answer below which no other kind of cover is tried (a NOR, a WHERE and a share of a
+# lasting cube), and above which one is.
 _GOOD_PRICE = 2.5
 _DEAR = 4.0
 
-# Demands ahead of the one at hand that a cube's life is counted over: the longest horizon of
-# `cover`.
+# Number of following demands for the life of a cube: the longest horizon of `cover`.
 _AHEAD = 64
 
 
 def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
-    """The solution of a script, found in `steps` of search; none where a demand has no answer."""
+    """The solution of a script, found in `steps` of search; none if a demand has no answer."""
     scratch = machine.registers - len(script.planes) - script.states
     if scratch >= 0:
         script = _within_fan_in(script, machine)
@@ -76,7 +70,7 @@ def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iter
 
 
 def _within_fan_in(script: Script, machine: Machine) -> Script:
-    """The script with every gate of more sources than a word may have taken apart."""
+    """Split the script's gates that exceed the machine's fan-in."""
     limit = machine.or_sources
     if limit is None or all(len(g.sources) <= limit for g in _all_gates(script)):
         return script
@@ -110,7 +104,7 @@ def _all_gates(script: Script) -> Iterator[Gate]:
 
 @dataclass
 class _Walker:
-    """One way along a script's demands."""
+    """One pass over a script's demands."""
 
     problem: Problem
     machine: Machine
@@ -122,7 +116,7 @@ class _Walker:
     used: int = 0
 
     def solution(self) -> Solution:
-        """Runs the script and answers every demand."""
+        """Run the script and answer every demand."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
@@ -138,13 +132,13 @@ class _Walker:
         self._run(script.opening)
         answers: list[tuple[Segment, ...]] = []
         for i, demand in enumerate(problem.demands):
-            # What a register held where analog words or a refresh may have been is not known.
+            # After analog words or a refresh, the content of a register is unknown.
             if not (demand.flag_kept or script.state_in_flag):
                 self.values.pop("FLAG", None)
             if not demand.scratch_kept:
                 self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
             if script.state_in_flag:
-                self.values.pop("t0", None)  # FLAG may have waited there
+                self.values.pop("t0", None)  # FLAG may have been saved there
             scripted = script.before.get(i, ())
             self._run(scripted)
             if self.values.get("FLAG") != demand.predicate:
@@ -163,7 +157,7 @@ class _Walker:
         )  # fmt: skip
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        """Brings the truth vectors up to date with scripted gates."""
+        """Update the truth vectors by scripted gates."""
         for gate in chain.from_iterable(segments):
             for name in (*gate.sources, *((gate.mask, gate.destination) if gate.mask else ())):
                 if name not in self.values:
@@ -185,11 +179,9 @@ class _Walker:
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
-        """The gates that bring demand `index` into FLAG, from the cheapest cover found.
-
-        Covers are made from all that stands in registers, then from planes and states alone, so
-        that scratch registers are free; a value may be inverted into one first.
-        """
+        """The gates for demand `index`, from the cheapest cover found. Covers use all registers,
+        then planes and states only, which frees scratch registers; one value may be inverted
+        first."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]
@@ -217,8 +209,8 @@ class _Walker:
     def _covers(
         self, names: list[str], turned: str | None, ahead: Sequence[int], against: Sequence[int]
     ) -> Iterator[_Choice]:
-        """Covers of a demand and of its complement by the values of `names`, and by the inverse
-        of `turned`."""
+        """Covers of a demand and of its complement by the values of `names` and the inverse of
+        `turned`."""
         values = [self.values[name] for name in names]
         scratch = self.scratch
         if turned is not None:
@@ -226,11 +218,11 @@ class _Walker:
             values.append(self.problem.everything & ~self.values[turned])
             scratch -= 1
         extra = turned is not None
-        for inverted, wanted in ((False, ahead), (True, against)):
+        for inverted, predicates in ((False, ahead), (True, against)):
             if inverted and not scratch:
                 continue
             usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
-            cover = self.covers.find(values, usable, wanted, scratch)
+            cover = self.covers.find(values, usable, predicates, scratch)
             if cover is not None:
                 full = inverted and len(cover.cubes) >= scratch
                 yield _Choice(
@@ -238,10 +230,10 @@ class _Walker:
                 )
 
     def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
-        """Gates of a cover. New cubes go where the values are that are missed last."""
+        """Add the gates of a cover; new cubes overwrite the values that are needed last."""
         names = list(choice.names)
-        # Cubes that read scratch come first, since later ones may overwrite it; then those of most
-        # sources, which are the likeliest to be in the way.
+        # Cubes that read scratch come first, because later ones may overwrite it; then those with
+        # most sources, whose registers are most likely overwritten.
         cubes = sorted(
             choice.cover.cubes,
             key=lambda c: (-sum(names[k][0] == "t" for k in c.sources), -len(c.sources)),
@@ -255,7 +247,9 @@ class _Walker:
             self._gate("NOR", place, [choice.turned])
             names[-1] = place
             positive = [place if n == _TURNED else n for n in positive]
-            waiting = [{place if n == _TURNED else n for n in each} for each in waiting]
+            waiting = [
+                {place if n == _TURNED else n for n in needed_names} for needed_names in waiting
+            ]
         terms = positive
         for n, cube in enumerate(cubes):
             needed = set().union(*waiting[n + 1 :])
@@ -270,15 +264,15 @@ class _Walker:
             self._gate("NOR", target, sources)
             terms = [*terms, target]
         if not choice.inverted:
-            self._where(terms)
+            self._load_flag(terms)
             return
         free = self._free(set(terms), ahead)
         free = free or next(t for t in reversed(terms) if t[0] == "t")
         self._gate("NOR", free, terms)
-        self._where([free])
+        self._load_flag([free])
 
     def _gather(self, terms: Sequence[str], needed: set[str]) -> tuple[list[str], str]:
-        """Brings two terms together: the terms that are left, and the register that is free."""
+        """Combine two terms; returns the remaining terms and the freed register."""
         loose = [t for t in terms if t[0] == "t" and t not in needed]
         if len(loose) < 2:
             raise GaveUp("no register is left to compute with")
@@ -287,8 +281,8 @@ class _Walker:
         return [t for t in terms if t != free], free
 
     def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
-        """A scratch register, a free one or whose value serves fewest demands to come; None if all
-        are busy."""
+        """A scratch register that is free or whose value serves the fewest later demands; None if
+        all are busy."""
 
         def missed(name: str) -> int:
             vector = self.values.get(name)
@@ -304,20 +298,20 @@ class _Walker:
         self._use(destination)
 
     def _or(self, sources: Sequence[str], inverted: bool) -> int:
-        some = union(self.values[name] for name in sources)
-        return self.problem.everything & ~some if inverted else some
+        value = union(self.values[name] for name in sources)
+        return self.problem.everything & ~value if inverted else value
 
-    def _where(self, sources: Sequence[str]) -> None:
+    def _load_flag(self, sources: Sequence[str]) -> None:
         limit = self.machine.where_sources
         spare = None
         if limit is not None and len(sources) > limit:
-            held = [s for s in sources if s.startswith("t")]
-            spare = held[0] if held else self._free(set(sources), [])
+            scratch_sources = [s for s in sources if s.startswith("t")]
+            spare = scratch_sources[0] if scratch_sources else self._free(set(sources), [])
             if spare is None:
                 raise GaveUp("no register to gather the sources of WHERE")
-        some = self._or(sources, False)
-        self.gates.where(sources, spare)
+        value = self._or(sources, False)
+        self.gates.load_flag(sources, spare)
         if spare is not None:
             self.values.pop(spare, None)
             self._use(spare)
-        self.values["FLAG"] = some
+        self.values["FLAG"] = value

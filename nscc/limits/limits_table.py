@@ -1,4 +1,4 @@
-"""A survey as a table for people and as JSON values for programs."""
+"""A survey as a table and as JSON values."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.columns import columns
-from nscc.limits.search import Trial
+from nscc.limits.search import SizeTrial
 from nscc.limits.survey import Limit
 from nscc.lower.resources import time_text
 
@@ -23,7 +23,7 @@ _HEAD = (
 
 
 def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
-    """One block for each slot length: the figures first, then every reason in words."""
+    """For each slot length a table of sizes, followed by the reasons."""
     blocks = [
         f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
         f"the store has {target.store_words} words"
@@ -55,7 +55,7 @@ def _row(limit: Limit) -> tuple[str, ...]:
 
 def _reasons(limit: Limit) -> list[str]:
     family = limit.family
-    lines = [f"  {family.name}: {family.what}", f"    built       {_tried(limit)}"]
+    lines = [f"  {family.name}: {family.description}", f"    built       {_trials_text(limit)}"]
     if limit.impossible is not None:
         lines.append(f"    impossible  from {limit.impossible}: {limit.impossible_reason}")
     if limit.unknown_reason:
@@ -67,11 +67,11 @@ def _reasons(limit: Limit) -> list[str]:
     return lines
 
 
-def _tried(limit: Limit) -> str:
-    """What was compiled, with every size below the largest that did not fit."""
+def _trials_text(limit: Limit) -> str:
+    """The compiled sizes, and those below the largest fitting size that did not fit."""
     if limit.built is None:
-        return "nothing that was tried fits"
-    count = sum(trial.size <= limit.built.size for trial in limit.tried)
+        return "no tried size fits"
+    count = sum(trial.size <= limit.built.size for trial in limit.trials)
     if not limit.gaps:
         return f"{limit.built.size}; so did all {count} sizes tried up to it"
     gaps = "; ".join(f"{t.size} did not: {t.reason} [{t.code}]" for t in limit.gaps)
@@ -79,7 +79,7 @@ def _tried(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """Everything that was found: the table's figures, reasons, and every trial."""
+    """The survey as JSON values: sizes, reasons and all trials."""
     return {
         "target": target.name,
         "level": level,
@@ -96,17 +96,17 @@ def _limit_values(limit: Limit) -> dict[str, Any]:
         unknown = {"from": limit.unknown_from, "to": last, "reason": limit.unknown_reason}
     return {
         "class": limit.family.name,
-        "shutters": limit.family.what,
+        "shutters": limit.family.description,
         "slot": limit.slot,
         "unit": limit.family.unit,
         "built_up_to": limit.built.size if limit.built else None,
         "impossible_from": limit.impossible,
         "impossible_reason": limit.impossible_reason or None,
         "unknown": unknown,
-        "tried": [_trial_values(trial) for trial in limit.tried],
+        "tried": [_trial_values(trial) for trial in limit.trials],
     }
 
 
-def _trial_values(trial: Trial) -> dict[str, Any]:
+def _trial_values(trial: SizeTrial) -> dict[str, Any]:
     why = {"code": trial.code, "reason": trial.reason, "proved": trial.proved}
     return {"size": trial.size, "fits": trial.fits, **(trial.figures if trial.fits else why)}

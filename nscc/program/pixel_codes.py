@@ -1,4 +1,4 @@
-"""From field values at every pixel to codes: those in use, and those of a compiled program."""
+"""Codes from the field values of all pixels: those in use, or those of a compiled program."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.planes import (
+from nscc.program.field_planes import (
     Plane,
     Stored,
     first_place,
@@ -26,17 +26,15 @@ from nscc.program.wide import grouped
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
-"""Spans of values up to this are counted in a table; wider ones are sorted."""
+"""Value ranges up to this are counted in a table; wider ones are sorted."""
 
 
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
 ) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """The distinct codes of the pixels, and the row of each pixel's.
-
-    `planes` holds one array of `shape` (rows, cols) for each field. The codes (codes, fields) are
-    sorted by field values, the first field first; without fields there is one code of no fields.
-    """
+    """The distinct codes of the pixels, and the row of each pixel's code. `planes` holds one array
+    of `shape` (rows, cols) for each field. The codes (codes, fields) are sorted by field values,
+    first field first; without fields there is one code."""
     codes = np.zeros((1, 0), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for plane in planes:
@@ -47,20 +45,20 @@ def codes_in_use(
 
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
-    """The distinct values of `plane`, ascending, and the place of each among them."""
+    """The distinct values of `plane`, ascending, and the index of each pixel's value."""
     low = int(plane.min())
     span = int(plane.max()) - low + 1
     if span > _DENSE:
         values, ranks = np.unique(plane, return_inverse=True)
         return values, ranks.reshape(plane.shape).astype(np.int64)
     offsets = plane - low
-    seen = np.zeros(span, dtype=bool)
-    seen[offsets] = True
-    return np.flatnonzero(seen) + low, (np.cumsum(seen) - 1)[offsets]
+    present = np.zeros(span, dtype=bool)
+    present[offsets] = True
+    return np.flatnonzero(present) + low, (np.cumsum(present) - 1)[offsets]
 
 
 Ranges = Mapping[str, tuple[int, int]]
-"""The least and the largest value that each field may have."""
+"""The smallest and the largest value of each field."""
 
 
 def codes_from_file(
@@ -73,19 +71,22 @@ def codes_from_file(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
+    """For a compiled program, read pixel codes from a file and return the row of `table.codes` at
+    each pixel.
 
-    The file holds for each field of `table`, by name, an array as `nscc.program.planes.planes_of`
-    takes it: integers (rows, cols), or single bits. For messages,
-    `shown` is the path, `mode` says whether `table` holds every legal code ("open"), and `ranges`
-    is asked for what the fields may be. Raises Rejected: NS0313 and NS0314 for the file; with the
-    first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
-    code that the program forbids, NS0319 for one that it was not compiled for.
+    The file holds one array for each field of `table`, under the field's name: integers (rows,
+    cols), or single bits (see `nscc.program.field_planes.planes_of`). In messages `shown` is the
+    path. `mode` "open" says that `table` holds every legal code. `ranges` returns the ranges of the
+    fields.
+
+    Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
+    NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
+    about pixels name the first such pixel and their number.
     """
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes: list[Stored] = []
-    for name, parts in grouped(table.fields).items():
-        planes += stored_planes(file, name, (rows, cols), len(parts))
+    for name, chunk_names in grouped(table.fields).items():
+        planes += stored_planes(file, name, (rows, cols), len(chunk_names))
     return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
 
 
@@ -98,11 +99,8 @@ def codes_from_arrays(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """The same of arrays, one for each field of `table`, by name.
-
-    Raises Rejected: NS0314 for arrays that are missing, too many, of another shape or of no
-    integers; for their values as `codes_from_file`.
-    """
+    """Like `codes_from_file`, from arrays by field name. Raises Rejected: NS0314 for missing,
+    additional or unsuitable arrays, and the errors of `codes_from_file` for values."""
     fields = grouped(table.fields)
     for name in {*arrays} - {*fields}:
         raise rejected(
@@ -112,28 +110,26 @@ def codes_from_arrays(
             helps=meant(name, fields),
         )
     planes: list[Stored] = []
-    for name, parts in fields.items():
+    for name, chunk_names in fields.items():
         if name not in arrays:
-            raise rejected("NS0314", f"there is no array for the field '{name}' of the code")
-        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(parts))
+            raise rejected("NS0314", f"the array for the code field '{name}' is missing")
+        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(chunk_names))
     return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
 
 
 def _rows_of_table(
-    found: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    checked_planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
     table: DecodeTable,
     shape: tuple[int, int],
-    where: str,
+    origin: str,
     mode: str,
     ranges: Callable[[], Ranges],
 ) -> NDArray[np.int32]:
-    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them.
-
-    `where` is what messages call their origin.
-    """
-    planes = [plane for plane, _ in found]
+    """The row of `table.codes` at each pixel, for planes from `as_plane`; messages name the source
+    as `origin`."""
+    planes = [plane for plane, _ in checked_planes]
     missing = np.zeros(shape, dtype=bool)
-    for _, beyond in found:
+    for _, beyond in checked_planes:
         missing |= beyond
     rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
     missing |= unknown
@@ -141,13 +137,13 @@ def _rows_of_table(
         known = ranges()
         for name, plane in zip(table.fields, planes, strict=True):
             if name in known:
-                refuse_outside(where, name, plane, known[name])
-        raise _unknown(where, table, planes, missing, mode)
+                refuse_outside(origin, name, plane, known[name])
+        raise _unknown(origin, table, planes, missing, mode)
     return rows
 
 
-def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
-    """NS0311 where a pixel has a value that its field cannot have; `where` it comes from."""
+def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """Raise NS0311 if a pixel's value is outside `values`; messages name the source as `origin`."""
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
@@ -155,15 +151,18 @@ def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int])
         count = int(outside.sum())
         raise rejected(
             "NS0311",
-            f"in {where} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
+            f"in {origin} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
             notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
-            helps=(f"give values from {low} to {high}, or widen `code {name}` in the program",),
+            helps=(
+                f"use values from {low} to {high}, or extend the range `code {name}` in the "
+                "program",
+            ),
             data={"field": name, "x": x, "y": y, "pixels": count},
         )
 
 
 def _unknown(
-    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
+    origin: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
@@ -171,17 +170,17 @@ def _unknown(
     if mode == "open":
         return rejected(
             "NS0312",
-            f"in {where} the {pixel_text(x, y)} has {code}, which the program forbids",
+            f"in {origin} the {pixel_text(x, y)} has {code}, which the program forbids",
             notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
-            helps=("give codes within the fields' ranges that fulfil every `require`",),
+            helps=("use codes within the ranges of the fields that fulfil every `require`",),
             data={"x": x, "y": y, "pixels": count},
         )
     return rejected(
         "NS0319",
-        f"the program was not compiled for a code of {where}: {pixel_text(x, y)} has {code}",
+        f"the program was not compiled for a code in {origin}: {pixel_text(x, y)} has {code}",
         notes=(
-            f"{counted(count, 'pixel has', 'pixels have')} such codes; "
-            f"the program knows {counted(len(table.codes), 'code')}",
+            f"{counted(count, 'pixel has', 'pixels have')} such codes; the program was "
+            f"compiled for {counted(len(table.codes), 'code')}",
         ),
         helps=("`--codes open` compiles the program (.nsl) for every code that it allows",),
         data={"x": x, "y": y, "pixels": count},
@@ -191,13 +190,12 @@ def _unknown(
 def rows_of(
     codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
 ) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
-    """The row of `codes` (sorted, distinct) that holds the values of `planes`, place by place, and
-    where there is none. `planes` has an array for each field, one or more, all of one shape.
-    """
+    """The row of `codes` (sorted, distinct) with the values of `planes` at each place, and the
+    places without one. `planes` has an array of equal shape for each field, at least one."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
-    # One field after the other: `known` numbers the distinct beginnings of the codes, and
-    # `at_pixel` the beginning of each pixel's code.
+    # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`
+    # is the prefix of each pixel's code.
     known = np.zeros(len(codes), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for column, plane in zip(codes.T, planes, strict=True):
@@ -205,8 +203,8 @@ def rows_of(
         of_pixel = np.minimum(np.searchsorted(values, plane), len(values) - 1)
         unknown |= values[of_pixel] != plane
         beginnings, known = _ranked(known * len(values) + of_code)
-        wanted = at_pixel * len(values) + of_pixel
-        at_pixel = np.minimum(np.searchsorted(beginnings, wanted), len(beginnings) - 1)
-        unknown |= beginnings[at_pixel] != wanted
+        beginning = at_pixel * len(values) + of_pixel
+        at_pixel = np.minimum(np.searchsorted(beginnings, beginning), len(beginnings) - 1)
+        unknown |= beginnings[at_pixel] != beginning
     # The codes are sorted and distinct, so their numbers are their rows.
     return at_pixel.astype(np.int32), unknown

@@ -1,7 +1,6 @@
-"""A solution's words in time: registers given out, kernels, launches with their value of IN.
+"""The words of a solution in time: registers, kernels, launches with their value of IN.
 
-IN is set between kernels, so that a kernel has one value of it; a boundary with comparisons of
-several levels is several kernels.
+IN is set between kernels, so a boundary with comparisons of several levels has several kernels.
 """
 
 from __future__ import annotations
@@ -14,34 +13,35 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Problem, Segment, Solution
-from nscc.looks.plan import LookingPlan, Moment
+from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.looks.solve import LookingSolution, SetIn
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
+from nscc.lower.exposure_plan import RESET, ExposurePlan, PlanStep
 from nscc.lower.lowered import Lowered
-from nscc.lower.plan import RESET, ExposurePlan, Step
 from nscc.lower.schedule import Schedule, kernel_us, refreshed_registers
 from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
 
 Words = tuple[Op, ...]
 _MOST_CLEARED = 4
-"""Registers that one CLR of the public library takes."""
+"""Registers that one CLR of the public library accepts."""
 
 
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """The words of a solution over the frame's boundaries; None where the mask would lose what it
-    holds. `most_words` as in Lowered.
-    """
+    """Lay out the words of a solution over the frame; None if the mask's register would lose its
+    value. `most_words` as in Lowered."""
     target = plan.program.target
     general = _general(solution, plan)
     allocation = allocate(general, target)
     if _mask_is_lost(solution, allocation):
         return None
     named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
-    by_place = {allocation.places[name]: f"state {held}" for name, held in named.items()}
+    by_place = {
+        allocation.places[name]: f"state {state_name}" for name, state_name in named.items()
+    }
     allocation = replace(allocation, holders={**allocation.holders, **by_place})
     schedule = _schedule(plan, solution, allocation, time, target, apart=False)
     if schedule.words_stored > target.store_words:
@@ -51,25 +51,25 @@ def lay_out_looks(
 
 
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
-    """Whether a write to the masked register, which sets its mask first, would lose a value that
-    the mask's register holds for later: kept states are written, and scratch waits meanwhile."""
+    """Whether a write to the masked register, which first sets its mask, overwrites a value in the
+    mask's register that is read later."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
         return False
     for items in solution.items.values():
-        lost = False
+        mask_overwritten = False
         for gate in (item for item in items if isinstance(item, Gate)):
-            lost |= gate.destination == masked
-            if lost and (mask in gate.sources or not mask.startswith("t")):
+            mask_overwritten |= gate.destination == masked
+            if mask_overwritten and (mask in gate.sources or not mask.startswith("t")):
                 return True
             if gate.destination == mask:
-                lost = False
+                mask_overwritten = False
     return False
 
 
 def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:
-    """The solution as the rest of the compiler knows one: its gates by boundary."""
+    """The solution in the general form, gates by boundary."""
     answers = tuple(
         (tuple(item for item in items if isinstance(item, Gate)),)
         for items in solution.items.values()
@@ -89,8 +89,8 @@ def _schedule(
     *,
     apart: bool,
 ) -> Schedule:
-    """The frame's kernels. With `apart` the gates after a boundary's last analog word are a kernel
-    of their own: what comes before them is then often that of other boundaries, too."""
+    """The kernels of the frame. With `apart`, the gates after a boundary's last analog word are a
+    separate kernel, because the words before them often repeat at other boundaries."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
     setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))
@@ -99,13 +99,15 @@ def _schedule(
     for boundary, items in solution.items.items():
         boundaries[boundary] += _kernels(items, allocation, apart=apart)
     refreshed = refreshed_registers(
-        [[words_ for _, words_ in each] for each in boundaries], allocation, time
+        [[words_ for _, words_ in boundary_kernels] for boundary_kernels in boundaries],
+        allocation,
+        time,
     )
     states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
     for n in time.refresh_at or ():
-        held = (*refreshed, *states)
-        if held and n:
-            boundaries[n].insert(0, (None, refresh_words(held, allocation)))
+        to_refresh = (*refreshed, *states)
+        if to_refresh and n:
+            boundaries[n].insert(0, (None, refresh_words(to_refresh, allocation)))
     if refreshed:
         boundaries[slots].append((None, refresh_words(refreshed, allocation)))
     numbers: dict[Words, int] = {}
@@ -120,7 +122,7 @@ def _schedule(
 
 
 def _setup(plan: LookingPlan) -> Words:
-    """Empties the buckets, resets PIX and keeps its level."""
+    """Clear the buckets, reset PIX and store its level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
@@ -130,23 +132,23 @@ def _setup(plan: LookingPlan) -> Words:
 
 
 def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
-    """The states of a frame start at 0."""
+    """The words that clear the states at the start of a frame."""
     places = [allocation.places[f"s{i}"] for i in range(len(solution.states))]
-    parts = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
-    return tuple(op("CLR", part) for part in parts)
+    groups = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
+    return tuple(op("CLR", group) for group in groups)
 
 
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """The kernels of a boundary, each with the value of IN that it needs."""
+    """The kernels of a boundary, each with its value of IN."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
         return [
-            kernel for part in (head, tail) for kernel in _kernels(part, allocation, apart=False)
+            kernel for half in (head, tail) for kernel in _kernels(half, allocation, apart=False)
         ]
-    found: list[tuple[int | None, Words]] = []
+    kernels: list[tuple[int | None, Words]] = []
     level: int | None = None
     run: list[Op] = []
     gates: list[Gate] = []
@@ -165,16 +167,16 @@ def _kernels(
         elif level is None:
             level = item.level
         elif level != item.level:
-            found.append((level, tuple(run)))
+            kernels.append((level, tuple(run)))
             run, level = [], item.level
     settle()
-    found.append((level, tuple(run)))
-    return found
+    kernels.append((level, tuple(run)))
+    return kernels
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """The analog half, as reports show it."""
-    steps = [Step(0, "setup", -1, None, _setup(plan))]
+    """The analog part, for reports."""
+    steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
         "latch" if plan.latches else "edges", tuple(steps), plan.registers, plan.bucket_registers,
@@ -182,29 +184,29 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
     )  # fmt: skip
 
 
-def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
-    """What a moment does to which lanes."""
-    found: list[Step] = []
+def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
+    """The steps of a moment, each with its lanes."""
+    steps: list[PlanStep] = []
     sample = plan.sampled()
-    where = op("where", (), (*plan.scratched, "IN"))
+    compare = op("where", (), (*plan.scratched, "IN"))
     for comparison in moment.comparisons:
-        found.append(
-            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where))
+        steps.append(
+            PlanStep(moment.boundary, "look", max(comparison.signal, 0), None, (sample, compare))
         )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
         add = sample, op("bus", (register,), plan.scratched)
         if fall:
-            found.append(Step(moment.boundary, "fall", bucket, fall, add))
+            steps.append(PlanStep(moment.boundary, "fall", bucket, fall, add))
         if rise:
-            found.append(Step(moment.boundary, "rise", bucket, rise, add))
+            steps.append(PlanStep(moment.boundary, "rise", bucket, rise, add))
     if moment.resets:
-        found.append(Step(moment.boundary, "reset", -1, moment.resets, RESET))
-    return found
+        steps.append(PlanStep(moment.boundary, "reset", -1, moment.resets, RESET))
+    return steps
 
 
 def _problem(plan: LookingPlan) -> Problem:
-    """There are no demands on codes alone."""
+    """A problem without demands, since no demand depends on codes alone."""
     return Problem((), len(plan.program.table.shutters), (), False, {})
 
 

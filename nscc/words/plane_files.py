@@ -1,4 +1,4 @@
-"""Planes of 0 and 1 from files, and what they make of the pixels of a hand-written program."""
+"""Bit planes from files, and the pixel codes of hand-written programs."""
 
 from __future__ import annotations
 
@@ -21,16 +21,14 @@ _LARGEST_FILE = 1 << 28
 
 
 class _BadPlaneError(Exception):
-    """What is wrong with a plane's file, in words."""
+    """A plane's file is invalid, for a reason in words."""
 
 
 def read_planes(
     drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
 ) -> dict[str, NDArray[np.bool_]]:
-    """The planes bool (rows, cols) by register, in the order of the target's registers.
-
-    Notes NS0712, NS0716 and NS0719 in `faults`; the result is whole only where none is.
-    """
+    """The planes bool (rows, cols) by register, in the order of the target's registers. Reports
+    NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -39,11 +37,11 @@ def read_planes(
             helps = meant(register, target.digital_registers)
             faults.add("NS0712", message, draft.register.span, helps=helps)
         elif register in planes:
-            faults.add("NS0719", f"{register} is given two planes", draft.register.span)
+            faults.add("NS0719", f"{register} has two planes", draft.register.span)
         try:
-            wanted = draft.sha256.text if draft.sha256 else None
+            stated_sha256 = draft.sha256.text if draft.sha256 else None
             shape = (target.rows, target.cols)
-            planes[register] = _plane(base / draft.file.text, register, shape, wanted)
+            planes[register] = _plane(base / draft.file.text, register, shape, stated_sha256)
         except _BadPlaneError as error:
             message = f"the plane file {shown(draft.file.text)} cannot be used: {error}"
             faults.add("NS0716", message, draft.file.span)
@@ -53,10 +51,8 @@ def read_planes(
 def codes_of_planes(
     planes: Mapping[str, NDArray[np.bool_]], target: Target
 ) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
-    """The distinct contents of pixels, bool (codes, registers), and each pixel's row of them.
-
-    Without planes there is one code, registers all 0, and no data.
-    """
+    """The distinct register contents of pixels, bool (codes, registers), and the row of each pixel.
+    Without planes there is one code with all registers 0, and no pixel data."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)
@@ -70,25 +66,25 @@ def codes_of_planes(
 
 
 def _plane(
-    path: Path, register: str, shape: tuple[int, int], wanted: str | None
+    path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None
 ) -> NDArray[np.bool_]:
     try:
         if not path.is_file():
-            raise _BadPlaneError("it is no file" if path.exists() else "it does not exist")
+            raise _BadPlaneError("it is not a file" if path.exists() else "it does not exist")
         reads(path)
         with open(path, "rb") as file:
             data = file.read(_LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "no such path is possible"
+        reason = getattr(error, "strerror", None) or "invalid path"
         raise _BadPlaneError(reason) from None
     if len(data) > _LARGEST_FILE:
         raise _BadPlaneError(f"it has more than {_LARGEST_FILE} bytes")
-    found = sha256(data).hexdigest()
-    if wanted is not None and wanted.lower() != found:
-        raise _BadPlaneError(f"its SHA-256 is {found}, not {wanted[:64]!a}")
+    actual_sha256 = sha256(data).hexdigest()
+    if stated_sha256 is not None and stated_sha256.lower() != actual_sha256:
+        raise _BadPlaneError(f"its SHA-256 is {actual_sha256}, not {stated_sha256[:64]!a}")
     values = _values(data, register, shape)
     if not np.isin(values, (0, 1)).all():
-        raise _BadPlaneError("it holds values other than 0 and 1")
+        raise _BadPlaneError("it contains values other than 0 and 1")
     return values.astype(np.bool_)
 
 
@@ -104,7 +100,7 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
             named = f"{register}.npy"
             if named not in members and len(members) != 1:
                 count = len(members)
-                raise _BadPlaneError(f"it holds {count} arrays, and none is named {register}")
+                raise _BadPlaneError(f"it has {count} arrays, and none has the name {register}")
             with archive.open(named if named in members else members[0]) as member:
                 return _array(member, shape)
     except (
@@ -114,16 +110,16 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
 
 
 def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
-    """The array of an .npy stream; its size is checked before it is read."""
+    """Read the array of an .npy stream after checking its size."""
     try:
-        _, found, fortran, dtype = npy_header(file)
+        _, stored_shape, fortran, dtype = npy_header(file)
     except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
         raise _BadPlaneError("its .npy header is damaged") from None
-    if tuple(found) != shape:
-        raise _BadPlaneError(f"its shape is {found}, and the array's is {shape}")
+    if tuple(stored_shape) != shape:
+        raise _BadPlaneError(f"its shape is {stored_shape}, but the array has {shape}")
     if dtype.kind not in "biuf":
         raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
     values = npy_values(file, shape, fortran, dtype)
     if values is None:
-        raise _BadPlaneError("it is cut short, or too long")
+        raise _BadPlaneError("its data is incomplete, or too long")
     return values

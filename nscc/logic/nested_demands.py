@@ -1,7 +1,7 @@
-"""Nested demands: each contains the next (open until a stop) or the one before it.
+"""Generator for nested demands: each contains the next (open until a stop) or the previous one.
 
-Every shutter then has a rank, the number of demands that hold for it, and demand d asks whether
-rank > d. Ranks are written in digits, and digits in whatever makes that comparison cheap.
+Every shutter has a rank, the number of demands that it satisfies, and demand d is rank > d. Ranks
+are written in digits for which this comparison is cheap.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from numpy.typing import NDArray
 from nscc.logic.digits import binary_planes, nor, radices_of, thermometers, turned_over
 from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns, rows
 
 
 @dataclass(frozen=True)
 class Nest:
-    """`ranks` (shutters,) in 0 .. steps; demand i asks for rank > step[i], or, where
-    `complemented[i]`, for rank <= step[i]."""
+    """`ranks` (shutters,) in 0 .. steps; demand i is rank > step[i], or its complement if
+    `complemented[i]`."""
 
     ranks: NDArray[np.int64]
     step: tuple[int, ...]
@@ -34,38 +34,40 @@ class Nest:
 
 
 def nest_of(problem: Problem) -> Nest:
-    """The ranks that nested demands give. Raises GaveUp where they are not nested."""
+    """The ranks of nested demands. Raises GaveUp if they are not nested."""
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
-    rising = {kind: any(b & ~a for a, b in pairwise(wanted)) for kind, wanted in kinds.items()}
+    rising = {
+        kind: any(b & ~a for a, b in pairwise(predicates)) for kind, predicates in kinds.items()
+    }
     flips = tuple(rising[d.edge, d.bucket] for d in problem.demands)
     everything = problem.everything
-    wanted = [
+    predicates = [
         everything & ~d.predicate if flip else d.predicate
         for d, flip in zip(problem.demands, flips, strict=True)
     ]
-    if len(wanted) < 2 or any(b & ~a for a, b in pairwise(wanted)):
+    if len(predicates) < 2 or any(b & ~a for a, b in pairwise(predicates)):
         raise GaveUp("the demands are not nested")
-    distinct = list(dict.fromkeys(wanted))
+    distinct = list(dict.fromkeys(predicates))
     number = {predicate: i for i, predicate in enumerate(distinct)}
     ranks = rows(distinct, problem.shutters).sum(axis=1).astype(np.int64)
-    return Nest(ranks, tuple(number[p] for p in wanted), flips, len(distinct))
+    return Nest(ranks, tuple(number[p] for p in predicates), flips, len(distinct))
 
 
 def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Mixed-radix digits, each a thermometer; the highest may be bits that are turned over.
+    """Mixed-radix digits, each a thermometer; the highest may be bits that are inverted.
 
-    When a digit changes, one cube per higher digit says "greater already"; what is left of each
-    demand is a cube of one plane a digit. For digits a b and time A B, "rank > time" is a > A or
-    (a >= A and b > B): the first is made once for all of A's slots, the second is a NOR of two
-    planes.
+    When a digit changes, one cube for each higher digit computes "greater already"; the rest of
+    each demand is a cube with one plane a digit. For digits a b and time A B, "rank > time" is a >
+    A or (a >= A and b > B): the first is computed once for all of A's slots, the second is a NOR of
+    two planes.
     """
     nest = nest_of(problem)
     for bits in range(4):
         flips, most_cubes = _turns(bits)
         room = machine.registers - bits - most_cubes
-        tried = 0
+        stored_tries = 0
         for stored in range(min(room, nest.steps), -1, -1):
             values = nest.steps + 1 - stored
             if bits and values <= 1 << bits:
@@ -73,32 +75,32 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
             inner = radices_of(room - stored, -(-values // (1 << bits)))
             for radices in inner[:2]:
                 for negative in (False, True):
-                    # Complemented demands want the planes the other way round.
+                    # For complemented demands the planes are complemented.
                     if negative and (bits or not any(nest.complemented)):
                         continue
                     script = _digit_script(nest, stored, radices, bits, flips, negative)
                     yield from walk(problem, machine, script, steps)
-            tried += bool(inner)
-            if tried == _MOST_STORED:
+            stored_tries += bool(inner)
+            if stored_tries == _MOST_STORED:
                 break
 
 
-# Numbers of demands stored raw that are tried, the most that fit first.
+# Numbers of directly stored demands to try, the largest possible first.
 _MOST_STORED = 2
 
 
 _Flips = tuple[tuple[int, ...], ...]
-"""How binary digits step through their values: the bits turned over at each step."""
+"""The order of inversions for binary digits: the bits inverted at each step."""
 
 
 @cache
 def _turns(bits: int) -> tuple[_Flips, int]:
-    """The cheapest way to turn bits over, and the most cubes of a group.
+    """The cheapest sequence of inversions, and the most cubes of a group.
 
-    It is a shortest path through (group, polarities). In group h the bits must mask every lower
-    value but not h, and the values above h must be an OR of planes as they stand and a few cubes.
-    The path enters group 0 and leaves the last group with every bit as it was stored; an edge costs
-    two words a bit turned in place, and a cube's.
+    A shortest path through (group, polarities). In group h the bits must mask every lower value but
+    not h, and the values above h must be an OR of planes and a few cubes. The path starts in group
+    0 and ends after the last group with the stored polarities. An inversion costs two words, a cube
+    one.
     """
     import networkx as nx  # only from -O2 on: `check` starts without it
 
@@ -129,17 +131,17 @@ def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
 
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
-    """Cubes needed in group h when the planes stand in `polarity`; None where masks fail."""
-    # What each plane is 1 for, as the values of the highest digit. A NOR that reads those of them
-    # that are 0 at h holds for h, and for no lower value if together they are 1 for all of them.
+    """The number of cubes in group h if the planes have this `polarity`; None if no mask exists."""
+    # Each plane as the set of values of the highest digit at which it is 1. The NOR of those that
+    # are 0 at h selects h, and no lower value if together they contain all of these.
     groups = range(1 << bits)
     planes = [{c for c in groups if (c >> i & 1) ^ polarity[i]} for i in range(bits)]
     masks: set[int] = set().union(*(p for p in planes if h not in p))
     if not set(range(h)) <= masks:
         return None
-    # "Above" is an OR: planes that lie inside it are free, cubes are a word each, taken greedily.
+    # "Above" is an OR: planes inside it are free, cubes cost one word each and are chosen greedily.
     above = {c for c in groups if c > h}
-    left = above.difference(*(p for p in planes if p <= above)) if planes else set()
+    uncovered = above.difference(*(p for p in planes if p <= above)) if planes else set()
     cubes = []
     for size in range(1, bits + 1):
         for chosen in combinations(planes, size):
@@ -147,11 +149,11 @@ def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
             if cube and cube <= above:
                 cubes.append(cube)
     count = 0
-    while left:
-        cube = max(cubes, key=lambda c: len(c & left), default=set())
-        if not cube & left:
+    while uncovered:
+        cube = max(cubes, key=lambda c: len(c & uncovered), default=set())
+        if not cube & uncovered:
             return None
-        left = left - cube
+        uncovered = uncovered - cube
         count += 1
     return count
 
@@ -160,7 +162,7 @@ def _digit_script(
     nest: Nest, stored: int, radices: tuple[int, ...], bits: int, flips: _Flips, negative: bool
 ) -> Script:
     per_group = int(np.prod(radices))
-    # The last demands are planes of their own; before them those ranks are all alike.
+    # The last demands have separate planes; before them those ranks are equivalent.
     ranks = np.minimum(nest.ranks, nest.steps - stored)
     planes = binary_planes("highest digit of the rank, bit", ranks // per_group, bits)
     planes += thermometers(ranks % per_group, radices, negative)
@@ -168,12 +170,12 @@ def _digit_script(
     planes += [(columns((nest.ranks > d)[:, None])[0], f"rank > {d}") for d in last]
     before: dict[int, tuple[Segment, ...]] = {}
     turned: list[int] = []
-    done = 0
+    current_group = 0
     for i, step in enumerate(nest.step):
-        while done < min(step, nest.steps - stored) // per_group:
-            done += 1
-            turned += flips[done]
-            before[i] = (*before.get(i, ()), *turned_over(flips[done]))
+        while current_group < min(step, nest.steps - stored) // per_group:
+            current_group += 1
+            turned += flips[current_group]
+            before[i] = (*before.get(i, ()), *turned_over(flips[current_group]))
     closing = _back(turned)
     name = "digits " + " x ".join(str(r) for r in ([1 << bits] if bits else []) + list(radices))
     if stored:
@@ -182,12 +184,12 @@ def _digit_script(
 
 
 def _back(turned: Sequence[int]) -> tuple[Segment, ...]:
-    """Turns over again those of the planes `turned` that do not stand as at the start."""
+    """Restore the polarity of planes that were inverted an odd number of times."""
     return turned_over(bit for bit in sorted(set(turned)) if turned.count(bit) % 2)
 
 
 class _Form(Enum):
-    """Where the state of a counted digit lives: (name, registers beside the planes)."""
+    """Where the state of a counted digit is: (name, registers besides the planes)."""
 
     DIGITS = "state in a register, digits inside"
     STATE = "state in a register"
@@ -198,17 +200,17 @@ class _Form(Enum):
 
 _BESIDE = {_Form.DIGITS: 2, _Form.STATE: 3, _Form.TIGHT: 2, _Form.PAIR: 2, _Form.FLAG: 1}
 
-# Bits whose cubes are submasks, the others being turned over: fewer of them need a smaller store.
+# The number of bits whose cubes are submasks, the others being inverted: fewer of them need a
+# smaller store.
 _SUBMASK_BITS = (13, 6, 4, 2)
 
 
 def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """The highest digit in binary, "greater" a state that each group brings forward.
+    """The highest digit in binary, with a state "greater" that each group updates.
 
-    A cube of the planes where h has a 0 holds for the submasks of h (h's binary digits with some
-    more of them 0): for h itself and for lower values only. Taking it out of "greater" at each step
-    leaves exactly what is greater, and no plane is ever turned over. High bits in Gray code that
-    are turned over let kernels repeat.
+    The NOR of the planes where h has a 0 selects the submasks of h: h itself and lower values only.
+    Removing it from "greater" at each step leaves exactly the greater values, and no plane is
+    inverted. High bits in Gray code, which are inverted, let kernels repeat.
     """
     nest = nest_of(problem)
     values = nest.steps + 1
@@ -218,8 +220,8 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
             in_flag = form in (_Form.PAIR, _Form.FLAG)
             if in_flag and (not problem.flag_lasts or any(nest.complemented)):
                 continue
-            # With digits inside, a group has as many values as they tell apart; a state by itself
-            # serves a group of one, and a pair of them a group of two.
+            # With inner digits, a group has as many values as they distinguish; a state alone
+            # serves a group of one, a pair a group of two.
             room = machine.registers - bits - _BESIDE[form]
             if form is _Form.DIGITS:
                 choices = radices_of(room, least)[:2] if least > 1 else ()
@@ -236,8 +238,8 @@ def _counted_script(
     nest: Nest, radices: tuple[int, ...], bits: int, low: int, form: _Form
 ) -> Script:
     per_group = int(np.prod(radices))
-    # The low bits are counted by submasks. The high ones are in Gray code: a bit of them is turned
-    # over each time that the low ones begin anew.
+    # Submasks count the low bits. The high bits are in Gray code: one of them is inverted each time
+    # the low bits overflow.
     groups = nest.ranks // per_group
     high = groups >> low
     coded = gray(high) << low | groups & (1 << low) - 1
@@ -247,17 +249,17 @@ def _counted_script(
     opening: tuple[Segment, ...] = ((Gate("SET", "s0", ()),),) if states else ()
     before: dict[int, tuple[Segment, ...]] = {}
     turned: list[int] = []
-    done = -1
+    current_group = -1
     for i, step in enumerate(nest.step):
-        while done < step // per_group:
-            done += 1
+        while current_group < step // per_group:
+            current_group += 1
             run: list[Segment] = []
-            if done and not done & (1 << low) - 1:
-                # The Gray code of k differs from that of k - 1 in the lowest 1 of k.
-                flip = ((done >> low) & -(done >> low)).bit_length() - 1 + low
+            if current_group and not current_group & (1 << low) - 1:
+                # The Gray codes of k and k - 1 differ in the lowest 1 of k.
+                flip = ((current_group >> low) & -(current_group >> low)).bit_length() - 1 + low
                 turned.append(flip)
                 run += turned_over([flip])
-            equal = [f"p{b}" for b in range(bits) if b >= low or not done >> b & 1]
+            equal = [f"p{b}" for b in range(bits) if b >= low or not current_group >> b & 1]
             before[i] = (*before.get(i, ()), *run, *_advance(form, equal, bits))
         if form is _Form.PAIR and step % 2 and i not in before:
             before[i] = ((Gate("WHERE", "FLAG", ("t1",)),),)
@@ -269,30 +271,32 @@ def _counted_script(
 
 
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
-    """Takes the shutters of cube NOR(equal) out of "greater"; `equal` empty: all of them."""
-    # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
-    # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
+    """Remove the shutters of the cube NOR(equal) from "greater"; all shutters if `equal` is
+    empty."""
+    # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still contains
+    # the equal shutters: DIGITS keeps its inverse for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
-        rest = "s1" if form is _Form.DIGITS else "t1"
-        turn = Gate("NOT", rest, ("s0",))
+        inverse = "s1" if form is _Form.DIGITS else "t1"
+        turn = Gate("NOT", inverse, ("s0",))
         if not equal:
             return ((turn, Gate("CLR", "s0", ())),)
-        return (turn,), nor("t0", equal), (Gate("NOR", "s0", (rest, "t0")),)
+        return (turn,), nor("t0", equal), (Gate("NOR", "s0", (inverse, "t0")),)
     if form is _Form.TIGHT:
-        # One scratch register: the cube goes where the state was, which waits inverted.
+        # With one scratch register, the cube goes to the state's register, and the inverted state
+        # to t0.
         if not equal:
             return ((Gate("CLR", "s0", ()),),)
         turn = Gate("NOT", "t0", ("s0",))
         return (turn,), nor("s0", equal), (Gate("NOR", "s0", ("s0", "t0")),)
     if form is _Form.PAIR:
-        # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
+        # Two demands a group: FLAG, which also reads the plane of the last digit, answers the
         # first; t1, "greater" alone, waits for the second and is the state from then on.
-        left = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
+        narrow = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
         both = Gate("NOR", "t0", ("t0", f"p{bits}")), Gate("WHERE", "FLAG", ("t0", "t1"))
         cubes = (nor("t1", equal),) if equal else ()
-        return (Gate("NOT", "t0", ("FLAG",)),), *cubes, (left, *both)
+        return (Gate("NOT", "t0", ("FLAG",)),), *cubes, (narrow, *both)
     load = Gate("WHERE", "FLAG", ("t0",))
     if not equal:
         return ((Gate("CLR", "t0", ()), load),)
-    turn, left = Gate("NOT", "t0", ("FLAG",)), Gate("NOR", "t0", ("t0", "FLAG"))
-    return (turn, load), nor("t0", equal), (left, load)
+    turn, narrow = Gate("NOT", "t0", ("FLAG",)), Gate("NOR", "t0", ("t0", "FLAG"))
+    return (turn, load), nor("t0", equal), (narrow, load)

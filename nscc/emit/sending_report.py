@@ -1,4 +1,4 @@
-"""A program for a chip without logic, as people read it and as the chip's driver does."""
+"""Reports and driver files of programs for chips without logic."""
 
 from __future__ import annotations
 
@@ -24,15 +24,17 @@ PLANES_FORMAT = "nscc-planes-1"
 
 
 def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
-    """What `nscc check` prints of it beside class and codes, as labels with what they say."""
+    """Rows (label, text) that `nscc check` prints after class and codes."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
     places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
-    rest = sorted({int(place) for place in sending.route.zeros} - {*range(len(program.buckets))})
-    places += [f"the rest to {_place(place, target)}" for place in rest]
+    closed_places = sorted(
+        {int(place) for place in sending.route.zeros} - {*range(len(program.buckets))}
+    )
+    places += [f"the rest to {_place(place, target)}" for place in closed_places]
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
-    what = "" if proof.pixels else ", no pixels yet"
+    pixels_note = "" if proof.pixels else ", no pixels yet"
     return [
         ("light", "; ".join(places)),
         (
@@ -46,12 +48,12 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
             f"{time_text(sending.shortest_slot_us)}"
             + (" meanwhile" if target.pipelined else " of its slot, light led away"),
         ),
-        ("proved", f"{pixels}{counted(proof.slots, 'slot')}{what}"),
+        ("proved", f"{pixels}{counted(proof.slots, 'slot')}{pixels_note}"),
     ]
 
 
 def rate_text(bits_per_us: float) -> str:
-    """A rate of data in the unit that suits it."""
+    """A data rate with a suitable unit."""
     if bits_per_us >= 1e3:
         return f"{bits_per_us / 1e3:.4g} Gbit/s"
     return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
@@ -62,24 +64,25 @@ def _place(place: int, target: Target) -> str:
 
 
 def sending_text(sending: Sending) -> str:
-    """A line a slot: when its plane is sent and acts, and where 1 and 0 lead."""
+    """One line for each slot: when its plane is sent and acts, and where bits 1 and 0 send the
+    light."""
     target, way = sending.program.target, sending.route
     lines = [
         f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
         f"{sending.bits_a_frame} bits a frame, {time_text(sending.shortest_slot_us)} each"
     ]
     named = {DRAIN: "drain", **dict(enumerate(target.taps))}
-    for slot, each in enumerate(sending.loadings):
+    for slot, loading in enumerate(sending.loadings):
         ones, zeros = named[int(way.ones[slot])], named[int(way.zeros[slot])]
         lines.append(
-            f"slot {slot:>4}: sent at {each.load_us:g} us, acts at {each.acts_us:g} us: "
+            f"slot {slot:>4}: sent at {loading.load_us:g} us, acts at {loading.acts_us:g} us: "
             f"1 {ones}, 0 {zeros}"
         )
     return "\n".join(lines) + "\n"
 
 
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
-    """The report as JSON values: the keys of other chips' that mean something here, and planes."""
+    """The build report as JSON values: the applicable keys of other chips, and the planes."""
     program, target = sending.program, sending.program.target
     names = [bucket.name for bucket in program.buckets]
     return {
@@ -109,19 +112,19 @@ def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
 
 
 def planes_bytes(container: Container) -> bytes:
-    """Planes and their schedule for a driver of the chip, as an .npz; docs/targets.md has the keys.
-
-    Raises Rejected (NS0511) where pixels have no codes: a chip with logic takes any later, this
-    one is sent bits of pixels.
-    """
+    """The planes and their schedule for the chip's driver, as an .npz file; docs/targets.md lists
+    the keys. Raises Rejected (NS0511) if the pixels have no codes, because the planes depend on
+    them."""
     from nscc.words.stream import schedule
 
     sent, target = container.stream, container.target
     if sent is None:
         raise rejected(
             "NS0511",
-            "there are no planes to send: the program does not say which code each pixel has",
-            helps=('give it a `pixels` statement, or codes in a file: `pixels from "C.npz"`',),
+            "cannot compute the planes: the pixels have no codes",
+            helps=(
+                'add a `pixels` statement, or read the codes from a file: `pixels from "C.npz"`',
+            ),
             status=1,
         )
     loadings = [*schedule(target, container.slot_us)]
@@ -142,15 +145,15 @@ def planes_bytes(container: Container) -> bytes:
         planes=sent.planes,
         ones=sent.ones,
         zeros=sent.zeros,
-        load_us=np.array([each.load_us for each in loadings]),
-        acts_us=np.array([each.acts_us for each in loadings]),
+        load_us=np.array([loading.load_us for loading in loadings]),
+        acts_us=np.array([loading.acts_us for loading in loadings]),
         slot_us=np.array(container.slot_us),
     )
     return out.getvalue()
 
 
 def sent_lines(container: Container) -> Iterator[str]:
-    """A container of planes in lines for `--print-after words`."""
+    """The planes of a container as lines for `--print-after words`."""
     yield f"{container!r}"
     for readout in container.readouts:
         yield f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}"

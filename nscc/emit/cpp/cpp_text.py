@@ -1,4 +1,4 @@
-"""The small pieces of C++ text: comments that stay comments, strings, sections of kernels."""
+"""C++ text: safe comments, string literals, kernel sections."""
 
 from __future__ import annotations
 
@@ -10,43 +10,44 @@ from textwrap import wrap
 WIDTH = 100
 
 Call = tuple[str, tuple[str, ...]]
-"""A call of the devkit's kernel library: its name and its operands."""
+"""A call of the devkit's kernel library: name and operands."""
 
 
 @cache
-def _parts() -> dict[str, str]:
-    _, *parts = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
-    split = (part.partition("\n") for part in parts)
+def _templates() -> dict[str, str]:
+    _, *sections = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
+    split = (section.partition("\n") for section in sections)
     return {name: text.rstrip("\n") for name, _, text in split}
 
 
-def part(name: str, **values: object) -> list[str]:
-    """The lines of a part of `parts.cpp`, with values in place of their names between `@`."""
-    text = _parts()[name]
-    for each, value in values.items():
-        text = text.replace(f"@{each}@", str(value))
+def template_lines(name: str, **values: object) -> list[str]:
+    """The lines of the section `name` of `parts.cpp`, with `@KEY@` replaced by values."""
+    text = _templates()[name]
+    for key, value in values.items():
+        text = text.replace(f"@{key}@", str(value))
     return text.split("\n")
 
 
 def safe(text: str) -> str:
-    """`text` as part of a `//` comment: one line of printable ASCII.
-
-    A backslash would join the next line to the comment, and `??/` is one to older compilers.
-    """
+    """`text` as part of a `//` comment: one line of printable ASCII. Backslashes and `??/` are
+    replaced, because they would continue the comment on the next line."""
     shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
     return shown.replace("\\", "/").replace("??", "? ?").strip()
 
 
 def comment(text: str, indent: str = "") -> list[str]:
-    """A comment of as many lines as it takes."""
+    """A `//` comment, wrapped to several lines."""
     head = f"{indent}// "
     return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
 
 
 def entry(title: str, text: str) -> list[str]:
-    """A line of the header: a title in a column of its own, and what it says."""
-    first, *more = comment(text, " " * 11)
-    return [f"// {title:<11}{first[14:]}", *("// " + " " * 11 + line[14:] for line in more)]
+    """An entry of the header comment: a title column and wrapped text."""
+    first, *following_lines = comment(text, " " * 11)
+    return [
+        f"// {title:<11}{first[14:]}",
+        *("// " + " " * 11 + line[14:] for line in following_lines),
+    ]
 
 
 def literal(text: str) -> str:
@@ -61,13 +62,13 @@ def _literal_byte(byte: int) -> str:
 
 
 def call_text(call: Call) -> str:
-    """The call as C++."""
+    """A library call as C++."""
     name, operands = call
     return f"{name}({', '.join(operands)});"
 
 
 def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
-    """A kernel that is recorded where it stands at its first run, and launched."""
+    """A kernel that is recorded inline at the first run and launched."""
     return [
         f"{indent}scamp5_kernel_begin();",
         *(f"{indent}    {call_text(call)}" for call in calls),
@@ -76,7 +77,7 @@ def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
 
 
 def remarked(lines: Sequence[tuple[str, str]], column: int = 44) -> Iterator[str]:
-    """Lines with a comment each, the comments one under the other."""
+    """Lines with aligned comments."""
     at = max([column, *(len(text) + 2 for text, remark in lines if remark and len(text) < 76)])
     for text, remark in lines:
         yield f"{text:<{at}}// {safe(remark)}" if remark else text

@@ -1,4 +1,4 @@
-"""The value of every field at every pixel: expressions over the array, tiles, files."""
+"""The value of every field at every pixel, from expressions, tiles or files."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.program import Field
 from nscc.program.scopes import constants_scope, pixels_scope
-from nscc.program.wide import PART_BITS, parts_of, parts_of_bits
+from nscc.program.wide import CHUNK_BITS, chunks_of, chunks_of_bits
 from nscc.source import Span
 from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 
@@ -39,19 +39,19 @@ def make_planes(
     base: Path,
     problems: Problems,
 ) -> dict[str, Plane]:
-    """The plane of every field; fields with errors, here or before, are left out.
+    """The plane of every field, without fields that have errors.
 
-    Without any `pixels` statement, or without a target, there are none. Reports fields not given
-    (NS0210), values outside their range (NS0311), faults of expressions, tiles that are no
-    rectangle (NS0316), files (NS0313, NS0314, NS0315). A bit field that no number holds has a plane
-    for each of its parts.
+    Empty without `pixels` statements or without a target. Reports fields without pixels (NS0210),
+    values outside their range (NS0311), faults of expressions, tiles that are not rectangular
+    (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a plane for each of
+    its chunks.
     """
     return _Maker(declared, fields, constants, target, base, problems).run()
 
 
 @dataclass(eq=False, repr=False)
 class _Maker:
-    """What planes are made from."""
+    """The inputs for making planes."""
 
     declared: Declarations
     fields: Mapping[str, Field | None]
@@ -89,27 +89,27 @@ class _Maker:
         name = statement.field.text
         if name in self.declared.refused:
             return
-        what = dict(self.declared.declared()).get(name)
-        if what is None:
+        declared_as = dict(self.declared.declared()).get(name)
+        if declared_as is None:
             self.problems.unknown("a field", name, statement.field.span, list(self.fields))
         else:
-            message = f"`{name}` is {what}, not a field: pixels hold fields"
+            message = f"`{name}` is {declared_as}, not a field: `pixels` needs a field"
             helps = (f"declare it with `code {name} : LO..HI`",)
-            self.problems.error("NS0209", message, statement.field.span, what, helps=helps)
+            self.problems.error("NS0209", message, statement.field.span, declared_as, helps=helps)
 
     def _not_given(self, missing: list[str]) -> None:
         shown = ", ".join(f"`{name}`" for name in missing)
         first = self.declared.codes[missing[0]]
-        given = next(iter(self.declared.pixels.values()))
+        given_statement = next(iter(self.declared.pixels.values()))
         self.problems.error(
             "NS0210",
-            f"the pixels of {shown} are not given, and those of other fields are",
+            f"the pixel values of {shown} are missing, but other fields have values",
             first.name.span,
             "has no `pixels` statement",
-            related=(Label(given.field.span, "given here"),),
+            related=(Label(given_statement.field.span, "given here"),),
             helps=(
                 f"add `pixels {missing[0]} = ...`",
-                "a file without any `pixels` is a program without data, which compiles too",
+                "a program without any `pixels` statement is also valid",
             ),
         )
 
@@ -121,8 +121,8 @@ class _Maker:
         rows, cols = self.target.rows, self.target.cols
         cost = work(checked, {"y": (0, rows), "x": (1, cols)})
         if cost > WORK_LIMIT:
-            takes = f"this expression takes {cost} operations over the array of {rows} x {cols}"
-            helps = ('data belongs in a file: `pixels from "codes.npz"`',)
+            takes = f"this expression needs {cost} operations for the array of {rows} x {cols}"
+            helps = ('store the data in a file: `pixels from "codes.npz"`',)
             message = f"{takes}; the limit is {WORK_LIMIT}"
             self.problems.error("NS0450", message, value.span, helps=helps)
             return None
@@ -130,18 +130,18 @@ class _Maker:
             "y": array(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
             "x": array(np.arange(cols, dtype=np.int64).reshape(1, cols)),
         }
-        found = evaluate(checked, bindings, {})
-        if found.faults is not None:
-            self._fault(checked, bindings, found, (rows, cols))
+        evaluated = evaluate(checked, bindings, {})
+        if evaluated.faults is not None:
+            self._fault(checked, bindings, evaluated, (rows, cols))
             return None
-        return np.broadcast_to(np.asarray(found.data, dtype=np.int64), (rows, cols))
+        return np.broadcast_to(np.asarray(evaluated.data, dtype=np.int64), (rows, cols))
 
     def _fault(
-        self, checked: Checked, bindings: dict[str, Value], found: Value, shape: tuple[int, int]
+        self, checked: Checked, bindings: dict[str, Value], evaluated: Value, shape: tuple[int, int]
     ) -> None:
         places = np.ones(shape, dtype=bool)
-        if isinstance(found.faults, np.ndarray):
-            places = np.broadcast_to(found.faults, shape)
+        if isinstance(evaluated.faults, np.ndarray):
+            places = np.broadcast_to(evaluated.faults, shape)
         y, x = first_place(places)
         fault = fault_at(checked, bindings, {}, shape, (y, x))
         count = int(places.sum())
@@ -157,7 +157,9 @@ class _Maker:
             if odd:
                 have = counted(len(odd.values), "value")
                 place, text = odd.span, f"{have}, the first row has {len(lines[0].values)}"
-            message = "the rows of a tile must have the same number of values, and at least one"
+            message = (
+                "all rows of a tile must have the same number of values, and at least one value"
+            )
             self.problems.error("NS0316", message, place, text)
             return None
         values = [[self._tile_value(expr) for expr in row.values] for row in lines]
@@ -186,8 +188,12 @@ class _Maker:
         statement = self.declared.pixels_file
         assert statement is not None
         if not missing:
-            message = f'nothing is taken from "{clipped(statement.path.value)}"'
-            why = "every field is given otherwise" if self.fields else "there are no fields"
+            message = f'"{clipped(statement.path.value)}" is not used'
+            why = (
+                "every field has its own `pixels` statement"
+                if self.fields
+                else "the program has no fields"
+            )
             self.problems.warning("NS0356", message, statement.span, why)
             return
         try:
@@ -202,16 +208,16 @@ class _Maker:
             if field is None or self.target is None:
                 continue
             shape = self.target.rows, self.target.cols
-            names = [part.name for part in parts_of(field)]
+            names = [chunk.name for chunk in chunks_of(field)]
             try:
-                found = stored_planes(file, name, shape, len(names), field.bits)
+                stored = stored_planes(file, name, shape, len(names), field.bits)
             except Rejected as wrong:
                 self.problems.adopt(wrong, statement.path.span)
                 continue
-            (plane, beyond), *more = found
-            # Only bits that the file gives one by one reach into the other parts.
-            if any(part.any() for part, _ in more):
-                planes.update(zip(names, (each for each, _ in found), strict=True))
+            (plane, beyond), *higher_chunks = stored
+            # Only single bits from a file can set the other chunks.
+            if any(chunk.any() for chunk, _ in higher_chunks):
+                planes.update(zip(names, (chunk_plane for chunk_plane, _ in stored), strict=True))
             else:
                 self._keep(planes, field, plane, statement, beyond)
 
@@ -223,14 +229,14 @@ class _Maker:
         statement: PixelsExpr | PixelsTile | PixelsFromFile,
         beyond: NDArray[np.bool_] | None = None,
     ) -> None:
-        """Adds a plane whose values are in range; `beyond` are places that int64 cannot hold."""
+        """Add a plane after a range check; `beyond` marks values that int64 cannot represent."""
         outside = (plane < field.low) | (plane > min(field.high, LIMIT))
         if beyond is not None:
             outside |= beyond
         if not outside.any():
-            first, *others = (part.name for part in parts_of(field))
+            first, *higher_names = (chunk.name for chunk in chunks_of(field))
             planes[first] = plane
-            planes.update((name, np.zeros_like(plane)) for name in others)
+            planes.update((name, np.zeros_like(plane)) for name in higher_names)
             return
         y, x = first_place(outside)
         count = int(outside.sum())
@@ -247,20 +253,20 @@ class _Maker:
 
 
 def _range(field: Field) -> str:
-    """The values of a field; a number has at most 62 bits."""
+    """The range of a field; a number has at most 62 bits."""
     return f"{field.low}..{min(field.high, LIMIT)}"
 
 
 def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
-    """How to give the pixels of a bit field that no number holds."""
+    """Help on how to define the pixels of a long bit field."""
     if field.high <= LIMIT or target is None:
         return ()
     shape = f"({target.rows}, {target.cols}, {field.bits})"
-    return (f"give its bits: an array {field.name} of 0 and 1 {shape}, bit 0 first, in a file",)
+    return (f"give its bits in a file: an array {field.name} of 0 and 1 {shape}, bit 0 first",)
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
-    """Where the value of pixel (x, y) comes from."""
+    """The place that defines the value of pixel (x, y)."""
     match statement:
         case PixelsExpr():
             return statement.value.span
@@ -273,65 +279,74 @@ def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: 
 
 
 Stored = tuple[Plane, NDArray[np.bool_]]
-"""A plane, and where what was given is beyond int64."""
+"""A plane, and where the given values do not fit int64."""
 
 
 def stored_planes(
-    file: ArraysFile, name: str, shape: tuple[int, int], parts: int = 1, bits: int | None = None
+    file: ArraysFile,
+    name: str,
+    shape: tuple[int, int],
+    chunk_count: int = 1,
+    bits: int | None = None,
 ) -> list[Stored]:
-    """The planes of the field `name` in a file, as `planes_of` makes them; NS0313, NS0314."""
-    most = shape[0] * shape[1] * (bits or parts * PART_BITS)
+    """The planes of field `name` in a file, as of `planes_of`; raises NS0313, NS0314."""
+    most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
     stored = file.integers(name, most=max(most, 2**20), bools=True)
-    return planes_of(stored, name, shape, parts, bits, f' of "{file.shown}"')
+    return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
 
 
 def planes_of(
     stored: NDArray[Any],
     name: str,
     shape: tuple[int, int],
-    parts: int,
+    chunk_count: int,
     bits: int | None = None,
-    where: str = "",
+    origin: str = "",
 ) -> list[Stored]:
-    """The planes of a field that is kept as so many parts, of the array that gives it.
+    """The planes of a field that is stored in `chunk_count` chunks, from the array that defines it.
 
-    It holds integers (rows, cols), or the single bits (rows, cols, K) of a bit field, bit 0 first:
-    as many as the field has where `bits` says, else as many as its parts can hold. NS0314 for
-    anything else.
+    The array holds integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
+    first. K is `bits` if given, else at most the bits of all chunks. Raises NS0314 for other
+    arrays.
     """
-    if stored.ndim == 3 and (parts > 1 or bits is not None):
-        return [(plane, np.zeros(shape, np.bool_)) for plane in
-                parts_of_bits(_single_bits(stored, name, shape, parts, bits, where))]  # fmt: skip
+    if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
+        chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
+        return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
     if stored.dtype.kind not in "iu" or stored.shape != shape:
-        found = f"the array `{clipped(name)}`{where} is {stored.shape} of {stored.dtype}"
-        message = f"{found}, and must be integers {shape}: [row, column]"
+        array_text = f"the array `{clipped(name)}`{origin} is {stored.shape} of {stored.dtype}"
+        message = f"{array_text}, but must contain integers {shape}: [row, column]"
         helps = (f"the array of pixels is {shape[0]} rows x {shape[1]} columns",)
         raise rejected("NS0314", message, helps=helps)
     plane = as_plane(stored)
     nothing = np.zeros(shape, np.int64), np.zeros(shape, np.bool_)
-    return [plane, *[nothing] * (parts - 1)]
+    return [plane, *[nothing] * (chunk_count - 1)]
 
 
 def _single_bits(
-    stored: NDArray[Any], name: str, shape: tuple[int, int], parts: int, bits: int | None,
-    where: str,
+    stored: NDArray[Any], name: str, shape: tuple[int, int], chunk_count: int, bits: int | None,
+    origin: str,
 ) -> NDArray[Any]:  # fmt: skip
     count = stored.shape[2]
-    least = bits or (parts - 1) * PART_BITS + 1
-    most = bits or parts * PART_BITS
+    least = bits or (chunk_count - 1) * CHUNK_BITS + 1
+    most = bits or chunk_count * CHUNK_BITS
     if stored.shape[:2] != shape or not least <= count <= most:
-        wanted = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
-        message = f"the array `{clipped(name)}`{where} has shape {stored.shape}; bits are {wanted}"
+        shape_text = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
+        message = (
+            f"the array `{clipped(name)}`{origin} has shape {stored.shape}, but bits need "
+            f"{shape_text}"
+        )
         helps = ("the last axis is the bit, bit 0 first",)
         raise rejected("NS0314", message, helps=helps)
     if not np.isin(stored, (0, 1)).all():
-        message = f"the array `{clipped(name)}`{where} has values other than 0 and 1"
-        raise rejected("NS0314", message, helps=("with three axes, an array holds single bits",))
+        message = f"the array `{clipped(name)}`{origin} has values other than 0 and 1"
+        raise rejected(
+            "NS0314", message, helps=("with three axes, an array must contain single bits",)
+        )
     return stored
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Integers as int64, and where they are beyond it."""
+    """Integers as int64, and where they do not fit."""
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)
@@ -340,11 +355,11 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
 
 
 def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
-    """(y, x) of the first place, row by row."""
+    """(y, x) of the first true place, row by row."""
     y, x = np.unravel_index(int(places.argmax()), places.shape)
     return int(y), int(x)
 
 
 def pixel_text(x: int, y: int) -> str:
-    """A pixel's place for messages, in both ways of naming it."""
+    """Name a pixel in messages by both conventions."""
     return f"pixel at x = {x}, y = {y} (row {y}, column {x})"

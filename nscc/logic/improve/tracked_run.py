@@ -1,10 +1,10 @@
-"""Operations with what is known about every point between them, kept up to date as they change.
+"""Operations, with the state at every point, kept up to date under changes.
 
-Three things are known: what every register holds, which registers are still read (liveness, from
-the end backwards), and of each operation in which shutters its result matters at all (what
-synthesis calls observability don't-cares are the others). The last is found by turning the whole
-result over and running on: where a demand or the frame's end comes out otherwise, it matters. That
-is exact, as a shutter's bits never mix with another's.
+Known are the content of every register, the registers that are still read (liveness, computed
+backwards), and for each operation the shutters in which its result matters (the complement of the
+observability don't-cares). The last is found by complementing the result and running on: it matters
+in the shutters where a demand or the frame's end changes. This is exact, since bits of different
+shutters do not interact.
 """
 
 from __future__ import annotations
@@ -12,28 +12,27 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import REFRESH_WORDS, Check, Frame, Item, states_before
+from nscc.logic.improve.code import REFRESH_WORDS, Check, FrameContext, Item, states_before
 
-# How far an influence is followed; what reaches further is taken to matter in every shutter, which
-# is safe.
+# How many items an influence is followed; beyond that it is assumed to matter in every shutter.
 HORIZON = 4000
 
-# A step of the budget is one look at all registers; more shutters than this take longer.
+# Shutters for which a look at all registers is one step of the budget.
 STEP_SHUTTERS = 16384
 
 
-class Run:
-    """Items; `before[k]` is the state before item k, `live[k]` the registers (a bit mask) whose
-    content there is still read, or must be there when the frame ends."""
+class TrackedRun:
+    """Items with their states; `before[k]` is the state before item k, `live[k]` the bit mask of
+    registers whose content there is read later or required at the end."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], budget: Budget) -> None:
+    def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
         self.frame = frame
         self.budget = budget
         self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS
         self.restart(items)
 
     def restart(self, items: Sequence[Item]) -> None:
-        """Takes other items; raises Illegal, and changes nothing, where they are none of a run."""
+        """Replace all items; raises Illegal without a change if they are not a valid run."""
         frame = self.frame
         self.before = states_before(frame, items)
         self.items = list(items)
@@ -44,36 +43,37 @@ class Run:
         self._settle(self._revive(0, len(items)), len(items))
 
     def words(self) -> int:
-        """ICWs of a frame, refresh of unwritten planes included."""
+        """The words of a frame, including refresh of unwritten planes."""
         return self.frame.total(self.items)
 
     def care(self, k: int) -> int:
-        """Shutters in which it matters what operation k writes: all others may hold either bit."""
+        """The shutters in which the result of operation k matters."""
         known = self._cares[k]
         if known is None:
             known = self._cares[k] = self._follow(k)
         return known[0]
 
     def free(self, k: int, besides: Collection[int | None]) -> list[int]:
-        """Digital registers that nobody reads from item k on: no masked one, none of `besides`."""
-        taken = (*besides, self.frame.masked)
-        return [r for r in range(self.frame.flag) if r not in taken and not self.live[k] >> r & 1]
+        """Digital registers that are not read from item k on, except the masked one and
+        `besides`."""
+        busy = (*besides, self.frame.masked)
+        return [r for r in range(self.frame.flag) if r not in busy and not self.live[k] >> r & 1]
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
-        """Words more that refresh costs where `new` replaces `old`."""
+        """The additional refresh words if `new` replaces `old`."""
         if self.frame.ends is not None:
             return 0
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
 
     def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
-        """How often each plane is written once `new` has replaced `old`."""
+        """How often each plane is written after `new` replaces `old`."""
         written = self.frame.writes
         changes = zip(self._writes, written(old), written(new), strict=True)
-        return [count - less + more for count, less, more in changes]
+        return [count - removed + added for count, removed, added in changes]
 
     def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
-        """Replaces items[start:end]; the state after them must stay as it is where it is read."""
+        """Replace items[start:end]; live contents after them must stay equal."""
         self._writes = self._after(self.items[start:end], new)
         self.items[start:end] = new
         self.before[start:end] = [self.before[start]] * len(new)
@@ -88,10 +88,8 @@ class Run:
         self._settle(min(first, start), tail)
 
     def _settle(self, first: int, last: int) -> None:
-        """Computes states anew from item `first` to `last`, and on for as long as they change.
-
-        What nobody reads may differ for a while.
-        """
+        """Recompute states from item `first` to `last`, and on while they change. Contents that are
+        not live may differ."""
         if first:
             state = list(self.before[first - 1])
             self.frame.apply(self.items[first - 1], state)
@@ -106,10 +104,8 @@ class Run:
                 self.frame.apply(self.items[k], state)
 
     def _revive(self, start: int, end: int) -> int:
-        """Computes liveness anew from `end` backwards, beyond `start` for as long as it changes.
-
-        Operations whose result nobody reads are dropped; returns the first place of a change.
-        """
+        """Recompute liveness backwards from `end`, beyond `start` while it changes. Drops
+        operations whose result is not live; returns the first changed place."""
         frame = self.frame
         dead: list[int] = []
         for k in range(end - 1, -1, -1):
@@ -132,47 +128,48 @@ class Run:
         return dead[-1] if dead else end
 
     def _follow(self, k: int) -> tuple[int, int]:
-        """Where it matters what operation k writes, and how many items its influence reaches."""
+        """The shutters in which the result of operation k matters, and the number of items that it
+        influences."""
         frame, items, before = self.frame, self.items, self.before
         everything, flag = frame.everything, frame.flag
         source = items[k]
         assert not isinstance(source, Check)
         written = before[k + 1][source.destination]
         assert written is not None
-        other: dict[int, int] = {source.destination: written ^ everything}
+        flipped: dict[int, int] = {source.destination: written ^ everything}
         touched = 1 << source.destination
         matters = 0
         last = min(len(items), k + 1 + HORIZON)
         for at in range(k + 1, last):
             item = items[at]
             if isinstance(item, Check):
-                if item.need is not None and flag in other:
-                    matters |= other[flag] ^ item.need
-                for register in [r for r in other if item.forgets >> r & 1]:
-                    del other[register]
+                if item.need is not None and flag in flipped:
+                    matters |= flipped[flag] ^ item.need
+                for register in [r for r in flipped if item.forgets >> r & 1]:
+                    del flipped[register]
                     touched &= ~(1 << register)
             elif item.reads & touched:
-                some = 0
+                value = 0
                 state = before[at]
                 for register in item.sources:
-                    content = other[register] if register in other else state[register]
-                    some |= content  # type: ignore[operator]
+                    content = flipped[register] if register in flipped else state[register]
+                    value |= content  # type: ignore[operator]
                 if item.inverted:
-                    some ^= everything
+                    value ^= everything
                 if item.destination == frame.masked:
-                    mask, kept = (
-                        other[r] if r in other else state[r]  # type: ignore[index]
+                    mask, previous = (
+                        flipped[r] if r in flipped else state[r]  # type: ignore[index]
                         for r in (frame.mask, frame.masked)
                     )
-                    some = some & mask | (kept or 0) & ~mask  # type: ignore[operator]
-                if some == before[at + 1][item.destination]:
-                    other.pop(item.destination, None)
+                    value = value & mask | (previous or 0) & ~mask  # type: ignore[operator]
+                if value == before[at + 1][item.destination]:
+                    flipped.pop(item.destination, None)
                     touched &= ~(1 << item.destination)
                 else:
-                    other[item.destination] = some
+                    flipped[item.destination] = value
                     touched |= 1 << item.destination
             elif touched >> item.destination & 1:
-                del other[item.destination]
+                del flipped[item.destination]
                 touched &= ~(1 << item.destination)
             if not touched or matters == everything:
                 self.budget.spend(self.step * (1 + (at - k) // 8))
@@ -180,7 +177,7 @@ class Run:
         self.budget.spend(self.step * (1 + (last - k) // 8))
         if last < len(items):
             return everything, last - k
-        for register, content in other.items():
+        for register, content in flipped.items():
             if frame.unscathed >> register & 1:
                 matters |= content ^ before[-1][register]  # type: ignore[operator]
         return matters, last - k

@@ -1,4 +1,4 @@
-"""Files of a schema: read with everything that is wrong said at once, and written whole."""
+"""Read files of a schema with all errors at once, and write complete files."""
 
 from __future__ import annotations
 
@@ -11,18 +11,16 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.source import Source
-from nscc.toml.schema import Found, Row, Schema
-from nscc.toml.text import LARGEST_FILE, NotToml, parsed, written
+from nscc.toml.schema import KeyValues, Row, Schema
+from nscc.toml.toml_text import LARGEST_FILE, NotToml, parsed, written
 
 WIDTH = 100
 _REMARK_COLUMN = 42
 
 
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
-    """What a user's file holds, for `file_values`; Rejected (status 2) if it cannot be read.
-
-    `name` is the file's for messages, by default its path.
-    """
+    """Read a user's file for `file_values`; raises Rejected (status 2) if that fails. Messages call
+    the file `name`, by default its path."""
     reads(path)
     try:
         with open(path, "rb") as file:
@@ -31,7 +29,7 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
         reason = getattr(error, "strerror", None) or str(error)
         raise rejected(
             schema.codes.unreadable,
-            f"the {schema.what} file {(name or str(path))[:200]!a} cannot be read: {reason}",
+            f"the {schema.file_kind} file {(name or str(path))[:200]!a} cannot be read: {reason}",
             helps=(schema.start,),
         ) from None
 
@@ -39,12 +37,10 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
 def file_values(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
-) -> tuple[Found, list[Diagnostic], Source]:  # fmt: skip
-    """The values of a file's bytes that are right, what is wrong with the others, and its text.
-
-    `name` is the file's for messages. Where there are several kinds of such files, `choose` finds
-    the schema by what a file holds. Rejected (`status`) if it is no TOML at all.
-    """
+) -> tuple[KeyValues, list[Diagnostic], Source]:  # fmt: skip
+    """The valid values in a file's bytes, the errors of the others, and the text. Messages call the
+    file `name`. `choose` selects one of several schemas by the file's values. Raises Rejected
+    (`status`) for text that is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -53,13 +49,13 @@ def file_values(
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
 ) -> tuple[dict[str, Any], Source]:
-    """The same as TOML has it, whatever keys it holds, and its text."""
+    """The raw TOML values of a file, and its text."""
     try:
         text, values = parsed(data)
     except NotToml as reason:
         raise rejected(
             schema.codes.not_toml,
-            f"the {schema.what} file {name[:200]!a} is not a TOML table: {reason}",
+            f"the {schema.file_kind} file {name[:200]!a} is not a TOML table: {reason}",
             helps=(schema.start,),
             status=status,
         ) from None
@@ -74,18 +70,15 @@ def file_text(
     *,
     beside: bool = False,
 ) -> str:
-    """A complete file that reads back as these values, which are by the paths of the keys.
-
-    `head` are comments to begin with. What `remark` says of a key stands above its line, or
-    `beside` it where there is room.
-    """
+    """A complete file with these values, which are keyed by path. `head` are leading comments.
+    `remark` returns the comment of a key, written above its line, or after it with `beside`."""
     lines = [f"# {line}" for line in head]
-    for heading, said in schema.headings.items():
+    for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]
         if heading and rows:
             lines += [""] if lines else []
-            title = f"[{heading}]" if rows[0].section else f"## {heading}: {said}"
-            lines.append(_beside(title, said if rows[0].section and beside else ""))
+            title = f"[{heading}]" if rows[0].section else f"## {heading}: {heading_text}"
+            lines.append(_beside(title, heading_text if rows[0].section and beside else ""))
         for key in rows:
             line = f"{key.name} = {written(key.kind.plain(values[key.path]))}"
             text = remark(key)
@@ -93,7 +86,7 @@ def file_text(
                 lines.append(_beside(line, text))
             else:
                 width = 1000 if beside else WIDTH - 2
-                lines += [*(f"# {part}" for part in textwrap.wrap(text, width)), line]
+                lines += [*(f"# {comment}" for comment in textwrap.wrap(text, width)), line]
     return "\n".join(lines) + "\n"
 
 

@@ -34,12 +34,9 @@ LoweringOption = Lowering | Literal["auto"]
 Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
-class Step(NamedTuple):
-    """Analog words that run at one boundary in the pixels of `predicate`.
-
-    `predicate` None means every pixel, whatever FLAG was. `bucket` is the bucket's number, -1 for
-    steps of the whole frame.
-    """
+class PlanStep(NamedTuple):
+    """Analog words at one boundary in the pixels of `predicate`. `predicate` None means every
+    pixel, independent of FLAG. `bucket` is the bucket's number, -1 for steps of the whole frame."""
 
     boundary: int
     role: Role
@@ -50,14 +47,12 @@ class Step(NamedTuple):
 
 @dataclass(frozen=True)
 class ExposurePlan:
-    """The analog half of a program. `registers` maps every analog register used to its holder.
-
-    `analog_writes` are the fewest and most analog words (`bus`) that a pixel which ever opens
-    executes after the setup.
-    """
+    """The analog part of a program; `registers` maps every used analog register to its holder.
+    `analog_writes` are the fewest and most analog words (`bus`) that a pixel with an opening
+    shutter executes after the setup."""
 
     lowering: Lowering
-    steps: tuple[Step, ...]
+    steps: tuple[PlanStep, ...]
     registers: dict[str, str]
     bucket_registers: tuple[str, ...]
     shutters: int
@@ -72,10 +67,8 @@ class ExposurePlan:
 
 @dataclass(frozen=True)
 class Misfit:
-    """Why a lowering cannot serve a program: an unmet condition or a register too few.
-
-    With `searched` it is only that no gates were found, which proves nothing.
-    """
+    """Why a lowering cannot be used: an unmet condition, or too few registers. With `searched`, no
+    gates were found, which proves nothing."""
 
     reason: str
     resource: str | None = None
@@ -85,10 +78,8 @@ class Misfit:
 
 
 class AnalogRegisters(NamedTuple):
-    """Who holds which analog register: one a bucket, the reset level where it is held, and scratch.
-
-    `holders` maps every register to its holder.
-    """
+    """Use of analog registers: one a bucket, one for the reset level if needed, and scratch.
+    `holders` maps every register to its holder."""
 
     buckets: tuple[str, ...]
     reference: str | None
@@ -102,7 +93,8 @@ Opens = tuple[tuple[int, ...], ...]
 
 @dataclass(frozen=True)
 class Planned:
-    """A program with its exposure plans, fewest analog writes first, and why others are none."""
+    """A program with its exposure plans, fewest analog writes first, and why other lowerings have
+    none."""
 
     program: Program
     time: Timeline
@@ -111,12 +103,12 @@ class Planned:
     misfits: dict[Lowering, Misfit]
 
 
-def plan_exposures(program: Program, wanted: LoweringOption) -> Planned:
-    """`program` planned in the lowering that is wanted, or in all of them."""
+def plan_exposures(program: Program, option: LoweringOption) -> Planned:
+    """Plan the exposures of `program` with one lowering, or with each of them."""
     opens = levels(program)
     plans: list[ExposurePlan] = []
     misfits: dict[Lowering, Misfit] = {}
-    for lowering in LOWERINGS if wanted == "auto" else (wanted,):
+    for lowering in LOWERINGS if option == "auto" else (option,):
         plan = plan_exposure(program, lowering, opens)
         if isinstance(plan, Misfit):
             misfits[lowering] = plan
@@ -132,13 +124,13 @@ def frame_time(program: Program) -> Timeline:
 
 
 def levels(program: Program) -> Opens:
-    """The predicates that the program's shutters are made of."""
+    """The predicates of the program's shutters."""
     shutters = program.table.shutters
     return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
 
 
 def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
-    """The plan of `lowering` for `program`, or why there is none. `opens` is `levels(program)`."""
+    """The plan of `lowering`, or why there is none. `opens` is `levels(program)`."""
     free = len(program.target.analog_available)
     reference = lowering != "edges" or len(program.buckets) < free
     registers = analog_registers(program, lowering, reference=reference)
@@ -146,14 +138,14 @@ def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> Exposur
         return registers
     shutters = program.table.shutters
     if lowering == "latch" and np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]):
-        return Misfit("latch serves only shutters that open with slot 0 and close once")
+        return Misfit("latch requires shutters that open in slot 0 and close once")
     return _Builder(program, lowering, opens, registers).build()
 
 
 def analog_registers(
     program: Program, lowering: Lowering, *, reference: bool
 ) -> AnalogRegisters | Misfit:
-    """The registers of a lowering, one for the reset level if it needs a `reference`."""
+    """The registers of a lowering, with one for the reset level if it needs a `reference`."""
     target, buckets = program.target, program.buckets
     free = target.analog_available
     required = len(buckets) + reference
@@ -172,11 +164,11 @@ def analog_registers(
     return AnalogRegisters(free[: len(buckets)], level, target.analog_scratch, holders)
 
 
-def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
+def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
     """See ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
-    # By identity: there are few tuples of words, and comparing them takes long.
+    # Compared by identity, because there are few tuples of words and comparing them is slow.
     distinct = {id(s.words): s.words for s in steps}
     alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
     for (predicate, known), times in alike.items():
@@ -190,12 +182,12 @@ def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 
 
-# Twice and a pause, as the library's respix does: one word is too short to empty the well.
+# Twice with a pause, as the library's respix does: one word is too short to reset the photodiode.
 RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
-    """Collects the steps of one plan in the order in which they run."""
+    """Collects the steps of a plan in execution order."""
 
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
@@ -207,7 +199,7 @@ class _Builder:
         self.zero = () if self.reference is None else (self.reference,)
         self.slots = len(program.frame.slot_us)
         self.everywhere = (1 << len(program.table.shutters)) - 1
-        self.steps: list[Step] = []
+        self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
         self._setup()
@@ -222,19 +214,19 @@ class _Builder:
     def _step(
         self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
     ) -> None:
-        """Adds a step, unless no shutter takes part in it."""
+        """Add a step unless its predicate is empty."""
         if predicate:
-            where = None if predicate == self.everywhere else predicate
-            self.steps.append(Step(boundary, role, bucket, where, words))
+            taking_part = None if predicate == self.everywhere else predicate
+            self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
 
     def _setup(self) -> None:
         scratch = self.scratch
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
-        self.steps.append(Step(0, "setup", -1, None, clear))
+        self.steps.append(PlanStep(0, "setup", -1, None, clear))
         sample: tuple[Op, ...] = ()
         if self.reference is not None:
             sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(Step(0, "reset", -1, None, (*RESET, *sample)))
+        self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """register += PIX - reference."""
@@ -250,12 +242,12 @@ class _Builder:
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
-                self.steps.append(Step(slot, "reset", -1, None, RESET))
+                self.steps.append(PlanStep(slot, "reset", -1, None, RESET))
             for bucket, add in enumerate(adds):
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
     def _latch(self) -> None:
-        """A pixel's last write is the one at its stop: only boundaries where one closes count."""
+        """Copy at boundaries where a shutter closes, since only a pixel's last write counts."""
         assert self.reference is not None
         sample = op("bus", (self.scratch,), ("PIX",))
         copies = [
@@ -268,11 +260,12 @@ class _Builder:
                     self._step(boundary, "open", bucket, before, copies[bucket])
 
     def _edges(self) -> None:
-        """Falls before rises: a rise may reset what another bucket's fall still has to read."""
+        """Falls before rises, because a rise may reset PIX before another bucket's fall reads
+        it."""
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
         rises = [RESET if resets else self._subtract(register) for register in self.registers]
-        # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
+        # With a reference, PIX has the reset level at boundary 0, so there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():
             for bucket, (before, after) in enumerate(changes):
@@ -282,7 +275,8 @@ class _Builder:
                     self._step(boundary, "rise", bucket, after & ~before, rises[bucket])
 
     def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
-        """Boundaries where shutters change: for each bucket, which are open before and after."""
+        """The boundaries where shutters change: for each bucket, the open shutters before and
+        after."""
         closed = (0,) * len(self.opens)
         states = (closed, *zip(*self.opens, strict=True), closed)
         for boundary, (before, after) in enumerate(pairwise(states)):
@@ -290,7 +284,7 @@ class _Builder:
                 yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
-        """Whether a rising pixel may lose what PIX holds: no other bucket of it is still open."""
+        """Whether a rising pixel may reset PIX: none of its other buckets is open."""
         if self.program.target.reset_honours_flag != "yes" or self.reference is None:
             return False
         for boundary in range(1, self.slots):
