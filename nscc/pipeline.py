@@ -158,8 +158,16 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
 
 
 def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
-    """The best lowering becomes a container of instruction code words. Refuses nothing."""
-    return assemble(choice.best, job.options.level), []
+    """The best lowering becomes a container of instruction code words.
+
+    Refuses images and planes that need more than the chip has (NS0535, NS0540, NS0541).
+    """
+    container, program = assemble(choice.best, job.options.level), choice.best.program
+    if program.pictures is None:
+        return container, []
+    from nscc.neighbours.passes import with_pictures
+
+    return with_pictures(container, program, job.options.level)
 
 
 def plan_looking(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:

@@ -26,6 +26,7 @@ _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
 _ours = partial(key, source="not public")
 _stream = partial(key, section="stream")
+_seen = partial(key, source="not public", section="neighbours", later=True)
 _in = partial(key, source="not public", section="in", later=True)
 
 
@@ -145,6 +146,20 @@ class Target:
         Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
     )
 
+    sees_neighbours: bool = _seen(
+        Flag(), "do words reach the NEWS, and the digital registers, of neighbours?", default=True
+    )  # fmt: skip
+    directed_sources: int = _seen(
+        Integer(1, 4), "most analog sources of a word that writes or reads a neighbour's NEWS",
+        default=2,
+    )  # fmt: skip
+    directed_halving: bool = _seen(
+        Flag(), "may a bus2 word read a neighbour's NEWS?", default=False
+    )
+    news_read_keeps: bool = _seen(
+        Flag(), "does NEWS keep its value when neighbours read it?", default=True
+    )
+
     taps: tuple[str, ...] = _stream(
         Several(_TAP, text="a list of names of capital letters, digits and `_`"),
         "where a pixel can collect charge, in the order of a program's buckets", default=(),
@@ -257,6 +272,7 @@ SCHEMA = Schema(
         "time": "",
         "range": "",
         "in": "the global value IN that every pixel can compare with; set between kernels",
+        "neighbours": "how words reach the pixels to the north, east, south and west",
     },
     _CODES,
     "`nscc targets scamp5 --toml` prints a complete file to start from",

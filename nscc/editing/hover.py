@@ -17,6 +17,7 @@ from nscc.program.problems import clipped, counted
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.words import FORMS
+from nscc.words.pictures import Weights
 
 _MOST_VALUES = 12
 
@@ -90,7 +91,43 @@ def _meaning(document: Document, mention: Mention) -> str | None:
         return _sense(document, name)
     if name in declared.states:
         return _state(document, name)
-    return _predefined(document, name)
+    return _picture(document, name) or _predefined(document, name)
+
+
+def _picture(document: Document, name: str) -> str | None:
+    """A kernel as a grid, or what an image or a plane costs; buckets are among these names, too."""
+    compiled, declared = document.checked.compiled, document.declared
+    if document.tokens.version < 3:
+        return None
+    if any(isinstance(rule, tree.Bucket) and rule.name.text == name for rule in declared.rules):
+        return "one of the frames that an exposure gives"
+    pictures = None if compiled is None or compiled.container is None else (
+        compiled.container.pictures
+    )  # fmt: skip
+    if name in declared.kernels:
+        weights = None if pictures is None else pictures.weights_by_name.get(name)
+        return "a kernel" if weights is None else f"a kernel\n\n{_grid(weights)}"
+    kinds = {each.name.text: each for each in declared.pictures}
+    if name not in kinds:
+        return None
+    is_plane = isinstance(kinds[name], tree.Plane)
+    told = "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
+    cost = next((c for c in pictures.costs if c.name == name), None) if pictures else None
+    if cost is None:
+        return told
+    told += f". {counted(cost.words, 'word')}"
+    if is_plane:
+        return told
+    return f"{told}, peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
+
+
+def _grid(weights: Weights) -> str:
+    """A kernel's weights as a block of text."""
+    width = max(len(str(weight)) for row in weights.rows for weight in row)
+    lines = [" ".join(f"{weight:>{width}}" for weight in row) for row in weights.rows]
+    if weights.divisor > 1:
+        lines[len(lines) // 2] += f"   / {weights.divisor}"
+    return "\n".join(["```text", *lines, "```"])
 
 
 def _field(document: Document, name: str) -> str:

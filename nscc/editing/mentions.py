@@ -10,9 +10,9 @@ from nscc.editing.document import Document
 from nscc.source import Span
 
 Kind = Literal["name", "bucket"]
-"""Buckets have a separate namespace; all other declarations share one."""
+"""Until version 3, buckets have a separate namespace; all other declarations share one."""
 
-DECLARES = ("let", "code", "shutters", "sense", "state")
+DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "plane")
 """Keywords followed by the name that a statement declares."""
 
 
@@ -32,10 +32,10 @@ def mentions(document: Document) -> list[Mention]:
     listed = []
     for index, kind in enumerate(kinds):
         before = kinds[index - 1] if index else ""
-        if kind != "NAME" or before == "key":
+        if kind not in ("NAME", "FUNCTION") or before == "key":
             continue
         is_kept_state = before == "kept" and kinds[index - 2 : index - 1] == ["state"]
-        bucket = before in ("bucket", "exposure")
+        bucket = before in ("bucket", "exposure") and tokens.version < 3
         declares = is_kept_state or before in DECLARES or before == "bucket"
         name = tokens.text(index)
         listed.append(Mention(name, tokens.span(index), "bucket" if bucket else "name", declares))

@@ -128,6 +128,8 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "asm":
             return text_after("words", container).encode()
         case "report":
-            return report_bytes(report(choice, proof))
+            from nscc.emit.pictures import picture_report
+
+            return report_bytes({**report(choice, proof), **picture_report(container)})
         case _:
             return to_bytes(container)

@@ -50,6 +50,10 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     schedule = lowered.schedule
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
+    if compiled.container is not None and compiled.container.pictures is not None:
+        from nscc.emit.pictures import picture_rows
+
+        rows += picture_rows(compiled.container.pictures, program.target)
     return [
         *rows,
         ("lowering", f"{lowered.plan.lowering}; encoding: {lowered.solution.encoding}"),

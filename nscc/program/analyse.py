@@ -16,6 +16,7 @@ from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
+from nscc.program.pictures import make_pictures
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
@@ -50,6 +51,7 @@ def analyse(
     if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
+    pictures = make_pictures(declared, constants, chosen, base, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
     assert frame is not None
@@ -59,7 +61,10 @@ def analyse(
     )
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
-    return Completion(problems, declared, chosen, frame, known, planes, codes, looking).run()
+    completion = Completion(
+        problems, declared, chosen, frame, known, planes, codes, looking, pictures
+    )
+    return completion.run()
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:

@@ -43,6 +43,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
 from nscc.words.machine import Machine
+from nscc.words.pictures import Pictures
 
 
 @dataclass(eq=False, repr=False)
@@ -60,6 +61,7 @@ class Completion:
     planes: dict[str, Plane]
     codes: Codes
     looking: Looking | None = None
+    pictures: Pictures | None = None
 
     def __post_init__(self) -> None:
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
@@ -140,6 +142,7 @@ class Completion:
             class_reason=found.reason,
             messages=self.problems.sorted(),
             machine=machine,
+            pictures=self.pictures,
         )
 
     def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:

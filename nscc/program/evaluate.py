@@ -101,6 +101,8 @@ def _value(
             return _bit(node, given[0], bindings[node.base.text], bindings)
         case tree.Call():
             return _extreme(node.function.text, given)
+        case tree.Place() | tree.Amount():
+            raise AssertionError("`check` refuses levels and bits of neighbours")
     assert_never(node)
 
 

@@ -85,7 +85,7 @@ def make_looking(
     senses = [maker.sense(sense) for sense in declared.senses.values()]
     states = [maker.state(name, state) for name, state in declared.states.items()]
     nexts = {name: maker.next(statement) for name, statement in declared.nexts.items()}
-    for name in declared.reads.values():
+    for name in () if declared.pictures else declared.reads.values():
         maker.known_state(name)
     reset = None
     if declared.reset is not None:

@@ -19,6 +19,7 @@ A text is a list of lines; `;` or `#` begins a comment.
     .pixels plane R C         or all of them, as base64 of 32-bit integers behind bars
     .machine                  what pixels that look do, and the levels of IN of all launches, as
                               base64 behind bars: `nscc disasm` writes it
+    .pictures                 images and planes with their words, as base64 behind bars
     .source                   the program's text, its lines behind bars
     .note KEY "TEXT"
 """

@@ -168,6 +168,7 @@ DIRECTIVES: dict[str, Directive] = {
     ),
     ".code": Directive(_row("codes"), "a shutter", "`.code 3 16`"),
     ".machine": Directive(partial(_block, "machine"), "its data below", _BELOW),
+    ".pictures": Directive(partial(_block, "pictures"), "its data below", _BELOW),
     ".pixels": Directive(
         partial(_block, "pixels"), "a form and a size",
         "`.pixels tile ROWS COLS` or `.pixels plane ROWS COLS`",

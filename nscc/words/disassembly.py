@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
-from nscc.words import machine_file
+from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import block_text, name_text, number_text, ranges_text, slots_text
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
@@ -47,6 +47,7 @@ def disassemble(container: Container) -> str:
         _readouts(container),
         _table(container),
         _machine(container),
+        _pictures(container),
         _pixels(container),
     )
     return "\n\n".join("\n".join(lines) for lines in map(list, sections) if lines) + "\n"
@@ -209,6 +210,23 @@ def _machine(container: Container) -> Iterator[str]:
         yield f"; at boundary {comparison.boundary}: {signal} above {level}"
     yield ".machine"
     yield from block_text([*machine_file.to_text(container)])
+
+
+def _pictures(container: Container) -> Iterator[str]:
+    """The words of images and planes, for a reader; then all of them, as data."""
+    pictures, target = container.pictures, container.target
+    if pictures is None:
+        return
+    yield "; images and planes: these words follow the last slot's"
+    for launch in pictures.launches:
+        level = "" if launch.level is None else f", IN at {launch.level}"
+        yield f"; kernel {launch.kernel}{level}"
+        for word in pictures.kernels[launch.kernel]:
+            yield f";     {matching(word, target.words) or word_text(word)}"
+    for name, register in pictures.registers.items():
+        yield f"; {register} holds {name}"
+    yield ".pictures"
+    yield from block_text([*pictures_file.to_text(pictures)])
 
 
 def _pixels(container: Container) -> Iterator[str]:

@@ -111,6 +111,7 @@ class Draft:
     source: TextBlock | None = None
     pixels: TextBlock | None = None
     machine: TextBlock | None = None
+    pictures: TextBlock | None = None
     notes: dict[str, str] = field(default_factory=dict)
     slot_us: list[float] = field(default_factory=list)
     buckets: list[Token] = field(default_factory=list)

@@ -15,12 +15,13 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Span
-from nscc.words import machine_file
+from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
 from nscc.words.machine import Machine, StatePlanes
+from nscc.words.pictures import Pictures
 from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
 
@@ -78,6 +79,12 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
             machine, state_planes, levels = read
             pairs = zip(launches, levels, strict=True)
             launches = tuple(replace(launch, level=level) for launch, level in pairs)
+    pictures: Pictures | None = None
+    if draft.pictures is not None:
+        pictures = pictures_file.from_text("".join(line for line, _ in draft.pictures.lines))
+        if pictures is None:
+            message = "the lines below are no images and planes"
+            faults.add("NS0714", message, draft.pictures.directive.span)
     faults.stop()
     container = Container(
         target=target,
@@ -97,6 +104,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         notes=notes,
         machine=machine,
         state_planes=state_planes,
+        pictures=pictures,
     )
     for fault_text in container_faults(container):
         faults.add("NS0707", f"this text is inconsistent: {fault_text}", _START)

@@ -38,6 +38,7 @@ from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, Pix
 from nscc.words.assembly_text import number_text, ranges_text
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
+from nscc.words.legality import refuse_pictures
 from nscc.words.readout import converter_of, preparation_of
 
 _SIDE = 1 << ADDRESS_BITS
@@ -62,6 +63,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     Raises Rejected (NS0520) where it cannot run it: another chip's registers or array, no pixel
     data, no room for the kernels that load the codes; NS0521 for words that its library lacks.
     """
+    refuse_pictures(container, "there is no C++ of this program", "run it on the emulator")
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
     fault = devkit_fault(container, devkit)
