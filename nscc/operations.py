@@ -184,19 +184,19 @@ class Op:
     """One ICW as an operation with its operands, destinations first.
 
     Sources are a set to the array; they are kept in the order of `READ_LINES`, so that equal
-    words are equal values. The halves of a pair are two of these. `own` is the row of a word that
-    a target has of its own.
+    words are equal values. The halves of a pair are two of these. `target_operation` is the row of
+    a word that only some targets have.
     """
 
     name: str
     destinations: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
-    own: Operation | None = None
+    target_operation: Operation | None = None
 
     @property
     def operation(self) -> Operation:
         """The row that says what this word does."""
-        return self.own or BY_NAME[self.name]
+        return self.target_operation or BY_NAME[self.name]
 
     @property
     def analog(self) -> bool:
@@ -211,14 +211,14 @@ _ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """An operation of the table with its operands in canonical order; see `made`."""
+    """An operation of the table with its operands in canonical order; see `make_op`."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")
-    return made(row, destinations, sources)
+    return make_op(row, destinations, sources)
 
 
-def made(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
+def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
     """An operation with its operands in canonical order; equal words give equal values.
 
     Raises ValueError where it does not take these operands: callers check what a user wrote first.
@@ -233,14 +233,20 @@ def made(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str
         if len(operands) < low or (high is not None and len(operands) > high):
             raise ValueError(f"{name} cannot take {len(operands)} {word}")
     analog = row.analog
-    seen = NEIGHBOURS if row.effect is Effect.BUS else ()
+    directions = NEIGHBOURS if row.effect is Effect.BUS else ()
     for register in dests:
-        if register not in (ANALOG_WRITE if analog else DIGITAL_WRITE) and register not in seen:
+        if (
+            register not in (ANALOG_WRITE if analog else DIGITAL_WRITE)
+            and register not in directions
+        ):
             raise ValueError(f"{name} cannot write {register}")
     for register in srcs:
-        if register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES) and register not in seen:
+        if (
+            register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES)
+            and register not in directions
+        ):
             raise ValueError(f"{name} cannot read {register}")
-    directed = [register for register in (*dests, *srcs) if register in seen]
+    directed = [register for register in (*dests, *srcs) if register in directions]
     if directed and (len(directed) > 1 or "NEWS" in (*dests, *srcs)):
         raise ValueError(f"{name} joins NEWS to one bus")
     if directed and len(dests) > 1 and directed[0] in dests:

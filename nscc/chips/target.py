@@ -26,7 +26,7 @@ _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
 _ours = partial(key, source="not public")
 _stream = partial(key, section="stream")
-_seen = partial(key, source="not public", section="neighbours", later=True)
+_neighbours_key = partial(key, source="not public", section="neighbours", later=True)
 _in = partial(key, source="not public", section="in", later=True)
 
 
@@ -146,17 +146,17 @@ class Target:
         Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
     )
 
-    sees_neighbours: bool = _seen(
+    sees_neighbours: bool = _neighbours_key(
         Flag(), "do words reach the NEWS, and the digital registers, of neighbours?", default=True
     )  # fmt: skip
-    directed_sources: int = _seen(
+    directed_sources: int = _neighbours_key(
         Integer(1, 4), "most analog sources of a word that writes or reads a neighbour's NEWS",
         default=2,
     )  # fmt: skip
-    directed_halving: bool = _seen(
+    directed_halving: bool = _neighbours_key(
         Flag(), "may a bus2 word read a neighbour's NEWS?", default=False
     )
-    news_read_keeps: bool = _seen(
+    news_read_keeps: bool = _neighbours_key(
         Flag(), "does NEWS keep its value when neighbours read it?", default=True
     )
 

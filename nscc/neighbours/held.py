@@ -55,14 +55,14 @@ class Emitter(ABC):
         self.masked = False
         self.now = ""
 
-    def word(self, made: Op, level: int | None = None) -> None:
+    def word(self, op: Op, level: int | None = None) -> None:
         """Emits the next word."""
-        effect = made.operation.effect
+        effect = op.operation.effect
         if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL):
             self.masked = True
         elif effect is Effect.FLAG_ALL:
             self.masked = False
-        self.words.append((made, level))
+        self.words.append((op, level))
 
     def everywhere(self) -> None:
         """FLAG is 1 in all pixels from here on."""

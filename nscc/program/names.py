@@ -113,63 +113,63 @@ class _Gatherer:
         self.mixed = False
 
     def add(self, statement: tree.Statement) -> None:
-        found = self.found
+        declared = self.found
         match statement:
             case tree.Version():
-                found.version = statement.number.value
+                declared.version = statement.number.value
             case tree.TargetByName() | tree.TargetFromFile():
-                if self._once("target", found.target, statement):
-                    found.target = statement
+                if self._once("target", declared.target, statement):
+                    declared.target = statement
             case tree.EqualSlots() | tree.ListedSlots():
-                if self._once("frame", found.frame, statement):
-                    found.frame = statement
+                if self._once("frame", declared.frame, statement):
+                    declared.frame = statement
             case tree.Let():
                 if self._new(statement.name):
-                    found.lets[statement.name.text] = statement
+                    declared.lets[statement.name.text] = statement
             case tree.CodeRange() | tree.CodeBits() | tree.CodeRow():
                 if self._new(statement.name):
-                    found.codes[statement.name.text] = statement
+                    declared.codes[statement.name.text] = statement
             case tree.BookInline() | tree.BookFromFile():
                 if self._new(statement.name):
-                    found.books[statement.name.text] = statement
+                    declared.books[statement.name.text] = statement
             case tree.Require():
-                found.requires.append(statement)
+                declared.requires.append(statement)
             case tree.Open() | tree.Bucket():
                 self._rule(statement)
             case tree.Sense():
                 if self._new(statement.name):
-                    found.senses[statement.name.text] = statement
+                    declared.senses[statement.name.text] = statement
             case tree.StateRange() | tree.StateBit():
                 if self._new(statement.name):
-                    found.states[statement.name.text] = statement
+                    declared.states[statement.name.text] = statement
             case tree.Next():
                 name = statement.name.text
-                if self._once(f"next {name}", found.nexts.get(name), statement):
-                    found.nexts[name] = statement
+                if self._once(f"next {name}", declared.nexts.get(name), statement):
+                    declared.nexts[name] = statement
             case tree.Reset():
-                if self._once("reset when", found.reset, statement):
-                    found.reset = statement
+                if self._once("reset when", declared.reset, statement):
+                    declared.reset = statement
             case tree.Read():
-                for each in statement.names:
-                    found.reads.setdefault(each.text, each)
+                for read_name in statement.names:
+                    declared.reads.setdefault(read_name.text, read_name)
             case tree.Kernel() | tree.KernelFromFile():
                 if self._new(statement.name):
-                    found.kernels[statement.name.text] = statement
+                    declared.kernels[statement.name.text] = statement
             case tree.Image() | tree.Plane():
                 if self._new(statement.name):
-                    found.pictures.append(statement)
+                    declared.pictures.append(statement)
             case tree.Outside():
-                if self._once("outside", found.outside, statement):
-                    found.outside = statement
+                if self._once("outside", declared.outside, statement):
+                    declared.outside = statement
             case tree.Assume():
-                found.assumes.append(statement)
+                declared.assumes.append(statement)
             case tree.Report():
-                found.reports.append(statement)
+                declared.reports.append(statement)
             case tree.PixelsExpr() | tree.PixelsTile():
                 self._pixels(statement)
             case tree.PixelsFromFile():
-                if self._once("pixels from", found.pixels_file, statement):
-                    found.pixels_file = statement
+                if self._once("pixels from", declared.pixels_file, statement):
+                    declared.pixels_file = statement
             case _:
                 assert_never(statement)
 

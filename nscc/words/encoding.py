@@ -40,7 +40,7 @@ from nscc.operations import (
     Effect,
     Op,
     Operation,
-    made,
+    make_op,
 )
 from nscc.words.container import Word
 
@@ -148,7 +148,7 @@ def matching(word: Word, own: tuple[Operation, ...] = ()) -> Op | None:
         if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):
             continue
         try:
-            found = made(row, destinations, sources)
+            found = make_op(row, destinations, sources)
         except ValueError:
             continue
         if _encoded(found) == bits:
