@@ -24,7 +24,7 @@ class BitWords:
     def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
-        nodes = [node for item in pictures.items for node in p.every(item.node)]
+        nodes = [node for item in pictures.items for node in p.subexpressions(item.node)]
         self.steers = any(isinstance(node, p.Near | p.At) for node in nodes)
         self.available = [r for r in registers if not (self.steers and r in STEERING)]
         self.free = list(self.available)
@@ -33,7 +33,7 @@ class BitWords:
         for node in nodes:
             if isinstance(node, p.Bit):
                 self.uses[node.name] = self.uses.get(node.name, 0) + 1
-        for name in pictures.wanted:
+        for name in pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
 
@@ -115,7 +115,7 @@ class BitWords:
 
     def _joined(self, node: p.Joined) -> str:
         """`or` is one word, `and` the inverse of that of the inverses."""
-        first, second = self.bit(node.left), self.bit(node.right)
+        first, second = self.bit(node.first), self.bit(node.second)
         a, b = first[0], second[0]
         if a == b:
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])

@@ -56,10 +56,10 @@ class Lowering(Emitter):
         uses: dict[str, int] = dict.fromkeys(self.held, 0)
         for item in self.pictures.items:
             uses[item.name] = 0
-            for node in p.every(item.node):
+            for node in p.subexpressions(item.node):
                 if isinstance(node, p.Source):
                     uses[node.name] += 1
-        for name in self.pictures.wanted:
+        for name in self.pictures.outputs:
             uses[name] = uses.get(name, 0) + 1
         return uses
 
@@ -72,7 +72,7 @@ class Lowering(Emitter):
                 self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
             else:
                 value = self.value(item.node)
-                if item.name in self.pictures.wanted and value.sign < 0:
+                if item.name in self.pictures.outputs and value.sign < 0:
                     value = self.negated(value)
                 if value.name is not None:  # another name of a value that is held already
                     value = self.negated(self.negated(value))
@@ -83,7 +83,7 @@ class Lowering(Emitter):
                 gain = most / max(self.pictures.limits_e.values())
                 words, noise = len(self.words) - before, sqrt(value.variance)
                 self.costs.append(p.PictureCost(item.name, words, gain, noise))
-        for name in self.pictures.wanted:
+        for name in self.pictures.outputs:
             result = self.held.get(name)
             self.registers[name] = result.register if result else self.bits.planes[name]
         self.everywhere()

@@ -69,7 +69,7 @@ def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
         case tree.Binary():
             return (node.left, node.right)
         case tree.Compare():
-            return (node.first, *node.rest)
+            return (node.first, *node.later_operands)
         case tree.IfElse():
             return (node.condition, node.then, node.otherwise)
         case tree.Index():
@@ -240,7 +240,7 @@ class _Checker:
             self._error("NS0209", message, base.span, label, helps=helps)
 
     def _compare(self, node: tree.Compare, operand_types: list[Type | None]) -> None:
-        compared = [node.first, *node.rest]
+        compared = [node.first, *node.later_operands]
         for k, op in enumerate(node.ops):
             first_type, second_type = operand_types[k], operand_types[k + 1]
             if op not in ("==", "!="):

@@ -102,18 +102,18 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
     for statement in file.statements:
         gatherer.add(statement)
     gatherer.finish(file)
-    return gatherer.found
+    return gatherer.declared
 
 
 class _Gatherer:
     def __init__(self, problems: Problems) -> None:
         self.problems = problems
-        self.found = Declarations()
+        self.declared = Declarations()
         self.first_place: dict[str, Span] = {}
         self.mixed = False
 
     def add(self, statement: tree.Statement) -> None:
-        declared = self.found
+        declared = self.declared
         match statement:
             case tree.Version():
                 declared.version = statement.number.value
@@ -176,17 +176,17 @@ class _Gatherer:
     def finish(self, file: tree.File) -> None:
         """Reports what must be there and is not, at the first statement."""
         place = file.statements[0].span if file.statements else Span(0, 0)
-        if self.found.frame is None:
+        if self.declared.frame is None:
             message = "the program has no `frame` statement"
             helps = ("add the number and the length of the slots: `frame 256 slots of 125us`",)
             self.problems.error("NS0204", message, place, "`frame` is missing", helps=helps)
-        if not self.found.rules:
+        if not self.declared.rules:
             message = "the program has no `open when` and no `bucket`"
             helps = ("add a rule that says when a shutter is open: `open when n < stop`",)
             self.problems.error(
                 "NS0204", message, place, "`open when` or `bucket` is missing", helps=helps
             )
-        fields = list(self.found.codes.values())
+        fields = list(self.declared.codes.values())
         if len(fields) > MOST_FIELDS:
             place, text = fields[MOST_FIELDS].name.span, f"field number {MOST_FIELDS + 1}"
             message = (
@@ -205,17 +205,17 @@ class _Gatherer:
 
     def _new(self, name: tree.Name) -> bool:
         meaning = PREDEFINED.get(name.text)
-        if name.text == LOOKS and self.found.version > 1:
+        if name.text == LOOKS and self.declared.version > 1:
             meaning = "the number of looks so far"
         if meaning is not None:
-            self.found.refused.add(name.text)
+            self.declared.refused.add(name.text)
             message = f"`{name.text}` is predefined and cannot be declared"
             text = f"`{name.text}` is {meaning}"
             self.problems.error("NS0202", message, name.span, text, helps=("choose another name",))
             return False
         if self._unused(name, f"`{name.text}` is declared twice", name.text):
             return True
-        self.found.refused.add(name.text)
+        self.declared.refused.add(name.text)
         return False
 
     def _unused(self, name: tree.Name, message: str, key: str) -> bool:
@@ -233,7 +233,7 @@ class _Gatherer:
         return False
 
     def _rule(self, rule: Rule) -> None:
-        rules = self.found.rules
+        rules = self.declared.rules
         if rules and isinstance(rules[0], tree.Open) != isinstance(rule, tree.Open):
             if self.mixed:
                 return
@@ -249,7 +249,7 @@ class _Gatherer:
         elif isinstance(rule, tree.Open):
             if self._once("open when", rules[0] if rules else None, rule):
                 rules.append(rule)
-        elif self.found.version > 2 and not self._unused(
+        elif self.declared.version > 2 and not self._unused(
             rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
         ):
             return
@@ -262,7 +262,7 @@ class _Gatherer:
 
     def _pixels(self, statement: tree.PixelsExpr | tree.PixelsTile) -> None:
         name = statement.field.text
-        first = self.found.pixels.setdefault(name, statement)
+        first = self.declared.pixels.setdefault(name, statement)
         if first is not statement:
             message, place = f"the pixel values of `{name}` are given twice", statement.field.span
             related = (Label(first.field.span, "the first"),)

@@ -197,7 +197,7 @@ def test_the_third_frame_is_like_the_second():
     other = op("REFRESH.read", (), [container.code_registers[1]])
     proof = proved(container, last, index, other)
     assert proof.failure is not None
-    assert "do not hold their code" in proof.failure.what
+    assert "do not hold their code" in proof.failure.reason
     assert proof.failure.frame == 1
 
 

@@ -96,7 +96,7 @@ class PicturedProgram:
             told[f"image_codes_{name}"] = frame.frame[0]
             told[f"image_saturated_by_{name}"] = frame.saturated_by[0]
         margin = np.zeros(pixels.shape, np.bool_)
-        for name in pictures.wanted:
+        for name in pictures.outputs:
             margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
         for name in pictures.reads:
             if name not in read:
