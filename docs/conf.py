@@ -20,7 +20,13 @@ author = "nscc contributors"
 copyright = "nscc contributors"
 release = version = nscc.__version__
 
-extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon", "myst_nb", "nscc_site"]
+extensions = [
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "myst_nb",
+    "sphinx_copybutton",
+    "nscc_site",
+]
 root_doc = "docs/index"
 include_patterns = [
     "*.md",

@@ -40,7 +40,7 @@ def grammar() -> dict[str, Any]:
             "end": "(?!)",  # the end of the file
             "patterns": _patterns(number),
         }
-        for number in (2, 1)
+        for number in (3, 2, 1)
     }
     return {
         "name": "Shutter program",
@@ -80,6 +80,11 @@ def _patterns(version: int) -> list[dict[str, Any]]:
         {"name": "constant.numeric.digits.nsl", "match": _terminal("GROUPED")},
         {"name": "constant.numeric.nsl", "match": _terminal("INTEGER")},
         {"name": "invalid.illegal.number.nsl", "match": _terminal("MALFORMED")},
+        *(
+            [{"name": "entity.name.function.nsl", "match": _terminal("FUNCTION")}]
+            if version > 2
+            else []
+        ),
         {"name": "variable.other.nsl", "match": name},
         {"name": "keyword.operator.nsl", "match": r"\.\.|<<|[-+*/%=:]=?|" + _comparison()},
         {"name": "punctuation.nsl", "match": r"[\[\](),]"},

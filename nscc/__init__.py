@@ -5,8 +5,8 @@
     p = nscc.compile("examples/hdr_2x2.nsl")
     p.shutters()    # bool (buckets, codes, slots)
 
-`docs/python.md` shows the whole of it. This package is the compiler: it needs lark, networkx and
-numpy, and knows nothing of the packages above it.
+`docs/python.md` documents the Python interface. This package is the compiler: it needs lark,
+networkx and numpy, and imports none of the packages above it.
 """
 
 from __future__ import annotations

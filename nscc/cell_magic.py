@@ -1,4 +1,4 @@
-"""Programs in the cells of a notebook: `%load_ext nscc`, then
+"""Notebook cells with programs: after `%load_ext nscc`, the cell
 
     %%nsl stops --target scamp7
     nsl 1
@@ -6,7 +6,7 @@
     code stop : 1..256
     open when n < stop
 
-shows when shutters are open and what the words cost, and leaves the program as `stops`.
+shows the open times of shutters and the cost in words, and assigns the program to `stops`.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from pathlib import Path
 from typing import Any, NoReturn, get_args
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import LEVELS, Options
 from nscc.program.program import Codes
 from nscc.shutter_program import ShutterProgram, compiled
 from nscc.source import Source
 
 
-class Refused(Rejected):
-    """What is wrong with a cell. IPython shows it without the calls that led to it."""
+class CellRejected(Rejected):
+    """The errors of a cell. IPython shows them without a traceback."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
 
 
 class _Usage(Exception):
-    """The first line of a cell asks for what there is not."""
+    """Invalid options in the first line of a cell."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
@@ -46,15 +46,15 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """The options of `nscc build`, as the first line of a cell has them."""
-    found = _Line("%%nsl", add_help=False, allow_abbrev=False)
-    found.add_argument("name", nargs="?", metavar="NAME")
-    found.add_argument("-O", dest="level", type=int, choices=LEVELS)
-    found.add_argument("--codes", choices=get_args(Codes))
-    found.add_argument("--lowering", choices=("auto", *LOWERINGS))
-    found.add_argument("--target")
-    found.add_argument("--max-words-per-slot", type=int)
-    return found
+    """The parser of a cell's first line, with the options of `nscc build`."""
+    parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
+    parser.add_argument("name", nargs="?", metavar="NAME")
+    parser.add_argument("-O", dest="level", type=int, choices=LEVELS)
+    parser.add_argument("--codes", choices=get_args(Codes))
+    parser.add_argument("--lowering", choices=("auto", *LOWERINGS))
+    parser.add_argument("--target")
+    parser.add_argument("--max-words-per-slot", type=int)
+    return parser
 
 
 def load_ipython_extension(shell: Any) -> None:
@@ -68,19 +68,19 @@ def load_ipython_extension(shell: Any) -> None:
     def nsl(line: str, cell: str) -> ShutterProgram:
         """Compile the cell, show its shutters and costs; NAME, if given, becomes the program."""
         try:
-            given = vars(_line().parse_args(shlex.split(line)))
+            arguments = vars(_line().parse_args(shlex.split(line)))
         except ValueError as error:
             raise _Usage(f"%%nsl: {error}") from None
-        name = given.pop("name")
+        name = arguments.pop("name")
         if name is not None and not name.isidentifier():
             raise _Usage(f"%%nsl: {name!r} is not a valid variable name")
-        options = Options(**{key: value for key, value in given.items() if value is not None})
+        options = Options(**{key: value for key, value in arguments.items() if value is not None})
         text = Source(f"In [{shell.execution_count}]", cell)
         try:
             with warnings.catch_warnings(action="ignore"):  # the card shows them
                 program = compiled(text, Path(), options)
         except Rejected as rejected:
-            raise Refused(rejected.diagnostics, rejected.status) from None
+            raise CellRejected(rejected.diagnostics, rejected.status) from None
         if name is None:
             return program
         program = replace(program, name=name)

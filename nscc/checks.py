@@ -1,6 +1,6 @@
-"""What must be true of a value between two passes; where it is not, the compiler is at fault.
+"""Consistency checks between two passes; a failed check is a fault of the compiler.
 
-Each check is cheap beside the pass that made its value, and shares nothing with it.
+A check takes little time compared with the pass, and shares no code with it.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from nscc.logic.problem import Gate, Machine
 from nscc.logic.replay import fault
+from nscc.lower.exposure_plan import ExposurePlan, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice
-from nscc.lower.plan import ExposurePlan, Planned
 from nscc.operations import Effect, Op
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
@@ -26,21 +26,21 @@ from nscc.truth import members
 from nscc.words.container import Container
 
 if TYPE_CHECKING:
+    from nscc.looks.looking_plan import LookingPlan, Moment
     from nscc.looks.passes import LookingLowered
-    from nscc.looks.plan import LookingPlan, Moment
     from nscc.stream.sending import Sending
     from nscc.words.machine import Machine as StateMachine
 
 _ROUNDING = 1e-9
-"""Part of a time by which sums of decimal fractions may differ."""
+"""Relative tolerance for times, which are sums of decimal fractions."""
 
 
 class Inconsistent(Exception):
-    """A pass made a value that is not what it promises: a fault of the compiler."""
+    """The output of a pass violates its invariants: a fault of the compiler."""
 
 
 def check_tree(source: Source, tree: File) -> None:
-    """The statements lie in the text, one behind the other."""
+    """Check that statements lie inside the text and do not overlap."""
     end = 0
     for statement in tree.statements:
         _require(end <= statement.span.start <= statement.span.end, "statements overlap")
@@ -49,7 +49,7 @@ def check_tree(source: Source, tree: File) -> None:
 
 
 def check_program(program: Program) -> None:
-    """The decode table has one row for each code, and shutters of the frame and its buckets."""
+    """Check that the decode table has one row for each code, and the frame's slots and buckets."""
     table = program.table
     _, buckets, slots = table.shutters.shape
     _require(len(table.codes) == len(table.shutter_of_code), "a code without a shutter")
@@ -60,7 +60,7 @@ def check_program(program: Program) -> None:
 
 
 def check_plans(planned: Planned) -> None:
-    """Every plan's predicates, played through the frame, are the shutters."""
+    """Check that the predicates of every plan reproduce the shutters."""
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
@@ -68,7 +68,8 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """For each slot, the shutters whose pixels keep its light; `first` are those open in slot 0."""
+    """For each slot, the shutters whose light is collected; `first` is the set of shutters open in
+    slot 0."""
     at = {
         (s.boundary, s.role): plan.everywhere if s.predicate is None else s.predicate
         for s in plan.steps
@@ -79,31 +80,32 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
         case "accumulate":
             return [at.get((n + 1, "open"), 0) for n in slots]
         case "latch":
-            # The last copy is what stays, and holds the light of all slots before it.
+            # The last copy remains, and holds the light of all slots before it.
             copied = 0
-            kept = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
-            return kept[::-1]
+            kept_by = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
+            return kept_by[::-1]
         case "edges":
-            # PIX starts at the reset level: pixels open from slot 0 on need no rise.
+            # PIX starts at the reset level, so pixels open from slot 0 on need no rise.
             now = first
-            kept = []
+            kept_by = []
             for n in slots:
                 now = now & ~at.get((n, "fall"), 0) | at.get((n, "rise"), 0)
-                kept.append(now)
+                kept_by.append(now)
             _require(at.get((plan.slots, "fall"), 0) == now, "a shutter is never read")
-            return kept
+            return kept_by
 
 
 def check_gates(gated: Gated) -> None:
-    """Every solution, replayed on truth vectors, meets its demands."""
+    """Replay every solution on truth vectors and check that it meets its demands."""
     machine = Machine.of(gated.program.target)
-    for decoding in gated.tried:
-        wrong = fault(decoding.problem, machine, decoding.solution)
-        _require(wrong is None, f"{decoding.solution.encoding}: {wrong}")
+    for decoding in gated.decodings:
+        fault_text = fault(decoding.problem, machine, decoding.solution)
+        _require(fault_text is None, f"{decoding.solution.encoding}: {fault_text}")
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
-    """Every change of a node's open buckets is a moment that closes and opens these buckets."""
+    """Check that every change of a node's open buckets is a moment that closes or opens these
+    buckets."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
     _require(boundaries == sorted(set(boundaries)), "times are not in order")
@@ -118,7 +120,8 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 
 def _check_moment(moment: Moment, machine: StateMachine) -> None:
-    """Buckets that were open, less those that close and with those that open, are open then."""
+    """Check that the buckets open before a moment, minus `falls`, plus `rises`, are those open
+    after it."""
     _require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
     lanes, boundary = len(moment.before), moment.boundary
     reset = _lanes(moment.resets, lanes)
@@ -126,26 +129,29 @@ def _check_moment(moment: Moment, machine: StateMachine) -> None:
         was = machine.opens[moment.before, bucket, boundary - 1]
         inside = boundary < machine.slots
         becomes = machine.opens[moment.after, bucket, boundary] if inside else np.zeros_like(was)
-        found = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
-        wanted = np.where(reset, False, becomes)
-        _require(np.array_equal(found, wanted), f"bucket {bucket} is open in other pixels")
+        computed = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
+        expected = np.where(reset, False, becomes)
+        _require(np.array_equal(computed, expected), f"bucket {bucket} is open in other pixels")
 
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
-    found = np.zeros(lanes, np.bool_)
-    found[members(vector, lanes)] = True
-    return found
+    flags = np.zeros(lanes, np.bool_)
+    flags[members(vector, lanes)] = True
+    return flags
 
 
-def check_looking_gates(tried: Sequence[LookingLowered]) -> None:
-    """Codes and states can be told apart, and each comparison is made at its moment."""
-    for lowered in tried:
+def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
+    """Check that encodings are injective, and that every comparison is made at its boundary."""
+    for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
         assert solution is not None
         assert machine is not None
-        for held in (solution.encoding.code, *solution.encoding.states):
-            rows = np.unique(held.bits, axis=0) if held.registers else held.bits
-            _require(len(rows) == len(held.bits), f"{held.name}: two values with the same bits")
+        for value_bits in (solution.encoding.code, *solution.encoding.states):
+            rows = np.unique(value_bits.bits, axis=0) if value_bits.registers else value_bits.bits
+            _require(
+                len(rows) == len(value_bits.bits),
+                f"{value_bits.name}: two values with the same bits",
+            )
         names = {
             *(f"p{i}" for i in range(len(solution.planes))),
             *solution.states,
@@ -157,23 +163,26 @@ def check_looking_gates(tried: Sequence[LookingLowered]) -> None:
             gates = [item for item in items if isinstance(item, Gate)]
             used = {name for gate in gates for name in (gate.destination, *gate.sources)}
             _require(names >= used, f"unknown registers: {sorted(used - names)}")
-            made = sum(
+            comparison_count = sum(
                 isinstance(item, Op) and item.operation.effect is Effect.FLAG_ANALOG
                 for item in items
             )
-            _require(made == len(machine.at(boundary)), "a comparison that no word makes")
+            _require(
+                comparison_count == len(machine.at(boundary)), "a comparison that no word makes"
+            )
 
 
 def check_route(sending: Sending) -> None:
-    """The light of every slot goes to the tap of the bucket that is open, or to no bucket's."""
+    """Check that the light of every slot goes to the tap of the open bucket, or to no bucket's
+    tap."""
     route, shutters = sending.route, sending.program.table.shutters
     place = np.where(route.bits, route.ones, route.zeros)[:, None]
-    taken = place == np.arange(shutters.shape[1])[:, None]
-    _require(np.array_equal(taken, shutters), "light goes to the tap of another bucket")
+    collected = place == np.arange(shutters.shape[1])[:, None]
+    _require(np.array_equal(collected, shutters), "light goes to the tap of another bucket")
 
 
 def check_loadings(sending: Sending) -> None:
-    """Every plane is loaded, as long as its rows take, before it acts and before the next one."""
+    """Check that every plane is completely loaded before it acts and before the next one loads."""
     load_us, begin_us = sending.program.target.plane_load_us, 0.0
     ended_us = -inf
     for slot_us, loading in zip(sending.program.frame.slot_us, sending.loadings, strict=True):
@@ -187,8 +196,8 @@ def check_loadings(sending: Sending) -> None:
 
 
 def check_schedule(choice: Choice) -> None:
-    """Every layout launches its kernels in time and names registers that the chip has."""
-    for lowered in choice.tried:
+    """Check that kernels are launched at increasing boundaries and name registers of the chip."""
+    for lowered in choice.lowerings:
         schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
         places = schedule.allocation.places
         _require(len(set(places.values())) == len(places), "two holders of one register")
@@ -197,27 +206,30 @@ def check_schedule(choice: Choice) -> None:
         _require(boundaries[0] == 0 and boundaries[-1] <= slots, "a launch out of time")
         used = {kernel for _, kernel in schedule.launches}
         _require(used == set(range(len(schedule.kernels))), "a kernel that is never launched")
-        own = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
+        registers = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
         for word in {word for kernel in schedule.kernels for word in kernel}:
             _require(
-                own.issuperset(word.destinations), f"a word that the chip does not have: {word}"
+                registers.issuperset(word.destinations),
+                f"a word that the chip does not have: {word}",
             )
 
 
 def check_words(container: Container) -> None:
-    """Every shutter has an encoding, every bucket a readout, every launch a kernel."""
+    """Check that every shutter has an encoding, every bucket a readout and every launch a
+    kernel."""
     shape = len(container.table.shutters), len(container.target.digital_registers)
     _require(container.encoding.shape == shape, "an encoding of other shutters")
     read = [readout.bucket for readout in container.readouts]
     _require(sorted(read) == sorted(container.buckets), "a bucket that is not read out")
     kernels = range(len(container.kernels))
     _require(
-        all(each.kernel in kernels for each in container.launches), "a launch of an unknown kernel"
+        all(launch.kernel in kernels for launch in container.launches),
+        "a launch of an unknown kernel",
     )
 
 
 def check_proof(proof: Proof) -> None:
-    """The words do what the decode table says."""
+    """Check that the proof of the words holds."""
     _require(proof.holds, f"the proof fails: {proof.failure}")
 
 

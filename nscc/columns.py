@@ -6,15 +6,17 @@ from collections.abc import Collection, Sequence
 
 
 def columns(
-    rows: Sequence[Sequence[str]], left: Collection[int] | None = None, indent: str = ""
+    rows: Sequence[Sequence[str]], left_aligned: Collection[int] | None = None, indent: str = ""
 ) -> str:
-    """Rows of as many cells, a line each; the columns `left` (None: all) begin alike, others end
-    alike."""
+    """Format rows of equal length as lines of aligned columns, those in `left_aligned` (None: all)
+    to the left, others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
 
     def line(row: Sequence[str]) -> str:
         cells = (
-            cell.ljust(width) if left is None or number in left else cell.rjust(width)
+            cell.ljust(width)
+            if left_aligned is None or number in left_aligned
+            else cell.rjust(width)
             for number, (cell, width) in enumerate(zip(row, widths, strict=True))
         )
         return indent + "  ".join(cells).rstrip()

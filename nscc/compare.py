@@ -1,4 +1,4 @@
-"""One program on several chips: whether it fits each, how short its slots may be, what is sent."""
+"""One program compiled for several chips: whether it fits, shortest slots, data rates."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from nscc.chips.target import Target
 from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.emit.stream import rate_text
+from nscc.emit.sending_report import rate_text
 from nscc.lower.resources import time_text
 from nscc.pipeline import Compiled, Options
 from nscc.program.problems import counted
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
-"""The noise in electrons that a chip is expected to have in the dark, and at half a full well."""
+"""Expected noise in electrons: in the dark, and at half a full well."""
 
 
 @dataclass(frozen=True, eq=False)
 class OnChip:
-    """A program on a chip: compiled, or the first reason why not.
+    """A program compiled for one chip, or the first error.
 
-    `shortest_slot_us` is None where that is not known; `frame_us` includes the readout.
-    `sent_bits` go to the chip for every frame, `bits_per_us` while it is sent; `stored` says what
-    the chip keeps. `noise_e` is in the dark and at half a full well, None where it is not known.
+    `shortest_slot_us` is None if unknown; `frame_us` includes the readout. `sent_bits` is the data
+    per frame, `bits_per_us` the rate while data is sent; `stored` describes the chip's memory use.
+    `noise_e` is the noise in the dark and at half a full well, None if unknown.
     """
 
     target: Target
     compiled: Compiled | None
-    wrong: Diagnostic | None
+    first_error: Diagnostic | None
     shortest_slot_us: float | None
     frame_us: float | None
     sent_bits: int | None
@@ -44,10 +44,8 @@ class OnChip:
 def compare(
     path: Path, targets: Sequence[Target], level: int, noise_of: NoiseOf | None = None
 ) -> list[OnChip]:
-    """The program of a file on each chip.
-
-    Raises Rejected for what is wrong with the program on any chip: its text, names and types.
-    """
+    """Compile the program of a file for each chip. Raises Rejected for errors that do not depend on
+    the chip: syntax, names and types."""
     return [_on(path, target, level, noise_of) for target in targets]
 
 
@@ -55,12 +53,12 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
     try:
         compiled = compile_file(path, Options(level=level, target=target))
     except Rejected as error:
-        wrong = next(d for d in error.diagnostics if d.severity is Severity.ERROR)
-        if wrong.code[:4] in ("NS01", "NS02"):
+        first_error = next(d for d in error.diagnostics if d.severity is Severity.ERROR)
+        if first_error.code[:4] in ("NS01", "NS02"):
             raise
-        late = wrong.data.get("resource") == "slot_us"
-        needed = float(wrong.data["required"]) if late else None
-        return OnChip(target, None, wrong, needed, None, None, None, "", None)
+        late = first_error.data.get("resource") == "slot_us"
+        needed = float(first_error.data["required"]) if late else None
+        return OnChip(target, None, first_error, needed, None, None, None, "", None)
     container = compiled.container
     assert container is not None
     noise = noise_of(container) if noise_of is not None else None
@@ -81,38 +79,42 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
     )  # fmt: skip
 
 
-def compared_text(found: Sequence[OnChip]) -> str:
-    """A column a chip, and below what keeps the program from fitting one, with a way out."""
-    rows: list[tuple[str, ...]] = [("", *(each.target.name for each in found))]
-    for title, said in _ROWS.items():
-        rows.append((title, *(said(each) for each in found)))
+def compared_text(chips: Sequence[OnChip]) -> str:
+    """A table with one column for each chip, followed by the errors and ways out of those that do
+    not fit."""
+    rows: list[tuple[str, ...]] = [("", *(chip.target.name for chip in chips))]
+    for title, cell_text in _ROWS.items():
+        rows.append((title, *(cell_text(chip) for chip in chips)))
     lines = [columns(rows)]
-    for each in found:
-        if each.wrong is not None:
-            lines += ["", f"{each.target.name}: {each.wrong.message} [{each.wrong.code}]"]
-            lines += [f"  {text}" for text in (*each.wrong.ways_out, *each.wrong.helps)]
+    for chip in chips:
+        if chip.first_error is not None:
+            lines += [
+                "",
+                f"{chip.target.name}: {chip.first_error.message} [{chip.first_error.code}]",
+            ]
+            lines += [f"  {text}" for text in (*chip.first_error.ways_out, *chip.first_error.helps)]
     return "\n".join(lines)
 
 
-def compared_json(found: Sequence[OnChip]) -> list[dict[str, Any]]:
-    """The same as JSON values; what is not known is null."""
+def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
+    """The comparison as JSON values; unknown values are null."""
     return [
         {
-            "target": each.target.name,
-            "kind": each.target.kind,
-            "rows": each.target.rows,
-            "cols": each.target.cols,
-            "fits": each.compiled is not None,
-            "code": None if each.wrong is None else each.wrong.code,
-            "reason": None if each.wrong is None else each.wrong.message,
-            "shortest_slot_us": each.shortest_slot_us,
-            "frame_us": each.frame_us,
-            "sent_bits_a_frame": each.sent_bits,
-            "sent_bits_per_us": each.bits_per_us,
-            "noise_dark_e": None if each.noise_e is None else each.noise_e[0],
-            "noise_half_well_e": None if each.noise_e is None else each.noise_e[1],
+            "target": chip.target.name,
+            "kind": chip.target.kind,
+            "rows": chip.target.rows,
+            "cols": chip.target.cols,
+            "fits": chip.compiled is not None,
+            "code": None if chip.first_error is None else chip.first_error.code,
+            "reason": None if chip.first_error is None else chip.first_error.message,
+            "shortest_slot_us": chip.shortest_slot_us,
+            "frame_us": chip.frame_us,
+            "sent_bits_a_frame": chip.sent_bits,
+            "sent_bits_per_us": chip.bits_per_us,
+            "noise_dark_e": None if chip.noise_e is None else chip.noise_e[0],
+            "noise_half_well_e": None if chip.noise_e is None else chip.noise_e[1],
         }
-        for each in found
+        for chip in chips
     ]
 
 
@@ -121,27 +123,27 @@ def _time(us: float | None) -> str:
 
 
 def _noise(index: int) -> Callable[[OnChip], str]:
-    return lambda each: "?" if each.noise_e is None else f"{each.noise_e[index]:.3g} e"
+    return lambda chip: "?" if chip.noise_e is None else f"{chip.noise_e[index]:.3g} e"
 
 
-def _sent(each: OnChip) -> str:
-    if each.sent_bits is None:
+def _sent(chip: OnChip) -> str:
+    if chip.sent_bits is None:
         return "?"
-    return f"{each.sent_bits} bits" if each.sent_bits else "nothing"
+    return f"{chip.sent_bits} bits" if chip.sent_bits else "nothing"
 
 
-def _mean_rate(each: OnChip) -> str:
-    if not each.sent_bits or not each.frame_us:
-        return "?" if each.sent_bits is None else "nothing"
-    return f"{rate_text(each.bits_per_us or 0.0)}, mean {rate_text(each.sent_bits / each.frame_us)}"
+def _mean_rate(chip: OnChip) -> str:
+    if not chip.sent_bits or not chip.frame_us:
+        return "?" if chip.sent_bits is None else "nothing"
+    return f"{rate_text(chip.bits_per_us or 0.0)}, mean {rate_text(chip.sent_bits / chip.frame_us)}"
 
 
 _ROWS: dict[str, Callable[[OnChip], str]] = {
-    "fits": lambda each: "yes" if each.compiled is not None else f"no, {each.wrong.code}",  # type: ignore[union-attr]
-    "pixels": lambda each: f"{each.target.rows} x {each.target.cols}",
-    "shortest slot": lambda each: _time(each.shortest_slot_us),
-    "frame with readout": lambda each: _time(each.frame_us),
-    "kept in the chip": lambda each: each.stored or "?",
+    "fits": lambda chip: "yes" if chip.compiled is not None else f"no, {chip.first_error.code}",  # type: ignore[union-attr]
+    "pixels": lambda chip: f"{chip.target.rows} x {chip.target.cols}",
+    "shortest slot": lambda chip: _time(chip.shortest_slot_us),
+    "frame with readout": lambda chip: _time(chip.frame_us),
+    "kept in the chip": lambda chip: chip.stored or "?",
     "sent for a frame": _sent,
     "data rate": _mean_rate,
     "noise in the dark": _noise(0),

@@ -1,4 +1,4 @@
-"""Compiling, as every caller asks for it: the pipeline, and ways out of what does not fit."""
+"""The compiler's entry points: the pipeline, and ways out for programs that do not fit."""
 
 from __future__ import annotations
 
@@ -14,37 +14,35 @@ from nscc.source import Source
 from nscc.syntax.parse import read_source
 
 CHECK = Options(level=1, unproved_is_error=False)
-"""How `nscc check` compiles: quickly, with a note where only a longer search can tell."""
+"""Options of `nscc check`: a quick search, with notes where only a longer one can tell."""
 
 
 def compile_file(
     path: Path, options: Options | None = None, see: Observer | None = None
 ) -> Compiled:
-    """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
+    """Compile a `.nsl` file. Raises Rejected with all errors."""
     return compile_source(read_source(path), path.parent, options or Options(), see)
 
 
 def compile_source(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compiles a program's text; `base` is the folder that its paths are relative to.
-
-    Raises Rejected with everything that is wrong with it. Where it only does not fit, nearby
-    programs are compiled, and the diagnostics offer those that do.
-    """
+    """Compile a program's text; paths in it are relative to the folder `base`. Raises Rejected with
+    all errors. If the program only does not fit, nearby programs are compiled, and the diagnostics
+    offer those that fit."""
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:
-        wrong = _with_ways_out(unfit.diagnostics, unfit.program, base, options)
-        raise Rejected(wrong, unfit.status) from None
+        diagnostics = _with_ways_out(unfit.diagnostics, unfit.program, base, options)
+        raise Rejected(diagnostics, unfit.status) from None
 
 
 def _with_ways_out(
-    found: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
+    diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
-    """The same diagnostics; nearby programs are compiled for those that ask for less."""
-    if not any(has_ways_out(d) for d in found):
-        return list(found)
+    """Add compiled ways out to the diagnostics that can have some."""
+    if not any(has_ways_out(d) for d in diagnostics):
+        return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # only for what does not fit
 
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
@@ -59,5 +57,6 @@ def _with_ways_out(
     texts = tuple(way.text for way in ways)
     data = {key: value for way in ways for key, value in way.data.items()}
     return [
-        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in found
+        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d
+        for d in diagnostics
     ]

@@ -1,4 +1,4 @@
-"""Containers, wherever they come from: an `.icw` file, or a program that is compiled now."""
+"""Containers from an `.icw` file or from a program that is compiled on the fly."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
-from nscc.program.pixels import Ranges, codes_from_arrays, codes_from_file
+from nscc.program.pixel_codes import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
 from nscc.stream.planes import with_planes
 from nscc.words.container import Container
@@ -26,18 +26,15 @@ SUFFIX = ".icw"
 
 
 def is_compiled(path: Path) -> bool:
-    """Whether a file's name says that it holds words, and not the text of a program."""
+    """Whether the file name is that of a container, not of a program text."""
     return path.suffix.lower() == SUFFIX
 
 
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """The container in an .icw file, or of a program that is compiled now; and its messages.
-
-    `options` are the compiler's, for programs. Raises Rejected where a program does not compile or
-    a file cannot be read.
-    """
+    """Read an `.icw` file, or compile a program; returns the container and the messages. `options`
+    are for the compiler. Raises Rejected if a program does not compile or a file cannot be read."""
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
@@ -51,11 +48,9 @@ def with_pixels(
     name: str | Path,
     pixels: Path | Mapping[str, NDArray[Any]] | None = None,
 ) -> Container:
-    """The container with the codes of `pixels`, a file or arrays by field, or else with its own.
-
-    `name` is what messages call it. Raises Rejected: NS0741 (status 2) if there are no codes at
-    all, and what `codes_from_file` and `codes_from_arrays` find wrong.
-    """
+    """The container with the pixel codes of `pixels` (a file, or arrays by field), or with its own.
+    Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
+    and the errors of `codes_from_file` and `codes_from_arrays`."""
     target, fields = container.target, container.table.fields
     if pixels is not None:
         size = (container.table, target.rows, target.cols)
@@ -85,11 +80,11 @@ def with_pixels(
 
 
 def _laid(container: Container) -> Container:
-    """With the planes of its codes, for a chip that is sent some."""
+    """Add the bit planes of the codes, for a chip without logic."""
     return with_planes(container) if container.target.streamed else container
 
 
 def _ranges(container: Container, program: Path) -> Ranges:
-    """The ranges of the fields, of the source that a container carries."""
+    """The ranges of the fields in the source text that a container carries."""
     source = Source(program.name, "\n".join(container.source_lines))
     return ranges_of(source, container.target, program.parent)

@@ -1,4 +1,4 @@
-"""Programs that come with nscc, and one to begin a program of one's own with."""
+"""The example programs of nscc, and a template for new programs."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ pixels stop  = tile [[64, 32],
 
 
 def examples() -> Mapping[str, Path]:
-    """The example programs, configurations and tutorials by name, a program's without `.nsl`.
+    """The paths of example programs, configurations and tutorials by name, without `.nsl`.
 
     A tutorial has the name of its notebook, and the path of the page that `contents` makes it from.
     """
@@ -65,10 +65,10 @@ def contents(path: Path) -> tuple[str, bytes]:
 
 
 def example(name: str) -> Path:
-    """The file of an example; Rejected (NS0787) where there is none of that name."""
+    """The path of an example; raises Rejected (NS0787) for an unknown name."""
     known = examples()
-    found = known.get(name.removesuffix(".nsl"))
-    if found is None:
+    path = known.get(name.removesuffix(".nsl"))
+    if path is None:
         raise rejected(
             "NS0787",
             f"unknown example '{name[:60]}'",
@@ -77,11 +77,11 @@ def example(name: str) -> Path:
                 "`nscc examples` lists them",
             ),
         )
-    return found
+    return path
 
 
 def about(path: Path) -> str:
-    """What an example says of itself: a tutorial's title, or the first sentence of the comment at
+    """The description of an example: a tutorial's title, or the first sentence of the comment at
     the head of a file."""
     lines = path.read_text(encoding="utf-8").splitlines()
     if path.suffix == ".md":

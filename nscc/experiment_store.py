@@ -1,4 +1,4 @@
-"""Measurements in an SQLite file: each is written whole or not at all, whatever kills a process."""
+"""Measurements in an SQLite file, written atomically, also if a process is killed."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from typing import Any, Self
 from nscc.diagnostics.rejection import rejected
 
 STORE = "store.sqlite"
-"""The store in a folder of results."""
+"""The file name of the store in a folder of results."""
 CLAIMS = ".claims"
-"""The file of claims is called as the store, with this at the end."""
+"""The file of claims has the store's name with this suffix."""
 _BUSY_S = 60.0
-"""How long a write waits for those of other processes."""
+"""How long a write waits for other processes."""
 _POLL_S = 0.2
 _IN_USE = 1 << 60
-"""The byte of the file of claims on which every process that uses the store has a shared lock."""
+"""The byte of the claims file on which every process that uses the store holds a shared lock."""
 _TABLE = """
 CREATE TABLE IF NOT EXISTS measurement (
     experiment TEXT, name TEXT, value TEXT NOT NULL, label TEXT NOT NULL, seconds REAL NOT NULL,
@@ -35,10 +35,8 @@ CREATE TABLE IF NOT EXISTS measurement (
 
 @dataclass(frozen=True)
 class Timing:
-    """How long a measurement took, when it ended (seconds of the clock), and which worker made it.
-
-    `label` is what people call the measurement.
-    """
+    """The duration of a measurement, its end (in seconds since the epoch), and its worker. `label`
+    describes the measurement for people."""
 
     name: str
     label: str
@@ -50,9 +48,9 @@ class Timing:
 class ExperimentStore:
     """Measurements of experiments, as JSON values, by name.
 
-    A measurement is on the disk when `put` returns. Several processes may use a store at once:
-    who has the claim of a name measures it, and the others wait for the result. The claims of a
-    process end with it. The first value that is written of a name stays.
+    A measurement is on the disk when `keep` returns. Several processes may use a store:
+    the process that has the claim of a name measures it, and the others wait for the result. The
+    claims of a process end with it. The first value that is written for a name is never replaced.
 
     Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store.
     """
@@ -86,31 +84,32 @@ class ExperimentStore:
 
     def values(self, experiment: str) -> dict[str, Any]:
         """Return all measurements of an experiment by name, in the order in which they ended."""
-        found = self._database.execute(
+        rows = self._database.execute(
             "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", (experiment,)
         )
-        return {name: json.loads(value) for name, value in found}
+        return {name: json.loads(value) for name, value in rows}
 
     def timings(self, experiment: str) -> list[Timing]:
         """Return the timings of an experiment, in the order in which its measurements ended."""
-        found = self._database.execute(
+        rows = self._database.execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
             "ORDER BY rowid", (experiment,),
         )  # fmt: skip
-        return [Timing(*row) for row in found]
+        return [Timing(*row) for row in rows]
 
     def get(self, experiment: str, name: str) -> Any | None:
         """Return a measurement; None if there is none."""
-        found = self._database.execute(
+        row = self._database.execute(
             "SELECT value FROM measurement WHERE experiment = ? AND name = ?", (experiment, name)
         ).fetchone()
-        return None if found is None else json.loads(found[0])
+        return None if row is None else json.loads(row[0])
 
-    def put(
+    def keep(
         self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
         worker: str = "",
     ) -> None:  # fmt: skip
-        """Keep a measurement. ValueError for None, and for NaN and infinity: JSON has no such."""
+        """Store a measurement. Raises ValueError for None, NaN and infinity, which JSON cannot
+        represent."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
         self._database.execute(
@@ -119,30 +118,28 @@ class ExperimentStore:
         )
 
     def forget(self, experiment: str, *names: str) -> None:
-        """Drop these measurements of an experiment."""
+        """Delete measurements of an experiment."""
         self._database.executemany(
             "DELETE FROM measurement WHERE experiment = ? AND name = ?",
             [(experiment, name) for name in names],
         )
 
     def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
-        """Return a measurement; `measure` gives it unless it is known or another process does it.
-
-        The result has passed through JSON: tuples are lists.
-        """
+        """Return a stored measurement, or call `measure` and store its result. If another process
+        has the claim, wait for its result. Results pass through JSON: tuples become lists."""
         while (value := self.get(experiment, name)) is None:
             if not self.claim(experiment, name):
                 sleep(_POLL_S)
                 continue
             try:
                 if self.get(experiment, name) is None:
-                    self.put(experiment, name, measure())
+                    self.keep(experiment, name, measure())
             finally:
                 self.release(experiment, name)
         return value
 
     def claim(self, experiment: str, name: str) -> bool:
-        """Take the claim of a measurement; False if another process has it."""
+        """Claim a measurement; False if another process has the claim."""
         try:
             fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _place(experiment, name))
         except BlockingIOError:
@@ -150,11 +147,11 @@ class ExperimentStore:
         return True
 
     def release(self, experiment: str, name: str) -> None:
-        """Give the claim of a measurement back."""
+        """Release the claim of a measurement."""
         fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(experiment, name))
 
     def remove(self) -> None:
-        """Close the store and remove its files; the last one of several processes removes them."""
+        """Close the store, and delete its files if no other process uses them."""
         try:
             fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _IN_USE)
         except BlockingIOError:
@@ -165,7 +162,7 @@ class ExperimentStore:
         os.close(self._claims)
 
     def close(self) -> None:
-        """End all claims of this process, and close the file."""
+        """Release all claims of this process and close the file."""
         self._database.close()
         os.close(self._claims)
 
@@ -180,5 +177,5 @@ class ExperimentStore:
 
 
 def _place(experiment: str, name: str) -> int:
-    """Return the byte of the file of claims whose lock is the claim of a measurement."""
+    """The offset in the claims file of the byte whose lock is the claim of a measurement."""
     return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])

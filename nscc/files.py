@@ -1,4 +1,4 @@
-"""Files written whole or not at all, one or several together, and never over what was read."""
+"""Atomic writing of one or several files that never overwrites input files."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 Product = bytes | Callable[[BinaryIO], object]
-"""What goes into a file: its bytes, or a function that writes them to the open file."""
+"""The content of a file: its bytes, or a function that writes them to the open file."""
 
 _DESCRIPTOR = re.compile(r"/dev/(?:fd/\d+|stdin|stdout|stderr)|/proc/[^/]+/fd/\d+")
-"""Names of what a process has open: a pipe, a terminal, a file that a shell has opened."""
+"""Paths of open file descriptors: pipes, terminals, redirected files."""
 
 _writes = count()
 
@@ -29,7 +29,7 @@ _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default
 
 @contextmanager
 def inputs_kept() -> Iterator[None]:
-    """Within it, a file that was noted with `reads` is never written to: one command, one scope."""
+    """A context for one command, in which writing to a file noted by `reads` is refused."""
     token = _inputs.set({})
     try:
         yield
@@ -38,23 +38,21 @@ def inputs_kept() -> Iterator[None]:
 
 
 def reads(*paths: Path) -> None:
-    """Note input files, by what they are and not by their names; other paths are passed over."""
+    """Note input files by device and inode; ignore other paths."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
-            found = path.stat()
+            status = path.stat()
         except (OSError, ValueError):  # it is read, if at all, by somebody who says what is wrong
             continue
-        if known is not None and stat.S_ISREG(found.st_mode):
-            known[found.st_dev, found.st_ino] = path
+        if known is not None and stat.S_ISREG(status.st_mode):
+            known[status.st_dev, status.st_ino] = path
 
 
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
-    """Read an input file, and note it with `reads`.
-
-    Raises OSError where it cannot be read, ValueError where it has more than `most_bytes`, however
-    long it says that it is: a device has no end.
-    """
+    """Read an input file, and note it with `reads`. Raises OSError if it cannot be read, and
+    ValueError if it has more than `most_bytes`. The size on disk is not trusted, because devices
+    have none."""
     reads(path)
     with open(path, "rb") as file:
         data = file.read(most_bytes + 1)
@@ -72,19 +70,15 @@ def file_sha256(path: Path) -> str:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file whole or not at all; one that is replaced keeps its rights.
-
-    Raises Rejected (NS0784, status 2) where it cannot be written.
-    """
+    """Write a file atomically, keeping the permissions of a file that it replaces. Raises Rejected
+    (NS0784, status 2) if it cannot be written."""
     write_together({path: data})
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write several files, none of them before the bytes of all are on the disk.
-
-    Raises Rejected (status 2), and leaves no partial file: NS0784 where one cannot be written,
-    NS0785 where one is an input of the same command (`reads`), unless nothing in it would change.
-    """
+    """Write several files; none is replaced before all data is on the disk. Raises Rejected (status
+    2) and leaves no partial file: NS0784 if a file cannot be written, NS0785 if it is an input of
+    the same command (`reads`) and would change."""
     for path, data in products.items():
         _refuse_input(path, data)
     waiting: list[tuple[Path, Path]] = []
@@ -107,16 +101,16 @@ def write_together(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """As `write_whole`, of an input that its user asked to have changed."""
+    """Like `write_whole`, for an input file that the user asked to change."""
     known = _inputs.get()
     if known:
-        for identity in [each for each, name in known.items() if name == path]:
+        for identity in [key for key, name in known.items() if name == path]:
             del known[identity]
     write_whole(path, data)
 
 
 def write_new(products: Mapping[Path, Product]) -> None:
-    """Write several files as `write_together`; Rejected (NS0788, status 2) where there is one."""
+    """Like `write_together`; raises Rejected (NS0788, status 2) if a file exists."""
     for path in products:
         if path.exists():
             raise rejected(
@@ -128,10 +122,8 @@ def write_new(products: Mapping[Path, Product]) -> None:
 
 
 def refuse_same(paths: Collection[Path], options: str) -> None:
-    """Raises Rejected (NS0745, status 2) where two of the products would be one file.
-
-    `options` are those that name them.
-    """
+    """Raise Rejected (NS0745, status 2) if two products have the same path. `options` are the
+    options that name them."""
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
             "NS0745",
@@ -141,33 +133,33 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
 
 
 def refuse_inputs(*paths: Path) -> None:
-    """Raises Rejected (NS0785) where a product would replace an input: before work is done in
-    vain. Writing looks once more."""
+    """Raise Rejected (NS0785) if a product would replace an input, before any work is done. Writing
+    checks again."""
     for path in paths:
         _refuse_input(path, lambda _: None)
 
 
 def _refuse_input(path: Path, data: Product) -> None:
     try:
-        found = path.stat()
+        status = path.stat()
     except (OSError, ValueError):
         return
-    given = (_inputs.get() or {}).get((found.st_dev, found.st_ino))
-    if given is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
+    input_path = (_inputs.get() or {}).get((status.st_dev, status.st_ino))
+    if input_path is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
         raise rejected(
             "NS0785",
             f"the output '{path}' would overwrite an input of this command",
-            notes=() if given == path else (f"the command reads this file as '{given}'",),
+            notes=() if input_path == path else (f"the command reads this file as '{input_path}'",),
             helps=("choose another name for the output",),
         )
 
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
-    """Write to a temporary neighbour of `path`, with the rights of a file that is there already;
-    a pipe or device is written directly."""
+    """Write to a temporary file in the folder of `path`, with the permissions of an existing file;
+    write pipes and devices directly."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
-    # Asked of the name itself: what a descriptor's link points to need not have a path.
+    # The name itself is checked, because the target of a descriptor's link need not have a path.
     if _DESCRIPTOR.fullmatch(str(path)) or (
         path.exists() and not stat.S_ISREG(path.stat().st_mode)
     ):
@@ -176,17 +168,17 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         return []
     final = Path(os.path.realpath(path))
     temporary = _temporary_beside(final)
-    # A process that was killed may have left it; in containers process numbers soon come again.
+    # A killed process may have left it, and process numbers repeat quickly in containers.
     temporary.unlink(missing_ok=True)
-    kept = final.stat().st_mode & 0o777 if final.exists() else None
-    asked = 0o666 if kept is None else kept
+    old_mode = final.stat().st_mode & 0o777 if final.exists() else None
+    mode = 0o666 if old_mode is None else old_mode
     final.parent.mkdir(parents=True, exist_ok=True)
     try:
-        # Not even for a moment may others read what they could not read before.
-        with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, asked)) as file:
+        # Permissions must be restricted from the start.
+        with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             _fill(file, data)
-        if kept not in (None, temporary.stat().st_mode & 0o777):
-            temporary.chmod(asked)  # the umask took rights away
+        if old_mode not in (None, temporary.stat().st_mode & 0o777):
+            temporary.chmod(mode)  # the umask took rights away
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
@@ -194,11 +186,8 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 
 
 def _temporary_beside(final: Path) -> Path:
-    """A short name in the folder of `final` that no other write uses at the same time.
-
-    The digest tells products and machines apart, the process number processes, the count the
-    writes of one process.
-    """
+    """A short file name in the folder of `final` that no other write uses. It is unique by digest
+    (products and machines), process number, and count of writes."""
     from hashlib import sha256
 
     digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]

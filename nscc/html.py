@@ -1,8 +1,8 @@
-"""What notebooks show: pieces of HTML that need no script, no file and no style sheet of others.
+"""HTML fragments for notebooks, without scripts, files or external style sheets.
 
-Colours come from the page (`currentColor`), so that a card reads on light and on dark ground; the
-few of our own keep apart on both and for the colour blind (Okabe and Ito's blue, orange, green).
-All text is escaped here and nowhere else.
+Text has the page's colour (`currentColor`), for light and dark pages. The series colours (blue,
+orange and green of Okabe and Ito) suit both and are distinguishable for colour-blind readers. All
+text is escaped in this module.
 """
 
 from __future__ import annotations
@@ -12,61 +12,63 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 SERIES = ("#3b8fd4", "#e69f00", "#009e73", "#cc79a7")
-"""Colours of things side by side; there may be more of them than colours."""
+"""Series colours, repeated if there are more series."""
 
 _FAINT = "opacity:.7"
 
 
 class Html(str):
-    """Text that is HTML already: `text` leaves it as it is."""
+    """A string of HTML, which `text` does not escape."""
 
 
 def text(value: object) -> Html:
-    """Any value as text that a browser shows as it stands."""
+    """Escape any value, except Html, for display."""
     return value if isinstance(value, Html) else Html(escape(str(value)))
 
 
-def card(title: str, subtitle: str, *parts: Html) -> str:
-    """A box with a heading, what it is in a line, and the parts one below the other."""
+def card(title: str, subtitle: str, *sections: Html) -> str:
+    """A box with a title, a subtitle and the sections below each other."""
     head = (
         f"<div><strong>{text(title)}</strong> <span style='{_FAINT}'>{text(subtitle)}</span></div>"
     )
-    inside = "".join(f"<div style='margin-top:.5em'>{part}</div>" for part in parts if part)
+    inside = "".join(
+        f"<div style='margin-top:.5em'>{section}</div>" for section in sections if section
+    )
     return f"<div style='max-width:60em;line-height:1.4'>{head}{inside}</div>"
 
 
 def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html:
-    """Rows of cells, left-aligned; without a `head` the first cell of each row names it."""
+    """A table of left-aligned cells; without `head` the first cell of each row is its label."""
     cell = "text-align:left;padding:.1em .8em .1em 0;border:none;background:none"
     lines = []
     if head:
-        lines.append("".join(f"<th style='{cell}'>{text(each)}</th>" for each in head))
-    for first, *others in rows:
+        lines.append("".join(f"<th style='{cell}'>{text(value)}</th>" for value in head))
+    for first, *cells in rows:
         faint = cell if head else f"{cell};{_FAINT}"
         named = f"<td style='{faint}'>{text(first)}</td>"
-        lines.append(named + "".join(f"<td style='{cell}'>{text(each)}</td>" for each in others))
+        lines.append(named + "".join(f"<td style='{cell}'>{text(value)}</td>" for value in cells))
     body = "".join(f"<tr style='background:none'>{line}</tr>" for line in lines)
     return Html(f"<table style='border:none;margin:0'>{body}</table>")
 
 
 def folded(summary: str, inside: Html) -> Html:
-    """A line that opens on a click."""
+    """A line that expands on a click."""
     return Html(f"<details><summary>{text(summary)}</summary>{inside}</details>")
 
 
 def plain(value: str) -> Html:
-    """Text of several lines in letters of one width."""
+    """Preformatted text."""
     return Html(f"<pre style='margin:0;background:none;color:inherit'>{text(value)}</pre>")
 
 
-def side_by_side(parts: Iterable[Html]) -> Html:
-    """Parts in a row that breaks where there is no room."""
-    joined = "".join(f"<div>{part}</div>" for part in parts)
+def side_by_side(blocks: Iterable[Html]) -> Html:
+    """Blocks in a row that wraps if the page is narrow."""
+    joined = "".join(f"<div>{block}</div>" for block in blocks)
     return Html(f"<div style='display:flex;flex-wrap:wrap;gap:1em'>{joined}</div>")
 
 
 def legend(names: Sequence[str]) -> Html:
-    """Names of things side by side, each with its colour of SERIES."""
+    """Names with the colours of SERIES."""
     return side_by_side(
         Html(f"<span style='color:{SERIES[number % len(SERIES)]}'>&#9632;</span> {text(name)}")
         for number, name in enumerate(names)
@@ -74,7 +76,7 @@ def legend(names: Sequence[str]) -> Html:
 
 
 def picture(png: bytes, caption: str, width: int) -> Html:
-    """A PNG with its caption, `width` pixels wide on the page, its own pixels kept square."""
+    """A PNG with a caption, displayed `width` pixels wide without smoothing."""
     data = b64encode(png).decode()
     return Html(
         f"<figure style='margin:0'><img alt='{text(caption)}' src='data:image/png;base64,{data}' "
@@ -84,7 +86,7 @@ def picture(png: bytes, caption: str, width: int) -> Html:
 
 
 def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> Html:
-    """An SVG of that size in pixels; it shrinks with the page."""
+    """An SVG of this size in pixels, which shrinks with the page."""
     return Html(
         f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {width:g} {height:g}' "
         f"role='img' style='width:100%;max-width:{width:g}px;height:auto' "
@@ -94,5 +96,5 @@ def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> H
 
 
 def words(x: float, y: float, value: object, anchor: str = "start") -> str:
-    """Text in a drawing, its line at y."""
+    """Text in a drawing with its baseline at y."""
     return f"<text x='{x:g}' y='{y:g}' text-anchor='{anchor}'>{text(value)}</text>"

@@ -1,4 +1,4 @@
-"""What an installation of the compiler has: packages, grammar, targets, the cache."""
+"""Checks of the installation: packages, grammar, targets, cache."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _OWN_WORK = ("bench", "test")
 
 
 class Finding(NamedTuple):
-    """What was looked at and its state: GOOD, ABSENT or BROKEN (which only some commands need), or
+    """A result of a check with its state: GOOD, ABSENT or BROKEN (only some commands need it), or
     WRONG."""
 
     state: str
@@ -34,7 +34,7 @@ class Finding(NamedTuple):
 
 
 def findings() -> Iterator[Finding]:
-    """Everything about the compiler that is looked at, one after the other."""
+    """Yield the results of all checks of the compiler's installation."""
     yield Finding(GOOD, f"nscc {__version__}")
     python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
     yield Finding(GOOD, f"Python {python} on {system}")
@@ -45,21 +45,27 @@ def findings() -> Iterator[Finding]:
 
 
 def _packages() -> Iterator[Finding]:
-    """Those that every command needs, and what each extra brings besides."""
+    """Check the required packages and those of every extra."""
     of = extras()
     for extra in sorted({*of.values()}.difference(_OWN_WORK)):
-        held = {name: _version(name) for name in sorted(of) if of[name] == extra}
+        version_of = {name: _version(name) for name in sorted(of) if of[name] == extra}
         label = f"[{extra}] " if extra else ""
-        missing = [name for name, version in held.items() if not version]
-        broken = {name: why for name in held if held[name] and (why := _import_error(name))}
+        missing = [name for name, version in version_of.items() if not version]
+        broken = {
+            name: why for name in version_of if version_of[name] and (why := _import_error(name))
+        }
         if broken:
-            texts = (f"{name} {held[name]} cannot be imported ({broken[name]})" for name in broken)
+            texts = (
+                f"{name} {version_of[name]} cannot be imported ({broken[name]})" for name in broken
+            )
             yield Finding(BROKEN if extra else WRONG, label + "; ".join(texts))
         if missing:
             state = ABSENT if extra else WRONG
             yield Finding(state, f"{label}{', '.join(missing)}: {install_line(extra)}")
         elif not broken:
-            yield Finding(GOOD, label + ", ".join(f"{n} {version}" for n, version in held.items()))
+            yield Finding(
+                GOOD, label + ", ".join(f"{n} {version}" for n, version in version_of.items())
+            )
 
 
 def _version(distribution: str) -> str:
@@ -80,8 +86,8 @@ def _import_error(distribution: str) -> str:
 
 
 def _grammar() -> Finding:
-    _tree, wrong = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
-    return Finding(WRONG, "the grammar does not work") if wrong else Finding(GOOD, "grammar")
+    _tree, problems = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
+    return Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
 
 
 def _targets() -> Finding:
@@ -97,8 +103,10 @@ def _cache() -> Finding:
     if folder is None:
         return Finding(ABSENT, "cache of search results: off (NSCC_CACHE=off, or no home folder)")
     store = Store(folder)
-    where = f"cache of search results: {folder}"
+    place = f"cache of search results: {folder}"
     if not store.writable():
-        return Finding(ABSENT, f"{where} is not writable, so nscc runs without a cache")
-    held = f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
-    return Finding(GOOD, f"{where} ({held}; remove the folder to clear it)")
+        return Finding(ABSENT, f"{place} is not writable, so nscc runs without a cache")
+    usage = (
+        f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
+    )
+    return Finding(GOOD, f"{place} ({usage}; remove the folder to clear it)")

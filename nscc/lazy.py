@@ -1,4 +1,4 @@
-"""The public names of a package, each imported from its module when it is first asked for."""
+"""Lazy public names of a package: the module of a name is imported on first use."""
 
 from __future__ import annotations
 
@@ -8,12 +8,10 @@ from typing import Any
 
 
 def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> Any:
-    """What a package's `__getattr__` gives: `names` are its public ones by their modules.
-
-    AttributeError for a name that is none of them, ModuleNotFoundError with what to type where
-    another distribution is missing.
-    """
-    module = next((module for module, held in names.items() if name in held), None)
+    """The public attribute `name` of `package`; `names` lists the public names of each module.
+    Raises AttributeError for an unknown name, and ModuleNotFoundError with an install command if a
+    distribution is missing."""
+    module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
         raise AttributeError(f"module '{package}' has no attribute '{name}'")
     try:

@@ -1,9 +1,9 @@
-"""Mnemonics: what an assembly line may say, written out as operations of the table.
+"""Assembly mnemonics and their expansion to operations.
 
-Every name of the table that is a whole word is a mnemonic. Besides there are the macros of the
-public SCAMP-5 library under their own names, and the in-place forms (`NOT d`, `OR d, x`,
-`NOR d, x`, `REFRESH d`), which are pairs of half-words. `OR` and `NOR` with one source are always
-in place; with more they are where the destination is also written among the sources.
+Mnemonics are the names of whole words in the table of operations, the macros of the public SCAMP-5
+library, and the in-place forms (`NOT d`, `OR d, x`, `NOR d, x`, `REFRESH d`), which are pairs of
+half-words. `OR` and `NOR` with one source are in place; with more sources, if the destination is
+also one of them.
 
 Operands are register names, destinations first.
 """
@@ -32,11 +32,12 @@ from nscc.operations import (
 )
 
 SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
-"""What macros pass through: the analog scratch, the write mask and the register it masks."""
+"""Registers that macros overwrite: the analog scratch, the write mask and the masked register."""
 
 
 class OperandError(Exception):
-    """Operands that a mnemonic does not take; `index` is the operand at fault, None for all."""
+    """Operands that a mnemonic does not accept; `index` is the wrong operand, None if it is not a
+    single one."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
         super().__init__(message)
@@ -49,11 +50,9 @@ Ops = tuple[Op, ...]
 
 @dataclass(frozen=True)
 class Mnemonic:
-    """A name that an assembly line may begin with.
-
-    `usage` shows the forms; `counts` are the numbers of operands it takes (None: `least` or
-    more). `scratch` are registers that it overwrites on its way, so they cannot be operands.
-    """
+    """The name at the start of an assembly instruction. `usage` shows its forms; it takes `least`
+    to `most` operands (None: any number). It overwrites the registers `scratch`, which cannot be
+    operands."""
 
     name: str
     usage: str
@@ -63,12 +62,10 @@ class Mnemonic:
     scratch: tuple[str, ...] = ()
 
 
-def expand(name: str, operands: Sequence[str], own: tuple[Operation, ...] = ()) -> Ops:
-    """The operations that a line `name operands` stands for; `own` are a target's own words.
-
-    Raises KeyError for a name that is no mnemonic and OperandError for operands it does not take.
-    """
-    mnemonic = mnemonics(own)[name]
+def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
+    """The operations of a line `name operands`; `own_words` are the target's own words. Raises
+    KeyError for a name that is no mnemonic and OperandError for operands it does not take."""
+    mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):
         if register not in READ_LINES:
@@ -98,7 +95,7 @@ def _count(mnemonic: Mnemonic) -> str:
 
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """A whole word, with its operands checked in the user's terms."""
+    """A word of the operation `row`; raises OperandError for invalid operands."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES
@@ -131,7 +128,7 @@ def _listed(names: Sequence[str] | dict[str, int]) -> str:
 def _native(row: Operation) -> Mnemonic:
     low, high = row.destinations
     first, last = row.sources
-    # SET, CLR and WHERE take any number of one kind of operand, so this split is never ambiguous.
+    # SET, CLR and WHERE have one kind of operand, so this split is unambiguous.
     split = None if high is None else low
 
     def write(operands: Sequence[str]) -> Ops:
@@ -142,13 +139,15 @@ def _native(row: Operation) -> Mnemonic:
     several = ", ".join(f"d{i}" for i in range(low)) if low > 1 else "d"
     dest = "d0, d1, .." if high is None else several
     src = "" if last == 0 else "x" if (first, last) == (1, 1) else "x0, x1, .."
-    usage = f"{row.name} {', '.join(part for part in (dest if low else '', src) if part)}".strip()
+    operands = filter(None, (dest if low else "", src))
+    usage = f"{row.name} {', '.join(operands)}".strip()
     return Mnemonic(row.name, usage, write, low + first, most)
 
 
-# In-place forms and the mnemonics that share a name with them.
+# In-place forms, and mnemonics of the same names.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
-    """The pair that stores OR, NOR or REFRESH of all operands in the first one."""
+    """The pair of half-words that writes the OR, NOR or REFRESH of all operands to the first
+    one."""
     for index, register in enumerate(operands):
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:
@@ -169,8 +168,8 @@ def _or_nor(kind: str) -> Callable[[Sequence[str]], Ops]:
         for index, register in enumerate(sources, start=1):
             if register in sources[: index - 1]:
                 raise OperandError(f"{kind} names {register} twice as a source", index)
-        rest = [register for register in sources if register != destination]
-        return _in_place(kind, (destination, *rest))
+        other_sources = [register for register in sources if register != destination]
+        return _in_place(kind, (destination, *other_sources))
 
     return write
 
@@ -178,8 +177,8 @@ def _or_nor(kind: str) -> Callable[[Sequence[str]], Ops]:
 _WORDS = {row.name: _native(row) for row in OPERATIONS}
 
 
-# One form a line. NEWS passes every analog value on: as each word inverts, two keep the sign.
-# Digital macros that join two terms end in NOR or OR of what R0 and R12 (or b) then hold.
+# One form a line. NEWS carries analog values; since each word inverts, two preserve the sign.
+# Digital macros that combine two terms end in NOR or OR of R0 and R12 (or b).
 _MACROS = """
 res a: bus NEWS; bus a, NEWS
 res a, b: bus NEWS; bus a, NEWS; bus b, NEWS
@@ -214,11 +213,11 @@ _DISTINCT = {
     "CLR_IF l, x": "the register and its condition must differ",
     "XORX l, x, y": "l, x and y must be three registers",
 }
-"""Forms whose operands must all be different ones, and why."""
+"""Forms whose operands must all be different, and why."""
 
 
 class _Form:
-    """A form of a macro: its operands, and the words that it stands for, written with them."""
+    """One form of a macro: its operand names and its expansion."""
 
     def __init__(self, line: str) -> None:
         self.head, _, words = line.partition(": ")
@@ -226,22 +225,22 @@ class _Form:
         split = [word.replace(",", "").split() for word in words.split("; ")]
         self.words = [(_WORDS[name], operands) for name, *operands in split]
 
-    def write(self, given: Sequence[str]) -> Ops:
-        """The words for the operands `given`."""
-        for index, register in enumerate(given if self.head in _DISTINCT else ()):
-            if register in given[:index]:
+    def write(self, arguments: Sequence[str]) -> Ops:
+        """Return the words of this form for the operands `arguments`."""
+        for index, register in enumerate(arguments if self.head in _DISTINCT else ()):
+            if register in arguments[:index]:
                 why = _DISTINCT[self.head]
                 raise OperandError(f"{self.name} names {register} twice: {why}", index)
-        meant = dict(zip(self.operands, given, strict=True))
+        meant = dict(zip(self.operands, arguments, strict=True))
         try:
             written = [word.write([meant.get(n, n) for n in names]) for word, names in self.words]
-        except OperandError as error:  # said of the macro as a whole
+        except OperandError as error:  # reported for the whole macro
             raise OperandError(f"one of its words is invalid: {error}") from None
         return tuple(op for words in written for op in words)
 
 
 def _macros() -> Iterator[Mnemonic]:
-    """The macros of the text above; what their words name outright is what they overwrite."""
+    """All macros; registers that an expansion names are scratch."""
     for name, lines in groupby(_MACROS.strip().split("\n"), lambda line: re.split("[ :]", line)[0]):
         shown, forms = [], {}
         for line in lines:
@@ -254,8 +253,8 @@ def _macros() -> Iterator[Mnemonic]:
         yield Mnemonic(name, usage, write, min(forms), max(forms), passed)
 
 
-def _written(forms: Mapping[int, _Form], given: Sequence[str]) -> Ops:
-    return forms[len(given)].write(given)
+def _written(forms: Mapping[int, _Form], arguments: Sequence[str]) -> Ops:
+    return forms[len(arguments)].write(arguments)
 
 
 _IN_PLACE = (
@@ -273,6 +272,6 @@ MNEMONICS: dict[str, Mnemonic] = {
 
 
 @cache
-def mnemonics(own: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
-    """Every mnemonic by name on a target that has words of its own."""
-    return MNEMONICS | {row.name: _native(row) for row in own}
+def mnemonics(own_words: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
+    """All mnemonics by name, including those of a target's own words."""
+    return MNEMONICS | {row.name: _native(row) for row in own_words}

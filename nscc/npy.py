@@ -1,4 +1,4 @@
-"""Arrays in .npy streams that anyone may have made: the header first, then no more than it says."""
+"""Safe reading of untrusted .npy and .npz files: sizes are checked before data is read."""
 
 from __future__ import annotations
 
@@ -11,21 +11,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 MOST_BYTES = 1 << 30
-"""What the arrays of one file may take in memory, unless its reader states another bound."""
+"""Default limit on the memory of the arrays in one file."""
 
 _MOST_HEADER_BYTES = 1 << 16
 _BLOCK_BYTES = 1 << 24
 
 
 class InvalidArrays(ValueError):
-    """Why a file of arrays cannot be read, in words for its user."""
+    """The reason why a file of arrays cannot be read."""
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
-    """Version, shape, whether column-major, and type of an .npy stream's array.
-
-    Raises what numpy does where the header is damaged.
-    """
+    """Version, shape, Fortran order and dtype of an .npy stream. Raises numpy's errors for a
+    damaged header."""
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
@@ -35,7 +33,7 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 
 
 def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """`numpy.lib.format.read_array_header_2_0`, which believes any length that a header states."""
+    """`numpy.lib.format.read_array_header_2_0` with a limit on the header's length."""
     from io import BytesIO
 
     from numpy.lib import format as npy
@@ -50,7 +48,7 @@ def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
-    """The values behind that header; None if the stream is cut short or too long."""
+    """The values after the header; None if the stream is too short or too long."""
     data = memoryview(bytearray(prod(shape) * dtype.itemsize))
     filled = 0
     while block := stream.read(min(len(data) - filled, _BLOCK_BYTES) or 1):
@@ -65,15 +63,14 @@ def npy_values(
 
 
 def npz_arrays(
-    path: Path, wanted: Callable[[str], bool] = lambda name: True, most_bytes: int = MOST_BYTES
+    path: Path, is_wanted: Callable[[str], bool] = lambda name: True, most_bytes: int = MOST_BYTES
 ) -> tuple[dict[str, NDArray[Any]], list[str]]:
-    """Read the `wanted` arrays of an .npz file, and list the names of all.
+    """Read the arrays of an .npz file whose names satisfy `is_wanted`; list all names.
 
-    The sizes that the file states are checked before anything is unpacked: together the arrays
-    take at most `most_bytes`.
+    Together the arrays may take `most_bytes`, which is checked before anything is unpacked.
 
-    Raises InvalidArrays for a file that is no .npz file, too large, damaged, or holds Python
-    objects; OSError where it cannot be read.
+    Raises InvalidArrays for an invalid or damaged file, one that is too large, and Python objects;
+    OSError if it cannot be read.
     """
     from zipfile import BadZipFile, ZipFile
 
@@ -84,8 +81,10 @@ def npz_arrays(
     arrays: dict[str, NDArray[Any]] = {}
     unpacked_bytes = 0
     with archive:
-        names = [each.removesuffix(".npy") for each in archive.namelist() if each.endswith(".npy")]
-        for name in filter(wanted, names):
+        names = [
+            entry.removesuffix(".npy") for entry in archive.namelist() if entry.endswith(".npy")
+        ]
+        for name in filter(is_wanted, names):
             try:
                 with archive.open(f"{name}.npy") as stream:
                     _, shape, fortran, dtype = npy_header(stream)
@@ -105,11 +104,8 @@ def npz_arrays(
 
 
 def npy_array(path: Path, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read the array of an .npy file.
-
-    Raises InvalidArrays where it takes more than `most_bytes` or holds Python objects, and what
-    numpy does for a damaged file.
-    """
+    """Read the array of an .npy file. Raises InvalidArrays if it takes more than `most_bytes` or
+    holds Python objects, and numpy's errors for a damaged file."""
     with open(path, "rb") as stream:
         _, shape, _, dtype = npy_header(stream)
         check_size(prod(shape) * dtype.itemsize, most_bytes)
@@ -117,7 +113,7 @@ def npy_array(path: Path, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
 
 
 def check_size(size: int, most_bytes: int = MOST_BYTES) -> None:
-    """Raises InvalidArrays where arrays of `size` bytes are more than a reader takes."""
+    """Raise InvalidArrays if `size` exceeds `most_bytes`."""
     if size > most_bytes:
         raise InvalidArrays(
             f"its arrays unpack to {size / 2**20:,.0f} MiB, but at most "

@@ -38,6 +38,9 @@ class Effect(Enum):
     """FLAG := some."""
     DIGITAL = auto()
     """Each destination := some, or NOT some if inverted; without sources, some is 0."""
+    DIGITAL_NEIGHBOURS = auto()
+    """The destination := the OR of the source in those neighbours that `STEERING` of the pixel
+    chooses; beyond the array the source counts as 0, or as 1 if inverted."""
 
 
 class Phase(Enum):
@@ -75,12 +78,12 @@ class Operation:
         return self.clock == 0
 
 
-_ANALOG, _DIGITAL = 0, 1
+_ANALOG, _DIGITAL, _NEIGHBOURS = 0, 1, 2
 
 # Control lines by name: the columns of the word's layout.
 SELPIX, RSTPIX, S_IN, RANA, RID = 1, 2, 5, 6, 11
 WRF, SETF, NBIT, PLWB, PLRB, BIT, BITMODE, WR = 20, 28, 58, 60, 61, 62, 63, 64
-SELX = 10
+SELX, PUPD, FBUS, NB = 10, 30, 31, 59
 
 # Lines 80 and up do not exist on SCAMP-5d: they are this project's own stand-in for the registers
 # R13, R14, .. of chips whose word is not public, and lie in bits that SCAMP-5d leaves unused.
@@ -112,6 +115,15 @@ READ_LINES: dict[str, tuple[int, ...]] = {
     "FLAG": (RANA,), "SELECT": (WR,),
 }  # fmt: skip
 ANALOG_WRITE = {"A": 13, "B": 14, "C": 15, "NEWS": 16, "D": 17, "E": 18, "F": 19}
+NEIGHBOURS = {"XN": (24, 7), "XE": (24, 9), "XS": (24, 12), "XW": (24, 29)}
+"""The lines of NEWS where a bus is joined to that of a neighbour. As a source, the pixel reads NEWS
+of the neighbour to the north, east, south or west; as a destination, NEWS takes the value on the
+bus of the opposite neighbour."""
+STEPS = {"XN": (0, -1), "XE": (1, 0), "XS": (0, 1), "XW": (-1, 0)}
+"""Columns to the right and rows down from a pixel to the neighbour that it reads."""
+STEERING = {"R1": (0, 1), "R2": (-1, 0), "R3": (0, -1), "R4": (1, 0)}
+"""The registers by which a pixel chooses the neighbours that digital words read, and the columns to
+the right and rows down to each."""
 DIGITAL_WRITE = {
     "R0": 56,
     **{f"R{i}": 43 + i for i in range(1, 13)},
@@ -129,6 +141,7 @@ _READ, _WRITE = Phase.READ, Phase.WRITE
 _SET = (S_IN, PLWB)
 _COPY = (S_IN, PLRB, BIT, BITMODE)
 _INVERT = (S_IN, PLWB, PLRB, NBIT, BITMODE)
+_SEEN = (S_IN, RID, FBUS, NB, PLRB, BIT)
 
 OPERATIONS: tuple[Operation, ...] = (
     Operation("nop", Effect.NONE, _ANALOG, (), _NO, _NO),
@@ -145,6 +158,10 @@ OPERATIONS: tuple[Operation, ...] = (
     Operation("OR", Effect.DIGITAL, _DIGITAL, _COPY, _ONE, (2, None)),
     Operation("NOT", Effect.DIGITAL, _DIGITAL, _INVERT, _ONE, _ONE, inverted=True),
     Operation("NOR", Effect.DIGITAL, _DIGITAL, _INVERT, _ONE, (2, None), inverted=True),
+    Operation("DNEWS0", Effect.DIGITAL_NEIGHBOURS, _NEIGHBOURS, _SEEN, _ONE, _ONE),
+    Operation(
+        "DNEWS1", Effect.DIGITAL_NEIGHBOURS, _NEIGHBOURS, (*_SEEN, PUPD), _ONE, _ONE, inverted=True
+    ),
     Operation("REFRESH.read", Effect.DIGITAL, _DIGITAL, _COPY, _NO, _ONE, phase=_READ),
     Operation(
         "REFRESH.write", Effect.DIGITAL, _DIGITAL, (S_IN, BIT, BITMODE), _ONE, _NO, phase=_WRITE
@@ -190,7 +207,7 @@ class Op:
         return " ".join((self.name, ", ".join(self.destinations + self.sources))).strip()
 
 
-_ORDER = {name: i for i, name in enumerate(READ_LINES)}
+_ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
@@ -216,12 +233,18 @@ def made(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str
         if len(operands) < low or (high is not None and len(operands) > high):
             raise ValueError(f"{name} cannot take {len(operands)} {word}")
     analog = row.analog
+    seen = NEIGHBOURS if row.effect is Effect.BUS else ()
     for register in dests:
-        if register not in (ANALOG_WRITE if analog else DIGITAL_WRITE):
+        if register not in (ANALOG_WRITE if analog else DIGITAL_WRITE) and register not in seen:
             raise ValueError(f"{name} cannot write {register}")
     for register in srcs:
-        if register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES):
+        if register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES) and register not in seen:
             raise ValueError(f"{name} cannot read {register}")
+    directed = [register for register in (*dests, *srcs) if register in seen]
+    if directed and (len(directed) > 1 or "NEWS" in (*dests, *srcs)):
+        raise ValueError(f"{name} joins NEWS to one bus")
+    if directed and len(dests) > 1 and directed[0] in dests:
+        raise ValueError(f"{name} cannot write {directed[0]} beside another register")
     if row.phase is Phase.WHOLE and set(dests) & set(srcs):
         raise ValueError(f"{name} cannot write a register that it reads")
     return Op(name, dests, srcs, None if BY_NAME.get(name) is row else row)

@@ -18,13 +18,13 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
+from nscc.lower.exposure_plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
-from nscc.prove.stream import prove_stream
+from nscc.prove.stream_proof import prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -32,7 +32,7 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.looks.plan import LookingPlan
+    from nscc.looks.looking_plan import LookingPlan
     from nscc.stream.sending import Sending
 
 LEVELS = (0, 1, 2, 3)
@@ -139,7 +139,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         results.distrust()
         gated = found()
     said = list({each.generator: each.diagnostic() for each in gated.faults}.values())
-    if not gated.tried:
+    if not gated.decodings:
         said.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
     return gated, said
 
@@ -151,15 +151,23 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     the user's limit (NS0603) does not allow.
     """
     most_words = job.options.max_words_per_slot
-    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.tried)
+    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.decodings)
     failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
     choice = Choice(tuple(tried), gated.misfits, failed)
     return choice, fit.faults(choice, level=job.options.level)
 
 
 def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
-    """The best lowering becomes a container of instruction code words. Refuses nothing."""
-    return assemble(choice.best, job.options.level), []
+    """The best lowering becomes a container of instruction code words.
+
+    Refuses images and planes that need more than the chip has (NS0535, NS0540, NS0541).
+    """
+    container, program = assemble(choice.best, job.options.level), choice.best.program
+    if program.pictures is None:
+        return container, []
+    from nscc.neighbours.passes import with_pictures
+
+    return with_pictures(container, program, job.options.level)
 
 
 def plan_looking(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:

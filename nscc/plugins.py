@@ -1,12 +1,11 @@
-"""What other distributions add to nscc: entry points, read only when somebody asks for them.
+"""Plugins: entry points of other distributions, loaded on first use.
 
-A distribution adds by its metadata alone, for example
+A distribution declares a plugin in its metadata, for example
 
     [project.entry-points."nscc.effects"]
     columns = "my_package.columns:COLUMNS"
 
-and the table that holds nscc's own things of that kind takes what it finds as it takes its own:
-whole, or refused by name.
+and nscc's table for that kind checks it and uses it like a built-in one, or refuses it by name.
 """
 
 from __future__ import annotations
@@ -21,44 +20,42 @@ from nscc.diagnostics.rejection import rejected
 Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encodings", "nscc.targets"]
 
 
-def added(group: Group, taken: Collection[str] = frozenset()) -> dict[str, Any]:
-    """The objects that other distributions add to `group`, by name, in the order of their names.
-
-    Raises Rejected (NS0905) where one cannot be imported, two have one name, or one has a name of
-    `taken`, nscc's own.
-    """
-    found = _loaded(group)
-    for name in found:
-        if name in taken:
+def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
+    """The objects that other distributions add to `group`, keyed and sorted by name. Raises
+    Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or used
+    twice."""
+    loaded = _loaded(group)
+    for name in loaded:
+        if name in reserved:
             raise unusable(group, name, "nscc has an object of that name")
-    return {name: value for name, (value, _) in found.items()}
+    return {name: value for name, (value, _) in loaded.items()}
 
 
 def sources(group: Group) -> dict[str, str]:
-    """The names of the modules that those objects come from. Raises as `added` does."""
+    """The names of the modules that define those objects. Raises as `added` does."""
     return {name: module for name, (_, module) in _loaded(group).items()}
 
 
 @cache
 def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
-    """The objects by name, each with its module, loaded once."""
-    # A fiftieth of a second, which commands that need no more than nscc's own do not spend.
+    """The objects and their modules by name, loaded once."""
+    # Importing takes 20 ms, which commands without plugins should not spend.
     from importlib.metadata import entry_points
 
-    found: dict[str, tuple[Any, str]] = {}
-    for entry in sorted(entry_points(group=group), key=lambda each: (each.name, each.value)):
-        if entry.name in found:
+    objects: dict[str, tuple[Any, str]] = {}
+    for entry in sorted(entry_points(group=group), key=lambda point: (point.name, point.value)):
+        if entry.name in objects:
             raise unusable(group, entry.name, "another package provides an object of that name")
         try:
-            found[entry.name] = entry.load(), entry.module
-        except Exception as error:  # whatever a module of somebody else's raises
+            objects[entry.name] = entry.load(), entry.module
+        except Exception as error:  # any exception of another package
             reason = " ".join(str(error).split())[:200]
             raise unusable(group, entry.name, f"{type(error).__name__}: {reason}") from error
-    return found
+    return objects
 
 
 def unusable(group: Group, name: str, reason: str) -> Rejected:
-    """NS0905: what a distribution adds under that name is not what nscc can take."""
+    """NS0905: nscc cannot use what a distribution adds under that name, for `reason`."""
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",

@@ -1,4 +1,4 @@
-"""Which packages nscc asks for, and in which of its extras: as its own metadata says."""
+"""The packages that nscc requires, by extra, from its metadata."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import cache
 
 _MODULES = {"cv2": "opencv-python-headless", "PIL": "pillow", "pillow_heif": "pillow-heif",
             "serial": "pyserial", "OpenEXR": "openexr", "pyxel": "pyxel-sim"}  # fmt: skip
-"""Modules that are not named after the distribution that brings them."""
+"""Modules whose distribution has another name."""
 
 _REQUIREMENT = re.compile(
     r"""(?P<name>[\w.-]+)\s*(?:\[[\w,\s-]*\])?[^;]*(?:;.*\bextra\s*==\s*['"](?P<extra>[\w-]+)['"])?"""
@@ -16,18 +16,16 @@ _REQUIREMENT = re.compile(
 
 @cache
 def extras() -> dict[str, str]:
-    """The smallest extra that brings each distribution, "" for what every installation has.
-
-    Empty where this nscc was not installed, but runs from its sources.
-    """
+    """The smallest extra that installs each distribution, "" for required ones. Empty if nscc is
+    not installed but runs from its sources."""
     from importlib import metadata
 
     try:
-        asked = metadata.requires("nscc") or []
+        lines = metadata.requires("nscc") or []
     except metadata.PackageNotFoundError:
         return {}
     names: dict[str, list[str]] = {}
-    for text in asked:
+    for text in lines:
         match = _REQUIREMENT.match(text)
         if match is not None:
             names.setdefault(match["extra"] or "", []).append(_normal(match["name"]))
@@ -36,7 +34,7 @@ def extras() -> dict[str, str]:
 
 
 def distribution_of(module: str) -> str:
-    """The name under which a module, or one inside of it, is installed."""
+    """The distribution that provides a module."""
     top = module.partition(".")[0]
     return next((name for known, name in _MODULES.items() if known.lower() == top.lower()), top)
 
@@ -48,15 +46,15 @@ def module_of(distribution: str) -> str:
 
 
 def install_line(extra: str) -> str:
-    """What to type to have an extra."""
+    """The command that installs an extra."""
     return f"pip install 'nscc[{extra}]'" if extra else "pip install nscc"
 
 
 def line_for(module: str) -> str:
-    """What to type where that module is missing."""
+    """The command that installs a module."""
     return install_line(extras().get(_normal(distribution_of(module)), "all"))
 
 
 def _normal(name: str) -> str:
-    """A distribution's name as all spellings of it are compared."""
+    """A distribution's name in normal form, for comparison."""
     return re.sub(r"[-_.]+", "-", name).lower()

@@ -25,12 +25,12 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.containers import is_compiled, with_pixels
-from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
+from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.render import render
 from nscc.files import write_together
-from nscc.lower.plan import LOWERINGS, LoweringOption
+from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
 from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
@@ -42,7 +42,7 @@ from nscc.words.file import read_container
 
 _DEFAULTS = Options()
 _TEXT = "<text>"
-"""What messages call a program that is in no file."""
+"""The name in messages of a program without a file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -168,13 +168,13 @@ class ShutterProgram:
         """
         from nscc.emit.report import report
 
-        found, options = self._as_compiled("report")
-        assert found.proof is not None
-        if found.sending is not None:
-            from nscc.emit.stream import stream_report
+        compiled, options = self._as_compiled("report")
+        assert compiled.proof is not None
+        if compiled.sending is not None:
+            from nscc.emit.sending_report import stream_report
 
-            return stream_report(found.sending, found.proof)
-        return report(all_lowerings(found.program, options), found.proof)
+            return stream_report(compiled.sending, compiled.proof)
+        return report(all_lowerings(compiled.program, options), compiled.proof)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the program to a file, completely or not at all.
@@ -235,8 +235,8 @@ class ShutterProgram:
         """
         if codes is not None and fields:
             raise wrong_argument("with_pixels takes either a file or fields")
-        given = fields if codes is None else _path("with_pixels", codes)
-        return replace(self, container=with_pixels(self.container, self.name, given))
+        pixel_source = fields if codes is None else _path("with_pixels", codes)
+        return replace(self, container=with_pixels(self.container, self.name, pixel_source))
 
     def __repr__(self) -> str:
         name = self.container.notes.get("class", "")
@@ -265,12 +265,15 @@ class ShutterProgram:
         if self.compiled is not None:
             rows: list[tuple[str, str]] = summary_rows(self.compiled)
         else:
-            held = ("words", f"{len(self.words)} stored, {self.words_per_frame} a frame")
+            size_row = ("words", f"{len(self.words)} stored, {self.words_per_frame} a frame")
             if self.target.streamed:
-                held = ("planes", f"{self.slots} of {self.target.rows} x {self.target.cols} bits")
-            rows = [*sorted(self.container.notes.items()), held]
-        said = html.plain(render(self.messages, "human")) if self.messages else html.Html()
-        return html.card(self.name, f"for {self.target.name}", chart, html.table(rows), said)
+                size_row = (
+                    "planes",
+                    f"{self.slots} of {self.target.rows} x {self.target.cols} bits",
+                )
+            rows = [*sorted(self.container.notes.items()), size_row]
+        messages = html.plain(render(self.messages, "human")) if self.messages else html.Html()
+        return html.card(self.name, f"for {self.target.name}", chart, html.table(rows), messages)
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
@@ -289,11 +292,11 @@ class ShutterProgram:
         """The same program, its pixels' codes known; NS0741 where they are not."""
         return replace(self, container=with_pixels(self.container, self.name))
 
-    def _as_compiled(self, wanted: str) -> tuple[Compiled, Options]:
+    def _as_compiled(self, product: str) -> tuple[Compiled, Options]:
         if self.compiled is None or self.options is None:
             raise rejected(
                 "NS0743",
-                f"'{self.name}' contains words but no {wanted}, because it is compiled already",
+                f"'{self.name}' contains words but no {product}, because it is compiled already",
                 helps=("use nscc.compile: its result contains the compiler's data",),
             )
         return self.compiled, self.options
@@ -314,9 +317,9 @@ class ShutterProgram:
             return {out: report_bytes(self.report)}
         from nscc.emit.products import emitted
 
-        found, _ = self._as_compiled(f"what goes into '{out.name}'")
-        made = emitted(kind, replace(found, container=self.container), out.name[: -len(ending)])
-        return {out.with_name(name): data for name, data in made.items()}
+        compiled, _ = self._as_compiled(f"what goes into '{out.name}'")
+        files = emitted(kind, replace(compiled, container=self.container), out.name[: -len(ending)])
+        return {out.with_name(name): data for name, data in files.items()}
 
 
 def compile(
@@ -370,7 +373,7 @@ def compile(
         )
     chip = target if target is None or isinstance(target, Target) else os.fspath(target)
     if max_words_per_slot is not None:
-        whole("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
+        require_whole_number("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
     options = Options(
         level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
@@ -380,10 +383,10 @@ def compile(
 
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     """Compile a text whose messages have its own name; raises and warns as `compile`."""
-    made = compile_source(text, folder, options)
-    assert made.container is not None  # what does not fit is rejected
-    warn(made.diagnostics)
-    return ShutterProgram(text.name, made.container, made, options)
+    compiled = compile_source(text, folder, options)
+    assert compiled.container is not None  # what does not fit is rejected
+    warn(compiled.diagnostics)
+    return ShutterProgram(text.name, compiled.container, compiled, options)
 
 
 def load(path: str | os.PathLike[str]) -> ShutterProgram:
@@ -403,17 +406,17 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
     Rejected
         If the file is not a valid container.
     """
-    found = _path("nscc.load", path)
-    if found.suffix.lower() == ".nsl":
+    file = _path("nscc.load", path)
+    if file.suffix.lower() == ".nsl":
         raise wrong_argument(
-            f"nscc.load reads compiled programs (.icw), but '{found}' is the text of a program",
-            helps=(f"nscc.compile('{found}') compiles it",),
+            f"nscc.load reads compiled programs (.icw), but '{file}' is the text of a program",
+            helps=(f"nscc.compile('{file}') compiles it",),
         )
-    return ShutterProgram(found.as_posix(), read_container(found))
+    return ShutterProgram(file.as_posix(), read_container(file))
 
 
 def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
-    """A program's text, and the folder that its paths are relative to."""
+    """A program's text, and the folder for its relative paths."""
     if not isinstance(source, str | os.PathLike):
         raise wrong_argument(
             f"nscc.compile takes a program's path or its text, not {shown(source)}",
@@ -448,7 +451,7 @@ def _is_path(text: str) -> bool:
 
 def _path(call: str, value: object) -> Path:
     if isinstance(value, str | os.PathLike):
-        found = os.fspath(value)
-        if isinstance(found, str):
-            return Path(found)
+        path = os.fspath(value)
+        if isinstance(path, str):
+            return Path(path)
     raise wrong_argument(f"{call} takes a path, not {shown(value)}")

@@ -14,17 +14,15 @@ class Span:
     start: int
     end: int
 
-    def to(self, other: Span) -> Span:
-        """The span from the start of this one to the end of `other`."""
-        return Span(self.start, max(self.end, other.end))
+    def to(self, last: Span) -> Span:
+        """The span from the start of this one to the end of `last`."""
+        return Span(self.start, max(self.end, last.end))
 
 
 @dataclass(frozen=True)
 class Source:
-    """A text with the name that messages show for it.
-
-    `name` is the path as the user wrote it; `text` has been decoded already.
-    """
+    """A decoded text and the name that messages show for it. `name` is the path as the user wrote
+    it."""
 
     name: str
     text: str

@@ -1,7 +1,7 @@
-"""Truth vectors: one Python integer for a bit of every shutter.
+"""Truth vectors: Python integers with one bit for each shutter.
 
-Bit i of a truth vector belongs to shutter i of the decode table. Integers of thousands of bits
-are combined in one machine operation a word, which makes exhaustive search and proof cheap.
+Bit i belongs to shutter i of the decode table. Operations on integers of thousands of bits are
+fast, which makes exhaustive search and proof cheap.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 
 def columns(bits: NDArray[np.bool_]) -> list[int]:
-    """Truth vectors of the columns of `bits` (shutters, columns)."""
+    """The truth vectors of the columns of `bits` (shutters, columns)."""
     packed = np.packbits(np.ascontiguousarray(bits.T), axis=1, bitorder="little")
     return [int.from_bytes(row.tobytes(), "little") for row in packed]
 
@@ -32,7 +32,7 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
 
 
 def members(vector: int, count: int) -> NDArray[np.intp]:
-    """The shutters, of `count`, whose bit is set, in rising order."""
+    """The numbers of the shutters, out of `count`, whose bit is set, ascending."""
     if vector & (vector - 1) == 0:
         return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
     packed = np.frombuffer(vector.to_bytes((count + 7) // 8, "little"), dtype=np.uint8)
@@ -40,7 +40,7 @@ def members(vector: int, count: int) -> NDArray[np.intp]:
 
 
 def vector(shutters: NDArray[np.intp]) -> int:
-    """The inverse of `members`: the truth vector of the shutters with these numbers."""
+    """The inverse of `members`: the truth vector of these shutters."""
     if not len(shutters):
         return 0
     bits = np.zeros(int(shutters.max()) + 1, dtype=np.uint8)
@@ -49,20 +49,20 @@ def vector(shutters: NDArray[np.intp]) -> int:
 
 
 def union(vectors: Iterable[int]) -> int:
-    """The shutters that are in any of `vectors`."""
+    """The OR of all vectors."""
     return reduce(or_, vectors, 0)
 
 
 def set_bits(mask: int) -> tuple[int, ...]:
-    """The places of the 1s of a number, in rising order."""
-    found = []
+    """The positions of the 1 bits, ascending."""
+    places = []
     while mask:
         low = mask & -mask
-        found.append(low.bit_length() - 1)
+        places.append(low.bit_length() - 1)
         mask ^= low
-    return tuple(found)
+    return tuple(places)
 
 
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
-    """Truth vectors of the `width` lowest bits of every shutter's number (shutters,)."""
+    """Truth vectors of the `width` lowest bits of each shutter's number (shutters,)."""
     return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

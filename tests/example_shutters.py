@@ -117,12 +117,44 @@ def staggered(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
     return (((n >= phase) & (n < phase + 4)) | (n < phase - 4),)
 
 
+_PHASES = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]
+
+
+def two_readouts(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    since = n - _picked(_PHASES, y, x)
+    return (n >= 0, ((since >= 0) & (since < 4)) | (since < -12))
+
+
+def three_readouts(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    since = n - _picked([[0, 3], [4, 1]], y, x)
+    return (n >= 0, (since >= 0) & (since < 4), (since >= 8) & (since < 12))
+
+
+def four_readouts(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    quarter = (n - _picked([[0, 2], [3, 1]], y, x)) // 4
+    return (n >= 0, quarter == 0, quarter == 1, quarter == 2)
+
+
+_SEARCHED = """
+    51168  3198 64536 12792 61539 64536 12792 61539 31752 36801 33039 16134  1086 33567  7938  3198
+    33567 63537 25584 57543 36801 25584 49551 53217 61539 16134  3198 64536 12792  3198 64536 12792
+     1599 49287  3969   543 16134 36801 33567 16134 36801  4344 61473 17376 57543 63537 25584 57543
+    63504  7938  1086 32268  6396  1599 32268  7422  1599 61539 51168 49551  8067 51168 49551  8067
+"""
+
+
+def searched_bits(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    bits = np.array(_SEARCHED.split(), np.int64).reshape(8, 8)[y % 8, x % 8]
+    return (bits // 2**n % 2 == 1,)
+
+
 RULES: dict[str, Rule] = {
     rule.__name__: rule
     for rule in (
         *(class_a, class_b, class_b_4096, class_c, class_d, class_e),
         *(codebook, coded_two_buckets, deblur, flutter, foveated, hdr_2x2, hdr_doubling, modulated),
-        *(skip_one, staggered, two_buckets),
+        *(searched_bits, skip_one, staggered, two_buckets),
+        *(two_readouts, three_readouts, four_readouts),
     )
 }
 """By the example's name."""

@@ -16,9 +16,9 @@ from nscc.checks import check_gates, check_plans, check_schedule
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.lower.assemble import assemble
+from nscc.lower.exposure_plan import Misfit, plan_exposures
 from nscc.lower.gates import find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import Misfit, plan_exposures
 from nscc.operations import Op
 from nscc.program.program import BucketRule, Frame, Program
 from nscc.source import Source, Span
@@ -101,9 +101,9 @@ def lowered_as(program: Program, lowering: str, level: int = 1) -> Lowered | Mis
     check_plans(planned)
     gated = find_gates(planned, level)
     check_gates(gated)
-    if not gated.tried:
+    if not gated.decodings:
         return gated.misfits[lowering]
-    (decoding,) = gated.tried
+    (decoding,) = gated.decodings
     choice = Choice((lay_out(program, decoding, gated.time, None),), gated.misfits)
     check_schedule(choice)
     return choice.best

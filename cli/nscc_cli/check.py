@@ -61,7 +61,7 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     """Check now and after each change; the status of the last time, once the user ends it."""
-    from nscc.editing.files import files_of
+    from nscc.editing.program_files import files_of
     from nscc_cli.watching import rounds
 
     if session().message_format == "sarif":

@@ -105,7 +105,7 @@ def prove(file: Path) -> None:
     logic it follows the light of every pixel through the planes of bits.
     """
     from nscc.program.problems import counted
-    from nscc.prove.file import prove_file
+    from nscc.prove.container_proof import prove_file
 
     container, proof = prove_file(file)
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""

@@ -24,23 +24,28 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
               "(default: a frame a slot).")  # fmt: skip
 @tone_option
 @click.option("--merge", is_flag=True, help="Without the decoder: no torch is needed.")
+@click.option("--readouts", type=click.IntRange(1, 4), metavar="K",
+              help="Of a clip, 1 to 4 in one exposure (default: the best number).")  # fmt: skip
 @click.option("--seed", type=SEED, default=0, help="Seed of the frame's noise.")
 def command(
     scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
-    fps: float | None, tone: str | None, merge: bool, seed: int,
+    fps: float | None, tone: str | None, merge: bool, readouts: int | None, seed: int,
 ) -> None:  # fmt: skip
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
     It leaves a sheet of truth, an ordinary exposure, the readout, the reconstruction and its
     error, and the reconstruction as files that other programs open. Beside them a photo is exposed
-    by pixels that look at the light, which needs no decoder. Without a PHOTO, a scene that is built
-    in.
+    by pixels that look at the light, which needs no decoder, and a clip in a burst of as many
+    ordinary frames as it has readouts. Without a PHOTO, a scene that is built in.
     """
     from nscc_runtime.scenes import Scene
     from nscc_runtime.simulate import Listener
-    from nscc_training.demo import BUILTIN, Settings, demo
+    from nscc_training.demo import BUILTIN, Settings, demo, readouts_text
 
-    settings = Settings(fit, color, exposure, tone, seed)  # type: ignore[arg-type]  # Choice
+    settings = Settings(fit, color, exposure, tone, seed, readouts=readouts)  # type: ignore[arg-type]  # Choice
+    if (merge or not settings.learned) and (readouts or 1) > 1:
+        raise click.UsageError("several readouts are joined by a decoder: leave out --merge, or "
+                               "install torch")  # fmt: skip
     if merge:
         settings = replace(settings, learned=False)
     elif not settings.learned:
@@ -50,6 +55,12 @@ def command(
     for name in (scene,) if scene else BUILTIN:
         made = demo(Scene(name, fps=fps), folder, settings, listener)
         say_done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
-        looked = "" if made.looked_db is None else f", by pixels that look {made.looked_db:.1f} dB"
-        say_done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{looked}")
+        beside = "" if made.looked_db is None else f", by pixels that look {made.looked_db:.1f} dB"
+        ordinary = "an ordinary camera with automatic exposure"
+        if made.looked_db is None:
+            beside = f" from {readouts_text(made.readouts)}"
+            ordinary = "a burst of as many ordinary frames"
+        if made.fair_db is not None:
+            beside += f", {ordinary} {made.fair_db:.1f} dB"
+        say_done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{beside}")
         say_done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))

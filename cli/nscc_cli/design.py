@@ -45,6 +45,8 @@ _MOST_SLOTS = 4096
               help="The error to minimise: of the light on a mu-law curve (default), "
                    "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
                    "of stops instead.")  # fmt: skip
+@click.option("--search", is_flag=True, help="Search all simple patterns of stops for stills, "
+              "judged by merging under every effect.")  # fmt: skip
 @click.option("--motion", type=click.Choice(_MOTIONS),
               help="Choose a code for clips by their motion: slow, fast, or as in "
                    "the scenes.")  # fmt: skip
@@ -67,37 +69,41 @@ _MOST_SLOTS = 4096
     help="The program (default: looks-K.nsl or sve-risk.nsl in this folder).",
 ))  # fmt: skip
 def command(
-    scenes: tuple[str, ...], looks: int | None, criterion: str | None, motion: Kind | None,
-    level: int, out: Path | None, **options: Any,
+    scenes: tuple[str, ...], looks: int | None, criterion: str | None, search: bool,
+    motion: Kind | None, level: int, out: Path | None, **options: Any,
 ) -> None:  # fmt: skip
     """Write a program that is made for scenes, and say what it is expected to do.
 
     With --looks, pixels close at the first look that finds them above a level. Moments and levels
     are those of the least error that noise, converter, copies and comparators of the sensor let
     expect over the light that the scenes have, without a decoder. With --criterion sve-risk, every
-    2 x 2 tile of half stops is tried for what an ideal decoder could not make good. With --motion,
+    2 x 2 tile of half stops is tried for what an ideal decoder could not make good. With --search,
+    patterns of one to eight geometric stops are tried on the emulated chip. With --motion,
     bumps of several lengths and patterns are compared by what a frame of theirs tells of moving
     light. The program is compiled and proved before it is written.
     """
     from nscc.chips.load import load_target
     from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
-    from nscc_training.design import Frame, design_looks, design_tile
+    from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 
     tile = criterion == _SVE_RISK
-    if tile + (looks is not None) + (motion is not None) != 1:
+    if tile + (looks is not None) + (motion is not None) + search != 1:
         raise click.UsageError(
             "name the design: --looks K for pixels that look, --criterion sve-risk for a "
-            "fixed 2 x 2 tile, or --motion slow, fast or scene for clips"
+            "fixed 2 x 2 tile, --search for the best pattern of stops, or --motion slow, fast or "
+            "scene for clips"
         )
     if motion and criterion:
         raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
+    if search and criterion:
+        raise click.UsageError("--search counts linear and mu-law PSNR: leave --criterion out")
     options["slots"] = options["slots"] or (_CLIP_SLOTS if motion else _STILL_SLOTS)
     slots, slot_us, name = options["slots"], options["slot_us"], options["target"]
     if looks is not None and looks > slots:
         raise click.UsageError(f"{looks} exposures need {looks} boundaries; there are {slots}")
     default = f"motion-{motion}.nsl" if motion else f"looks-{looks}.nsl"
-    path = out or Path("sve-risk.nsl" if tile else default)
+    path = out or Path("sve-risk.nsl" if tile else "searched.nsl" if search else default)
     target = load_target(name, Path())
     sensor = sensor_of(target, options)
     frame = Frame(slots, slot_us, name, sensor, level)
@@ -108,6 +114,9 @@ def command(
         # What moves slow or fast needs no scene, and of one takes light and texture.
         moving = _moving(scenes, target, options) if scenes or motion == "scene" else []
         made: Design = design_motion(motion, moving, frame, options["max_words"])
+    elif search:
+        seen = _seen(scenes, target, options)
+        made = design_pattern(seen, frame, lambda todo: progress(todo, "searching"))
     elif looks is None:
         made = design_tile(_seen(scenes, target, options), frame)
     else:

@@ -88,7 +88,7 @@ def costs() -> str:
         (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")
         for e in registered() if e.cost_ns and e.name not in measured
     ]  # fmt: skip
-    return columns(rows, left=(0, 3, 4)) + (
+    return columns(rows, left_aligned=(0, 3, 4)) + (
         "\n\nof one core; plans are chosen by shipped prices, so that the same input gives the "
         "same bytes on every machine"
     )

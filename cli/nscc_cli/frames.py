@@ -131,11 +131,14 @@ def write_frame(
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
     picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
+    from nscc.words.legality import refuse_pictures
     from nscc_runtime.decode_table import with_table
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.frame_content import frame_content
     from nscc_runtime.frame_file import FrameFile
 
+    if out.suffix != ".npz":
+        refuse_pictures(container, f"'{out.name}' cannot hold this frame", "write an .npz")
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
@@ -162,8 +165,11 @@ def _picture(
     from nscc_runtime.formats.content_sheet import content_sheet
     from nscc_runtime.merge import readouts
     from nscc_runtime.pictures.frame_sheet import frame_sheet
+    from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
     from nscc_runtime.pictures.sheet import png_of
 
+    if container.pictures is not None:
+        return png_of(image_plane_sheet, container.pictures, frame.first, title)
     if content.colour:
         return png_of(content_sheet, content, title)
     return png_of(frame_sheet, readouts(container, frame.first, response()), title)

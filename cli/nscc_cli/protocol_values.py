@@ -13,7 +13,7 @@ from nscc.diagnostics.reports import full_text
 from nscc.editing.complete import Offer
 from nscc.editing.document import Document
 from nscc.editing.listing import Text
-from nscc.editing.outline import Entry
+from nscc.editing.outline import OutlineEntry
 from nscc.source import Source, Span
 from nscc_cli.positions import Positions
 
@@ -107,7 +107,7 @@ def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
     )
 
 
-def symbol(entry: Entry, positions: Positions) -> types.DocumentSymbol:
+def symbol(entry: OutlineEntry, positions: Positions) -> types.DocumentSymbol:
     """A statement in the outline."""
     return types.DocumentSymbol(
         entry.name,

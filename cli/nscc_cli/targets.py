@@ -81,8 +81,8 @@ def command(
 
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
     """The limits of a chip, found now by compiling."""
+    from nscc.limits.limits_table import limits_json, limits_text
     from nscc.limits.survey import Limit, survey
-    from nscc.limits.table import limits_json, limits_text
     from nscc.pipeline import Options
 
     limits: list[Limit] = []

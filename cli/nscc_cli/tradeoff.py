@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from nscc.files import Product
-from nscc.lower.plan import LOWERINGS, Lowering
+from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, table_text
@@ -103,7 +103,7 @@ def synthesis(
         for line in refusals_text(measured.refused):
             click.echo(line)
         if not points:
-            rows.done()
+            rows.remove()
             return 1
         makers = {
             "csv": lambda: csv_text(points, device).encode(),

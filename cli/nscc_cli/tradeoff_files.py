@@ -83,6 +83,6 @@ def write_files(
 ) -> None:
     """Make and write those products that have a place, and say so; the rows have done then."""
     write_together({path: makers[name]() for name, path in files.items()})
-    rows.done()
+    rows.remove()
     if files:
         say_done("wrote " + ", ".join(path.as_posix() for path in files.values()))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from collections.abc import Callable
+from dataclasses import fields, replace
 from typing import Any
 
 import click
 
-from nscc.lower.plan import LOWERINGS
-from nscc.tradeoff.points import csv_text, table_text
+from nscc.lower.exposure_plan import LOWERINGS
+from nscc.tradeoff.points import Point, csv_text, table_text
 from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS, TARGET
 from nscc_cli.options import COUNT, LEVEL, some_option
@@ -19,6 +20,7 @@ _CLASSES = ("b", "c", "d", "e", "codebook")
 _CODES = ("fixed", "open")
 _MOST_SLOTS = 4096
 _MOST_EXPOSURES = 32
+_MOST_READOUTS = 4
 
 
 def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
@@ -43,18 +45,22 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
     return counts
 
 
-def _exposures(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Numbers of exposures a pixel, separated by commas, or `none`."""
-    if value.strip() == "none":
-        return ()
-    items = [item.strip() for item in value.split(",")]
-    for item in items:
-        if not (item.isdecimal() and 2 <= int(item) <= _MOST_EXPOSURES):
-            message = (
-                f"invalid number of exposures {item[:40]!r}: 2 to {_MOST_EXPOSURES} are allowed"
-            )
-            raise click.BadParameter(message, context, option)
-    return tuple(sorted({int(item) for item in items}))
+def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, ...]]:
+    """Return the callback of an option that takes numbers, separated by commas, or `none`."""
+
+    def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+        if value.strip() == "none":
+            return ()
+        items = [item.strip() for item in value.split(",")]
+        for item in items:
+            if not (item.isdecimal() and least <= int(item) <= most):
+                message = (
+                    f"invalid number of {quantity} {item[:40]!r}: {least} to {most} are allowed"
+                )
+                raise click.BadParameter(message, context, option)
+        return tuple(sorted({int(item) for item in items}))
+
+    return numbers
 
 
 @click.command("sensor", cls=CommonCommand)
@@ -63,8 +69,12 @@ def _exposures(context: click.Context, option: click.Parameter, value: str) -> t
               help="Slots of a frame, for clips.")  # fmt: skip
 @click.option("--stop-slots", callback=_counts, metavar="N,..", default="16,64", show_default=True,
               help="Slots of a frame for stills, which class b exposes.")  # fmt: skip
-@click.option("--looks", callback=_exposures, metavar="K,..", default="2,5,9", show_default=True,
+@click.option("--looks", callback=_numbers("exposures", 2, _MOST_EXPOSURES), metavar="K,..",
+              default="2,5,9", show_default=True,
               help="Exposures of pixels that look, for stills, or none.")  # fmt: skip
+@click.option("--readouts", callback=_numbers("readouts", 1, _MOST_READOUTS), metavar="K,..",
+              default="1,2,3,4", show_default=True,
+              help="Readouts of one exposure, for clips, or none.")  # fmt: skip
 @some_option("--codes", _CODES, "MODE,..", "Compile for the codes in use, for every legal one.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @click.option("--target", type=TARGET, default="scamp5", show_default=True,
@@ -81,15 +91,17 @@ def _exposures(context: click.Context, option: click.Parameter, value: str) -> t
               help="How many scenes of a kind.")  # fmt: skip
 @shared.made_seed_option
 @shared.tradeoff_options
-def command(**options: Any) -> int:
+def command(readouts: tuple[int, ...], **options: Any) -> int:
     """Measure what slots buy: PSNR against the shortest slot of each shutter, on one chip.
 
     Every class in every number of slots, for codes in use and open ones, is compiled in each
     lowering; its words say how short a slot can be. The emulated chip captures the scenes with
     them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. Of pixels
     that look (hdr-v1's rows looks-K, and ones designed for the scenes) an exposure over its time is
-    the light: what more looks buy, in words and in the length of a slot. What does
-    not fit the chip is a row that says so. Ends with status 1 where nothing fits.
+    the light: what more looks buy, in words and in the length of a slot. Clips are also captured
+    in several readouts of one exposure, beside a burst of as many ordinary frames: PSNR against
+    readout time. What does not fit the chip is a row that says so. Ends with status 1 where
+    nothing fits.
     """
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
@@ -97,6 +109,7 @@ def command(**options: Any) -> int:
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(options)
+    points: tuple[Point, ...] = ()
     named = {field.name for field in fields(Settings)} & options.keys()
     settings = Settings(**{name: options[name] for name in named})
     say_compiling(denoise, "the loop of total variation")
@@ -105,10 +118,20 @@ def command(**options: Any) -> int:
         if measured.points:
             names = ("shutters", "slots", "PSNR, dB")
             click.echo(table_text(measured.points, names, ("slot, us", 1e3)))
+        if readouts and any(point.case == "clips" for point in measured.points):
+            from nscc_training.tradeoff.readouts import measure_readouts
+
+            points, refused = measure_readouts(
+                settings, readouts, lambda todo: progress(todo, "reading out"), rows
+            )
+            click.echo()
+            names = ("readouts", "count", "PSNR, dB")
+            click.echo(table_text(points, names, ("readout, ms", 1.0)))
+            measured = replace(measured, refused=(*measured.refused, *refused))
         for line in refusals_text(measured.refused):
             click.echo(line)
         if not measured.points:
-            rows.done()
+            rows.remove()
             return 1
         makers = {
             "csv": lambda: csv_text(measured.points, measured.target, measured.refused).encode(),

@@ -21,12 +21,19 @@ _THUMBNAIL = (440, 330)
 class _Shown:
     """A scene that suits a program, and how its frame is reconstructed.
 
-    `exposure` is in electrons over the frame; `how` are the arguments of `nscc reconstruct`.
+    `exposure` is in electrons over the frame; `how` are the arguments of `nscc reconstruct`, None
+    for a frame of images and planes, which is the result itself.
     """
 
     scene: str
     exposure: int
-    how: str
+    how: str | None
+
+    @property
+    def kinds(self) -> dict[str, str]:
+        """What is drawn of a frame, by file, in words."""
+        light = {} if self.how is None else {"light": "The reconstruction"}
+        return {"frame": "A frame", **light}
 
 
 _STILL = _Shown("builtin:hdr", 1_000_000, "any frame.npz --as image")
@@ -43,7 +50,8 @@ _TASKS: dict[str, dict[str, _Shown]] = {
         "skip_one": _STILL,
     },
     "Pixels that look at the light": {
-        "float_pixel": _LOOKING, "auto_exposure": _LOOKING, "spike": _LOOKING,
+        "float_pixel": _LOOKING, "spike": _LOOKING,
+        "auto_exposure": _Shown("builtin:hdr", 60_000, "frame.npz"),
         "first_light": _Shown("builtin:motion", 1_000_000, "frame.npz"),
     },
     "A fast clip from one frame": {
@@ -54,6 +62,12 @@ _TASKS: dict[str, dict[str, _Shown]] = {
     "A sharp picture of a moving scene": {
         "class_a": _Shown("builtin:motion", 30_000, "any frame.npz --as image"),
         "deblur": _Shown("builtin:motion", 60_000, "any frame.npz --method gap-tv"),
+    },
+    "Images from the pixels": {
+        "edges": _Shown("builtin:hdr", 200_000, None),
+        "bright_spots": _Shown("builtin:hdr", 60_000, None),
+        "motion_in_a_frame": _Shown("builtin:motion", 60_000, None),
+        "local_contrast": _Shown("builtin:hdr", 200_000, None),
     },
     "Two exposures in one frame": {
         "two_buckets": _clip(60_000), "coded_two_buckets": _clip(60_000),
@@ -89,7 +103,7 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
                 pages[f"gallery/{name}.md"] = _page(path, shown, folder)
             thumbnails = " ".join(
                 f"[![{what} of {name}](pictures/{name}_{kind}_small_light.png)](gallery/{name}.md)"
-                for kind, what in (("frame", "A frame"), ("light", "The reconstruction"))
+                for kind, what in shown.kinds.items()
             )
             cards.append(f"{thumbnails}\n\n[{name}](gallery/{name}.md): {_remark(path, 1)}")
         parts += [f"## {task}\n", grid(cards)]
@@ -100,25 +114,28 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
 
 def _commands(program: str, shown: _Shown) -> list[str]:
     """What a reader types for the pictures of a page."""
-    return [
+    commands = [
         f"view {program} -o shutters.png",
         f"run {program} --scene {shown.scene} --exposure {shown.exposure} -o frame.npz "
         "--png frame.png",
-        f"reconstruct {shown.how} -o light.npz --png light.png",
     ]
+    if shown.how is not None:
+        commands.append(f"reconstruct {shown.how} -o light.npz --png light.png")
+    return commands
 
 
 def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | bytes]:
     """The pictures of one example, drawn by these commands, and thumbnails."""
-    view, run, reconstruct = _commands(program, shown)
+    view, run, *reconstruct = _commands(program, shown)
     view, run = (command.replace(program, f"{program} -O1") for command in (view, run))
     pictures: dict[str, str | bytes] = {}
     for number, (name, look) in enumerate(LOOKS.items()):
         with looking(look):
             said(view, folder)
             said(run, folder)
-            said("view light.npz -o light.png" if number else reconstruct, folder)
-        for kind in ("shutters", "frame", "light"):
+            for command in reconstruct:
+                said("view light.npz -o light.png" if number else command, folder)
+        for kind in ("shutters", *shown.kinds):
             data = (folder / f"{kind}.png").read_bytes()
             stem = f"pictures/{Path(program).stem}_{kind}"
             pictures[f"{stem}_{name}.png"] = data
@@ -149,11 +166,14 @@ def _remark(path: Path, sentences: int | None = None) -> str:
 def _page(path: Path, shown: _Shown, folder: Path) -> str:
     text, name = path.read_text(), path.stem
     commands = "\n".join(f"$ nscc {command}" for command in _commands(path.name, shown))
+    light = () if shown.how is None else (
+        "Light that was reconstructed from the frame:\n",
+        f"![The reconstruction](../pictures/{name}_light_light.png)\n",
+    )  # fmt: skip
     return "\n".join((
         f"# {name}\n", f"{_remark(path)}\n",
         f"![A frame of {shown.scene}](../pictures/{name}_frame_light.png)\n",
-        "Light that was reconstructed from the frame:\n",
-        f"![The reconstruction](../pictures/{name}_light_light.png)\n",
+        *light,
         "## Shutters\n",
         f"![The shutters of {path.name}](../pictures/{name}_shutters_light.png)\n",
         "## Program\n",

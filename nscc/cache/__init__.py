@@ -1,6 +1,5 @@
-"""What is kept from one run to the next: a folder of small files that may vanish any time.
+"""The user's cache: a folder of small files that may be deleted at any time.
 
-Kept are the parser's tables and what searches found, never a proof: words that come from here are
-proved like any others. A file that is damaged, unreadable or not what it says is passed over and
-written anew.
+It keeps the parser's tables and search results, never a proof: words from the cache are proved like
+any others. A damaged or unreadable file is ignored and written again.
 """

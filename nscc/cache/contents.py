@@ -10,11 +10,12 @@ from nscc.cache.digest import digest
 
 
 def content(path: Path) -> str:
-    """The digest of a file, or of all files of a folder by their names; "" where there is none."""
+    """The digest of a file, or of all files of a folder with their names; "" if the path does not
+    exist."""
     try:
         if path.is_dir():
-            files = sorted(each for each in path.rglob("*") if each.is_file())
-            return digest([(each.relative_to(path).as_posix(), content(each)) for each in files])
+            files = sorted(entry for entry in path.rglob("*") if entry.is_file())
+            return digest([(entry.relative_to(path).as_posix(), content(entry)) for entry in files])
         status = path.stat()
         return _content(path.resolve(), status.st_size, status.st_mtime_ns)
     except (OSError, ValueError):
@@ -23,7 +24,7 @@ def content(path: Path) -> str:
 
 @cache
 def _content(path: Path, _size: int, _mtime_ns: int) -> str:
-    """The digest of a file that has had this size since that time: large ones are read once."""
+    """The digest of a file; memoized by path, size and modification time."""
     with open(path, "rb") as file:
         running = sha256()
         while block := file.read(1 << 20):

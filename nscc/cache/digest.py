@@ -1,4 +1,4 @@
-"""Digests of frozen values: what decides a result, in 64 hexadecimal digits."""
+"""Digests of frozen values, in 64 hexadecimal digits."""
 
 from __future__ import annotations
 
@@ -22,21 +22,16 @@ _DECIDES = (".py", ".toml", ".safetensors")
 
 
 def digest(value: Any) -> str:
-    """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays, numbers.
-
-    Values of different type or structure have different digests. Raises TypeError for a type
-    that is none of these: leaving something out would let two different things pass for one.
-    """
+    """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays and
+    numbers. Values of different type or structure have different digests. Raises TypeError for
+    other types, because ignoring a member could give two values one digest."""
     return sha256(_token(value, {})).hexdigest()
 
 
 @cache
 def version_digest() -> str | None:
-    """The digest of this compiler: its own sources, those of the generators that other
-    distributions add to it, and what they run on.
-
-    None where sources cannot be read.
-    """
+    """The digest of this compiler: its sources, added generators, Python and the libraries. None if
+    sources cannot be read."""
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
@@ -48,7 +43,7 @@ def version_digest() -> str | None:
 
 @cache
 def package_digest(name: str) -> str | None:
-    """The same of another package that is installed, by the name under which it is imported."""
+    """Like `version_digest`, of another installed package, given its import name."""
     spec = find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         return None
@@ -56,7 +51,7 @@ def package_digest(name: str) -> str | None:
 
 
 def _digest_of(roots: Mapping[str, Path]) -> str | None:
-    """The digest of what decides in these folders and files, and of what runs them."""
+    """The digest of these source folders and files and of the versions of Python and numpy."""
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
@@ -72,7 +67,7 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
 
 
 def _deciding(root: Path) -> list[Path]:
-    """The file `root`, or those of the folder that decide what its code does."""
+    """The files under `root` that the behaviour of its code depends on."""
     if root.is_file():
         return [root]
     return sorted(
@@ -84,7 +79,8 @@ def _deciding(root: Path) -> list[Path]:
 
 
 def _token(value: Any, known: dict[int, bytes]) -> bytes:
-    """Bytes that stand for a value. `known` holds those of parts by identity: many are shared."""
+    """The bytes that stand for a value in the digest; `known` caches them by identity, as many
+    members are shared."""
     if isinstance(value, Enum):
         return f"e{type(value).__name__}.{value.name}".encode()
     if value is None or isinstance(value, bool | float):
@@ -100,23 +96,23 @@ def _token(value: Any, known: dict[int, bytes]) -> bytes:
 
 
 def _compound(value: Any, known: dict[int, bytes]) -> bytes:
-    parts: list[bytes]
+    tokens: list[bytes]
     if isinstance(value, np.ndarray | np.generic):
         head = f"a{value.dtype.str}{value.shape}"
-        parts = [np.ascontiguousarray(value).tobytes()]
+        tokens = [np.ascontiguousarray(value).tobytes()]
     elif isinstance(value, tuple | list):
         head = "t"
-        parts = [_token(part, known) for part in value]
+        tokens = [_token(token, known) for token in value]
     elif isinstance(value, Mapping):
         head = "m"
-        parts = [_token(part, known) for item in value.items() for part in item]
+        tokens = [_token(token, known) for item in value.items() for token in item]
     elif is_dataclass(value) and not isinstance(value, type):
         head = f"d{type(value).__name__}"
-        parts = [_token(getattr(value, field.name), known) for field in fields(value)]
+        tokens = [_token(getattr(value, field.name), known) for field in fields(value)]
     else:
         raise TypeError(f"no digest for {type(value).__name__}")
-    running = sha256(f"{head}{len(parts)}".encode())
-    for part in parts:
-        running.update(f":{len(part)}:".encode())
-        running.update(part)
+    running = sha256(f"{head}{len(tokens)}".encode())
+    for token in tokens:
+        running.update(f":{len(token)}:".encode())
+        running.update(token)
     return running.digest()

@@ -1,8 +1,7 @@
-"""What the search for gates found, by everything that decides it.
+"""Cached results of the search for gates.
 
-A result is kept for a whole problem: demands, plan, times, target, level and the compiler itself
-with the generators added to it (`nscc.cache.digest.version_digest`): whatever of them changed never
-sees an old one.
+The key covers the whole problem: demands, plan, times, target, level, and the compiler itself with
+its added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key.
 """
 
 from __future__ import annotations
@@ -18,30 +17,29 @@ from nscc.logic.problem import Machine, Problem, Solution
 from nscc.logic.replay import fault
 
 LEAST_LEVEL = 2
-"""Below this level a search is over sooner than its result would be read."""
+"""Below this level a search is faster than reading its result."""
 
 
 @dataclass
 class Results:
-    """Results of one compilation: read from the store while `trusted`, and kept there.
-
-    `read` counts the results that came from the store.
-    """
+    """Search results of one compilation, read from the store while `trusted` and written to it.
+    `read` counts the results that came from the store."""
 
     store: Store
     trusted: bool = field(default=True, init=False)
     read: int = field(default=0, init=False)
 
     def distrust(self) -> None:
-        """Reads nothing from now on: every search is done anew and its result replaces the old."""
+        """Stop reading: from now on every search runs and its result replaces the stored one."""
         self.trusted, self.read = False, 0
 
-    def find(self, problem: Problem, machine: Machine, level: int, *more: Any) -> Result:
-        """What is known for a problem; `more` is whatever else decides which solution is best."""
+    def find(self, problem: Problem, machine: Machine, level: int, *context: Any) -> Result:
+        """Look up the solution of a problem; `context` is everything else that the best solution
+        depends on."""
         version = version_digest() if level >= LEAST_LEVEL else None
         if version is None:
             return Result()
-        key = digest((version, problem, machine, level, more))
+        key = digest((version, problem, machine, level, context))
         known = _solution(self.store.read(key), problem, machine) if self.trusted else None
         self.read += known is not None
         return Result(known, self.store, key)
@@ -49,30 +47,30 @@ class Results:
 
 @dataclass(frozen=True)
 class Result:
-    """The best solution of a problem, if one is known; else the place to keep it."""
+    """The best solution of a problem if it is known, else the key under which to store it."""
 
     known: Solution | None = None
     store: Store | None = None
     key: str = ""
 
-    def or_else(self, found: Iterable[Solution]) -> Iterable[Solution]:
-        """The known solution alone, else those `found`, which are not asked for otherwise."""
-        return found if self.known is None else (self.known,)
+    def or_else(self, solutions: Iterable[Solution]) -> Iterable[Solution]:
+        """The known solution alone, or else `solutions`, which are only generated in this case."""
+        return solutions if self.known is None else (self.known,)
 
     def keep(self, best: Solution) -> None:
-        """Keeps the best of those found."""
+        """Store the best solution of a search."""
         if self.store is not None and self.known is None:
             self.store.write(self.key, to_json(best))
 
 
 def results_of_user() -> Results | None:
-    """The results in the user's cache folder; None where it is switched off."""
+    """The results in the user's cache folder; None if the cache is off."""
     folder = cache_folder()
     return None if folder is None else Results(Store(folder))
 
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
-    """The solution in an entry; None unless it meets the problem that it is kept for."""
+    """Decode the solution in an entry; None unless it solves the problem."""
     if data is None:
         return None
     try:

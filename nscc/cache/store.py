@@ -1,7 +1,7 @@
-"""A folder of entries by key: bounded, safe between processes, and silent where it cannot be used.
+"""A folder of entries by key, of bounded size, safe between processes; I/O errors are ignored.
 
-An entry is a file named after its key, a line that names format, key and checksum, then the data.
-Entries appear whole or not at all; the ones not used for longest go when there are too many bytes.
+An entry is a file named after its key: one line with format, key and checksum, then the data. Files
+are replaced atomically. When the folder is too large, the least recently used entries are deleted.
 """
 
 from __future__ import annotations
@@ -18,49 +18,45 @@ from pathlib import Path
 
 MOST_BYTES = 64_000_000
 _KEPT_SHARE = 0.75
-"""How full the folder is after making room: so that not every write has to look for some."""
+"""Share of the limit that remains after making room, so that not every write must make room."""
 _LARGEST = MOST_BYTES // 4
 
 _FORMAT = b"nscc-cache-1"
 _ENTRY = re.compile(r"[0-9a-f]{64}")
 _PART = re.compile(r"\.[0-9a-f]{64}\.[0-9]+\.part")
 _PART_AGE_S = 600.0
-"""A file half written that is older than this belongs to a process that died."""
+"""A partial file older than this belongs to a process that died."""
 
 
 def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
-    """Where entries are kept; None where `NSCC_CACHE=off` or there is no home folder.
-
+    """The folder of the cache; None if `NSCC_CACHE=off` or there is no home folder.
     `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc (an absolute path, as its specification demands),
-    else ~/.cache/nscc.
-    """
-    given = os.environ if environment is None else environment
-    if given.get("NSCC_CACHE", "").lower() == "off":
+    else ~/.cache/nscc."""
+    variables = os.environ if environment is None else environment
+    if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
-    if given.get("NSCC_CACHE_DIR"):
-        return Path(given["NSCC_CACHE_DIR"])
-    shared = given.get("XDG_CACHE_HOME", "")
+    if variables.get("NSCC_CACHE_DIR"):
+        return Path(variables["NSCC_CACHE_DIR"])
+    shared = variables.get("XDG_CACHE_HOME", "")
     if os.path.isabs(shared):
         return Path(shared) / "nscc"
-    home = os.path.expanduser("~") if "HOME" not in given else given["HOME"]
+    home = os.path.expanduser("~") if "HOME" not in variables else variables["HOME"]
     return Path(home) / ".cache" / "nscc" if os.path.isabs(home) else None
 
 
 @dataclass(frozen=True)
 class Store:
-    """Entries in a folder that need not exist; no method raises for what the disk does."""
+    """Entries in a folder that need not exist; no method raises an error of the file system."""
 
     folder: Path
     most_bytes: int = MOST_BYTES
 
     def read(self, key: str) -> bytes | None:
-        """The data kept under `key` (64 hexadecimal digits); None where there is none, or damaged.
-
-        What is read counts as used now.
-        """
+        """The data stored under `key` (64 hexadecimal digits); None if missing or damaged. Reading
+        marks the entry as recently used."""
         path = self.folder / key
         try:
-            # A pipe in the entry's place must not make anybody wait.
+            # Opening a pipe in the entry's place must not block.
             with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
                 status = os.fstat(file.fileno())
                 if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST:
@@ -75,25 +71,25 @@ class Store:
         return data
 
     def write(self, key: str, data: bytes) -> None:
-        """Keeps `data` under `key`, whatever was there, and makes room where that is needed."""
-        whole = _head(key, data) + b"\n" + data
-        if len(whole) > min(_LARGEST, self.most_bytes):
+        """Store `data` under `key`, replace an older entry, and delete other entries if there is no
+        room."""
+        entry = _head(key, data) + b"\n" + data
+        if len(entry) > min(_LARGEST, self.most_bytes):
             return
-        part = self.folder / f".{key}.{os.getpid()}.part"
+        temporary = self.folder / f".{key}.{os.getpid()}.part"
         try:
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            with open(part, "xb") as file:
-                file.write(whole)
-            os.replace(part, self.folder / key)
+            with open(temporary, "xb") as file:
+                file.write(entry)
+            os.replace(temporary, self.folder / key)
         except FileExistsError:
             return
         except OSError:
-            _remove(part)
+            _remove(temporary)
             return
         self._make_room()
 
     def entries(self) -> int:
-        """How many entries there are."""
         return sum(1 for _ in self._files(_ENTRY))
 
     def bytes_used(self) -> int:
@@ -101,7 +97,7 @@ class Store:
         return sum(status.st_size for _, status in self._files(_ENTRY))
 
     def writable(self) -> bool:
-        """Whether an entry can be kept: the folder, or the first one above it, may be written."""
+        """Whether the folder, or its first existing parent, is writable."""
         folder = self.folder.absolute()
         existing = next(p for p in (folder, *folder.parents) if os.path.exists(p))
         return os.path.isdir(existing) and os.access(existing, os.W_OK | os.X_OK)
@@ -122,10 +118,10 @@ class Store:
             used -= status.st_size
 
     def _files(self, pattern: re.Pattern[str]) -> Iterator[tuple[Path, os.stat_result]]:
-        """The regular files with such names; others in the folder are nobody's business."""
+        """The regular files whose names match `pattern`."""
         try:
-            with os.scandir(self.folder) as found:
-                names = [entry for entry in found if pattern.fullmatch(entry.name)]
+            with os.scandir(self.folder) as entries:
+                names = [entry for entry in entries if pattern.fullmatch(entry.name)]
         except OSError:
             return
         for entry in names:

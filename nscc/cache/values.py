@@ -1,7 +1,7 @@
-"""Frozen dataclasses as JSON and back: strict, so that no file can smuggle in anything else.
+"""Frozen dataclasses as JSON and back, with strict types.
 
-A dataclass is the list of its fields' values, a tuple a list, an integer of any size a number or
-hexadecimal digits. What comes back has exactly the types that the annotations name.
+A dataclass becomes the list of its field values, a tuple a list, a large integer a hexadecimal
+string. Reading returns exactly the annotated types or raises ValueError.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 T = TypeVar("T")
 
 _LARGE = 1 << 53
-"""From here on, integers are written as text: not every reader of JSON keeps them exact."""
+"""Larger integers are written as text, because not every JSON reader keeps them exact."""
 
 
 def to_json(value: Any) -> bytes:
@@ -25,7 +25,7 @@ def to_json(value: Any) -> bytes:
 
 
 def from_json(kind: type[T], data: bytes) -> T:
-    """The inverse of `to_json`; raises ValueError for anything that it would not have written."""
+    """The inverse of `to_json`; raises ValueError for data that `to_json` cannot have written."""
     import json
 
     try:
@@ -41,7 +41,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, int):
         return value if abs(value) < _LARGE else f"{value:x}"
     if isinstance(value, tuple):
-        return [_plain(part) for part in value]
+        return [_plain(member) for member in value]
     if is_dataclass(value) and not isinstance(value, type):
         return [_plain(getattr(value, field.name)) for field in fields(value)]
     raise TypeError(f"{type(value).__name__} has no place in JSON")
@@ -62,10 +62,10 @@ def _typed(kind: Any, value: Any) -> Any:
     if not isinstance(value, list):
         raise ValueError(f"{value!r:.40} is not a list")
     if origin is tuple:
-        parts = get_args(kind)
-        if len(parts) == 2 and parts[1] is Ellipsis:
-            return tuple([_typed(parts[0], part) for part in value])
-        return tuple([_typed(*pair) for pair in _paired(parts, value)])
+        kinds = get_args(kind)
+        if len(kinds) == 2 and kinds[1] is Ellipsis:
+            return tuple([_typed(kinds[0], member) for member in value])
+        return tuple([_typed(*pair) for pair in _paired(kinds, value)])
     return kind(*[_typed(*pair) for pair in _paired(_annotations(kind), value)])
 
 

@@ -1,8 +1,7 @@
-"""Targets by name or from a file: the builtin tables, those that packages add, a user's own.
+"""Targets by name or from a file: built-in tables, tables of other packages, user files.
 
-A name that ends in `.toml` or holds a `/` is a file, anything else a target's name. In a user's
-file every key must be known; keys about what is not public may be left out and then have scamp5's
-value.
+A name that ends in `.toml` or contains `/` is a file. In a user's file every key must be known.
+Keys for which the chip's maker published no value may be missing and then have scamp5's value.
 """
 
 from __future__ import annotations
@@ -22,41 +21,39 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
-from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.kinds import Several
-from nscc.toml.schema import Found, Key, keys_of
+from nscc.toml.schema import Key, KeyValues, keys_of
+from nscc.toml.schema_files import file_bytes, file_text, file_values
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")
 
 
 def builtin_names() -> tuple[str, ...]:
-    """The names of the tables that come with nscc, in alphabetical order."""
+    """The names of the built-in targets, sorted."""
     return tuple(sorted(path.stem for path in _TABLES.glob("*.toml")))
 
 
 @cache
 def builtin_target(name: str) -> Target:
-    """The builtin table of that name, which must exist."""
+    """The built-in target `name`, which must exist."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
-    found, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
+    key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
         raise ValueError(f"the builtin target {name} is broken: {problems[0].message}")
-    return _target(found)
+    return _target(key_values)
 
 
 def target_names() -> tuple[str, ...]:
-    """The names of all targets: the builtin ones, then those of `added_targets`."""
+    """The names of all targets, the built-in ones first."""
     return (*builtin_names(), *added_targets())
 
 
 @cache
 def added_targets() -> dict[str, Target]:
     """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
-
-    Raises Rejected (NS0905) for one that is none of these, has a name of nscc's own or not the
-    name that its table gives, with what is wrong in its table.
-    """
+    Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name that
+    differs from the one in the table, and for an invalid table."""
     return {
         name: _added(name, value)
         for name, value in added("nscc.targets", builtin_names()).items()
@@ -72,9 +69,9 @@ def load_target(
 ) -> Target:
     """The target that a `target` statement or `--target` names; files are relative to `base`.
 
-    `source` and `span` are where the name stands, for messages. Raises Rejected: NS0230 for a name
-    that is not known, NS0232 to NS0236 for what is wrong in a file, all at once (status 1 in a
-    `source`, which they reject, else 2), NS0231 (status 2) for a file that cannot be read.
+    `source` and `span` are the place of the name, for messages. Raises Rejected: NS0230 for an
+    unknown name, NS0231 (status 2) for an unreadable file, NS0232 to NS0236 for all errors in a
+    file (status 1 if a `source` names it, else 2).
     """
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         data = read_target(name_or_path, base, source, span)
@@ -101,17 +98,17 @@ def load_target(
 
 
 def target_dict(target: Target) -> dict[str, Any]:
-    """The target as JSON values: sections of keys, every key present, in the order of a file."""
+    """The target as JSON values: sections of keys in the order of a file, every key present."""
     return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
-    """The target of `target_dict`'s values; ValueError with the first fault if they are none."""
-    found, problems = schema_of(values.get("kind")).read(values, complete=True)
-    problems += _contradictions(found)
+    """The inverse of `target_dict`; ValueError with the first error of invalid values."""
+    key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
+    problems += _contradictions(key_values)
     if problems:
         raise ValueError(problems[0].message)
-    return _target(found)
+    return _target(key_values)
 
 
 def target_toml(target: Target) -> str:
@@ -133,7 +130,7 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """What a user's file holds, for `parse_target`; arguments and NS0231 as of `load_target`."""
+    """Read the bytes of a user's target file; raises NS0231 as `load_target` does."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:
@@ -142,33 +139,30 @@ def read_target(
             "a target file is looked up beside the program that names it; "
             f"the builtin targets need no file: {', '.join(builtin_names())}"
         )
-        found = replace(error.diagnostics[0], source=source, label=label, helps=(looked,))
-        raise Rejected(found, error.status) from None
+        diagnostic = replace(error.diagnostics[0], source=source, label=label, helps=(looked,))
+        raise Rejected(diagnostic, error.status) from None
 
 
 def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
-    """The target of a user's TOML text; `name` is the file's for messages.
-
-    Raises Rejected, NS0232 to NS0236, with everything that is wrong and that exit status.
-    """
-    found, problems, source = file_values(
+    """Parse the TOML text of a target; messages call the file `name`. Raises Rejected with `status`
+    and all errors, NS0232 to NS0236."""
+    key_values, problems, source = file_values(
         SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
     )
-    problems += _contradictions(found, source)
+    problems += _contradictions(key_values, source)
     if problems:
         raise Rejected(problems, status)
-    return _target(found)
+    return _target(key_values)
 
 
-def _target(found: Found) -> Target:
-    """The target of values that are right; scamp5's where they say nothing, nor the key does.
-
-    A chip without logic has no registers."""
+def _target(key_values: KeyValues) -> Target:
+    """The target with these values; missing keys have their default or scamp5's value. A chip
+    without logic has no registers."""
     values: dict[str, Any] = {}
-    streamed = schema_of(found.get("kind")) is not SCHEMA
+    streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
-        if key.path in found:
-            values[key.attribute] = found[key.path]
+        if key.path in key_values:
+            values[key.attribute] = key_values[key.path]
         elif key.default is not MISSING:
             continue
         elif streamed and key.section == "registers":
@@ -182,22 +176,26 @@ def _values(target: Target) -> dict[str, Any]:
     return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}
 
 
-def _contradictions(found: Found, source: Source | None = None) -> list[Diagnostic]:
-    """NS0236: keys that are right by themselves and cannot stand together."""
-    streamed = found.get("kind") == "stream"
-    section, wrong = ("stream", tap_contradictions) if streamed else ("registers", contradictions)
+def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
+    """NS0236 for valid keys that contradict each other."""
+    streamed = key_values.get("kind") == "stream"
+    section, find_contradictions = (
+        ("stream", tap_contradictions) if streamed else ("registers", contradictions)
+    )
     begin = f"{section}."
-    given = {path.removeprefix(begin): v for path, v in found.items() if path.startswith(begin)}
+    section_values = {
+        path.removeprefix(begin): v for path, v in key_values.items() if path.startswith(begin)
+    }
     return [
         SCHEMA.problem("NS0236", message, section, key, source, help_text)
-        for key, message, help_text in wrong(given)
+        for key, message, help_text in find_contradictions(section_values)
     ]
 
 
 def _added(name: str, value: object) -> Target:
-    """The target that a package adds under that name."""
+    """The target `name` that a package adds as `value`."""
     reason = "its table is wrong"
-    wrong: tuple[Diagnostic, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
     try:
         if isinstance(value, Path):
             target = parse_target(file_bytes(SCHEMA, value), str(value))
@@ -210,8 +208,8 @@ def _added(name: str, value: object) -> Target:
             return target
         reason = f"its table calls it {target.name}"
     except Rejected as error:
-        wrong = error.diagnostics
+        diagnostics = error.diagnostics
     except (TypeError, AttributeError) as error:
         reason = str(error)
     refusal = unusable("nscc.targets", name, reason)
-    raise Rejected([*refusal.diagnostics, *wrong], refusal.status)
+    raise Rejected([*refusal.diagnostics, *diagnostics], refusal.status)

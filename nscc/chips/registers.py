@@ -1,4 +1,4 @@
-"""What registers or taps of a target must be together, each of them being well formed."""
+"""Contradictions between the registers or taps of a target, whose single values are valid."""
 
 from __future__ import annotations
 
@@ -8,17 +8,15 @@ from typing import Any
 
 from nscc.diagnostics.suggest import meant
 from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
-from nscc.toml.text import shown
+from nscc.toml.toml_text import shown
 
 _MOST_TOLD = 10
 _MOST_TAPS = 16
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Everything that is wrong, each as its key, a message and a help ("" for none).
-
-    `registers` are the keys of [registers] that could be read, by name.
-    """
+    """All contradictions, each as its key, a message and a help ("" for none). `registers` maps the
+    names of the keys of [registers] that could be read to their values."""
     for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
         for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
             yield key, f"registers.{key} lists {message}", help_text
@@ -28,9 +26,10 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
         message = f"analog_scratch is {shown(scratch)}, not in registers.analog"
         yield "analog_scratch", message, ""
     if (mask is None) != (masked is None):
-        one, other = ("mask", "masked") if masked is None else ("masked", "mask")
-        message = f"registers.{one} is given and registers.{other} is not: give both or neither"
-        yield one, message, ""
+        key_given, absent = ("mask", "masked") if masked is None else ("masked", "mask")
+        message = f"registers.{key_given} is given and registers.{absent} is not: "
+        message += "give both or neither"
+        yield key_given, message, ""
     elif mask is not None and mask == masked:
         yield "masked", f"registers.mask and registers.masked are both {shown(mask)}", ""
     for key, name in (("mask", mask), ("masked", masked)):
@@ -39,7 +38,7 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
 
 
 def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """The same of a chip whose pixels have taps and no registers; `stream` are its keys."""
+    """Like `contradictions`, for the keys of [stream] of a chip with taps."""
     taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
@@ -55,13 +54,13 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
 
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """What is wrong with a list of registers that words know as `known`."""
+    """The errors in a list of registers; `known` are the registers that words can name."""
     for index, name in enumerate(names):
         if name in names[:index]:
             yield f"{shown(name)} twice", ""
         elif name not in known:
-            some = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
+            known_text = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
             yield (
                 f"{shown(name)}, which an instruction word cannot address",
-                meant(name, known, f"instruction words address {some}")[0],
+                meant(name, known, f"instruction words address {known_text}")[0],
             )

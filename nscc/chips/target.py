@@ -15,17 +15,18 @@ from typing import Any, Literal
 from nscc.chips.words import OwnWords
 from nscc.operations import Operation
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Key, Schema, key, keys_of
+from nscc.toml.schema import FileCodes, Key, Schema, key, keys_of
 
 _SIDE = Integer(1, 8192)
-_REGISTER = Text(said="the name of a register", optional=True)
-_REGISTERS = Several(Text(), said="a list of register names")
+_REGISTER = Text(phrase="the name of a register", optional=True)
+_REGISTERS = Several(Text(), text="a list of register names")
 _TAP = Text(pattern=r"[A-Z][A-Z0-9_]{0,15}")
 _SOURCES = Integer(2, 1000, unlimited=True)
 _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
 _ours = partial(key, source="not public")
 _stream = partial(key, section="stream")
+_seen = partial(key, source="not public", section="neighbours", later=True)
 _in = partial(key, source="not public", section="in", later=True)
 
 
@@ -145,8 +146,22 @@ class Target:
         Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
     )
 
+    sees_neighbours: bool = _seen(
+        Flag(), "do words reach the NEWS, and the digital registers, of neighbours?", default=True
+    )  # fmt: skip
+    directed_sources: int = _seen(
+        Integer(1, 4), "most analog sources of a word that writes or reads a neighbour's NEWS",
+        default=2,
+    )  # fmt: skip
+    directed_halving: bool = _seen(
+        Flag(), "may a bus2 word read a neighbour's NEWS?", default=False
+    )
+    news_read_keeps: bool = _seen(
+        Flag(), "does NEWS keep its value when neighbours read it?", default=True
+    )
+
     taps: tuple[str, ...] = _stream(
-        Several(_TAP, said="a list of names of capital letters, digits and `_`"),
+        Several(_TAP, text="a list of names of capital letters, digits and `_`"),
         "where a pixel can collect charge, in the order of a program's buckets", default=(),
         required=True,
     )  # fmt: skip
@@ -159,7 +174,7 @@ class Target:
         default=True,
     )  # fmt: skip
     tap_gain: tuple[float, ...] = _stream(
-        Several(Number(0, 1e6, low_excluded=True), said="a list of numbers above 0, one a tap"),
+        Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one a tap"),
         "gain from a tap's charge to the converter; [] is 1 for each", default=(),
     )  # fmt: skip
 
@@ -238,7 +253,7 @@ class Target:
         return tuple(r for r in self.analog_registers if r != self.analog_scratch)
 
 
-_CODES = Codes("NS0231", "NS0232", unknown="NS0233", wrong="NS0235", missing="NS0234")
+_CODES = FileCodes("NS0231", "NS0232", unknown="NS0233", wrong_value="NS0235", missing="NS0234")
 _OF_STREAMS = (
     "name", "kind", "description", "array.rows", "array.cols", "time.readout_us",
     "range.full_well_e", "range.adc_bits", "range.adc_offset_lsb",
@@ -257,6 +272,7 @@ SCHEMA = Schema(
         "time": "",
         "range": "",
         "in": "the global value IN that every pixel can compare with; set between kernels",
+        "neighbours": "how words reach the pixels to the north, east, south and west",
     },
     _CODES,
     "`nscc targets scamp5 --toml` prints a complete file to start from",

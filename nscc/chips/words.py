@@ -1,18 +1,18 @@
-"""Words that a chip has beside those of `nscc.operations`: the `[[words]]` of its table.
+"""A chip's own words, in addition to `nscc.operations`: the `[[words]]` of its target file.
 
     [[words]]
-    name = "bus4"             # what the assembler calls it
+    name = "bus4"             # its mnemonic
     effect = "bus"            # or nothing, reset_pix, flag_all, flag_analog, flag_digital, digital
-    destinations = 4          # how many registers it writes; 0 for other effects than bus, digital
-    sources = [0, 2]          # fewest and most that it reads
-    divisor = 4               # of a bus word; left out: 1
-    inverted = true           # of a digital word; left out: false
-    lines = ["fbus"]          # control lines that it raises besides its operands'; left out: none
-    us = 0.2                  # how long it takes; left out: as long as the words of its clock
+    destinations = 4          # number of written registers; 0 unless bus or digital
+    sources = [0, 2]          # fewest and most registers that it reads
+    divisor = 4               # of a bus word; default 1
+    inverted = true           # of a digital word; default false
+    lines = ["fbus"]          # control lines besides those of its operands; default none
+    us = 0.2                  # its duration; default: that of the words of its clock
 
-Reset, flag and bus words run at the analog clock, flag_digital and digital ones at the digital.
-What a word does comes from its effect, which the proof and the emulator know; so a target can have
-a word of another shape or another time, not one that does something new.
+Reset, flag and bus words use the analog clock, flag_digital and digital words the digital clock.
+The effects are fixed, because the proof and the emulator implement them: a target can define words
+with other operands or times, but no new effects.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from nscc.operations import (
     Operation,
 )
 from nscc.toml.kinds import Kind
-from nscc.toml.text import written
+from nscc.toml.toml_text import written
 
 EFFECTS = {
     "nothing": Effect.NONE,
@@ -52,7 +52,7 @@ _MOST = 32
 
 
 class OwnWords(Kind):
-    """The words of a target's own, as rows of the table of operations."""
+    """The `[[words]]` of a target as rows of the table of operations."""
 
     @property
     def allowed(self) -> str:
@@ -61,23 +61,23 @@ class OwnWords(Kind):
     def read(self, value: Any) -> tuple[Operation, ...]:
         if not isinstance(value, list) or len(value) > _MOST:
             raise ValueError
-        found: list[Operation] = []
-        for number, each in enumerate(value, 1):
-            row = _row(each, f"word {number}")
-            for other in (*OPERATIONS, *found):
-                if _alike(row, other):
-                    raise ValueError(f"{row.name} and {other.name} can be the same word")
-            if row.name in (*MNEMONICS, *BY_NAME, *(other.name for other in found)):
+        operations: list[Operation] = []
+        for number, table in enumerate(value, 1):
+            row = _row(table, f"word {number}")
+            for operation in (*OPERATIONS, *operations):
+                if _alike(row, operation):
+                    raise ValueError(f"{row.name} and {operation.name} can be the same word")
+            if row.name in (*MNEMONICS, *BY_NAME, *(operation.name for operation in operations)):
                 raise ValueError(f"the word {row.name} exists already")
-            found.append(row)
-        return tuple(found)
+            operations.append(row)
+        return tuple(operations)
 
     def plain(self, value: Any) -> Any:
         return [_plain(row) for row in value]
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """The lines of a target file that say these words."""
+    """The lines of a target file that define these words."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
@@ -100,7 +100,8 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """One word; ValueError with what is wrong with it."""
+    """The operation that one `[[words]]` table defines; ValueError with the reason if it is
+    invalid."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -114,22 +115,22 @@ def _row(values: Any, who: str) -> Operation:
     for key in _NEEDED:
         if key not in values:
             raise ValueError(f"{who} lacks the key {key}")
-    given = {**_DEFAULTS, **values}
-    name, effect, us = given["name"], EFFECTS.get(str(given["effect"])), given["us"]
+    keys = {**_DEFAULTS, **values}
+    name, effect, us = keys["name"], EFFECTS.get(str(keys["effect"])), keys["us"]
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,31}", name):
         raise ValueError(
             f"{who} is not a valid name: use letters and digits, starting with a letter"
         )
     if effect is None:
-        raise ValueError(f"{who} has the unknown effect {str(given['effect'])[:40]!a}: the "
+        raise ValueError(f"{who} has the unknown effect {str(keys['effect'])[:40]!a}: the "
                          f"effects are {', '.join(EFFECTS)}")  # fmt: skip
-    written_, read = _counts(who, effect, given["destinations"], given["sources"])
-    divisor = given["divisor"]
-    if not _whole(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
+    written_, read = _counts(who, effect, keys["destinations"], keys["sources"])
+    divisor = keys["divisor"]
+    if not _is_integer_within(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
         raise ValueError(
             f"{who} has an invalid divisor: only bus words have a divisor, from 1 to 64"
         )
-    inverted = given["inverted"]
+    inverted = keys["inverted"]
     if not isinstance(inverted, bool) or (inverted and effect is not Effect.DIGITAL):
         raise ValueError(f"{who} is inverted, but only digital words can be inverted")
     number = isinstance(us, int | float) and not isinstance(us, bool)
@@ -139,7 +140,7 @@ def _row(values: Any, who: str) -> Operation:
         name,
         effect,
         int(effect in _DIGITAL),
-        _lines(who, effect, given["lines"]),
+        _lines(who, effect, keys["lines"]),
         (written_, written_),
         read,
         inverted=inverted,
@@ -149,21 +150,23 @@ def _row(values: Any, who: str) -> Operation:
 
 
 def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
-    """How many registers a word writes and reads."""
+    """The numbers of registers that a word writes and reads; `who` names the word in errors."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
-    if not _whole(written_, int(effect in _WRITES), most):
+    if not _is_integer_within(written_, int(effect in _WRITES), most):
         raise ValueError(f"{who} writes {int(effect in _WRITES)} to {most} destinations")
     most = len(DIGITAL_SOURCES if digital else ANALOG_SOURCES) if effect in _READS else 0
     pair = isinstance(read, Sequence) and not isinstance(read, str) and len(read) == 2
     least = int(effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL))
-    if not pair or not (_whole(read[0], least, most) and _whole(read[1], read[0], most)):
+    if not pair or not (
+        _is_integer_within(read[0], least, most) and _is_integer_within(read[1], read[0], most)
+    ):
         raise ValueError(f"{who} reads [fewest, most] sources, {least} to {most}")
     return written_, (read[0], read[1])
 
 
 def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
-    """The control lines of these names, in their order on the chip."""
+    """The control lines `names`, in the chip's order."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:
@@ -175,25 +178,28 @@ def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
 
 
 def _operand_lines(digital: bool) -> frozenset[int]:
-    """The lines that say which registers a word reads and writes."""
+    """The control lines that select the registers a word reads and writes."""
     reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 
 
-def _alike(one: Operation, other: Operation) -> bool:
-    """Whether two operations could be one word: equal but for the lines of their operands."""
-    if one.clock != other.clock:
+def _alike(first: Operation, second: Operation) -> bool:
+    """Whether two operations can encode to one word: all control lines equal except those of
+    operands."""
+    if first.clock != second.clock:
         return False
-    operands = _operand_lines(not one.analog)
-    if {*one.lines} - operands != {*other.lines} - operands:
+    operands = _operand_lines(not first.analog)
+    if {*first.lines} - operands != {*second.lines} - operands:
         return False
-    return _meet(one.destinations, other.destinations) and _meet(one.sources, other.sources)
+    return _meet(first.destinations, second.destinations) and _meet(first.sources, second.sources)
 
 
-def _meet(one: tuple[int, int | None], other: tuple[int, int | None]) -> bool:
-    """Whether a number of operands is in both ranges; None is no limit."""
-    return (other[1] is None or one[0] <= other[1]) and (one[1] is None or other[0] <= one[1])
+def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
+    """Whether two ranges of operand counts overlap; None is no limit."""
+    return (second[1] is None or first[0] <= second[1]) and (
+        first[1] is None or second[0] <= first[1]
+    )
 
 
-def _whole(value: Any, low: int, high: int) -> bool:
+def _is_integer_within(value: Any, low: int, high: int) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and low <= value <= high

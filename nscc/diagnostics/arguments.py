@@ -1,4 +1,4 @@
-"""What a Python call is told whose arguments are of another kind than it takes."""
+"""Errors for wrong arguments of Python calls."""
 
 from __future__ import annotations
 
@@ -14,35 +14,35 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an argument that it does not take (NS0789, status 2).
-
-    Python's own exceptions for such calls catch it, too.
-    """
+    """A call got an invalid argument (NS0789, status 2). It is also a ValueError and a
+    TypeError."""
 
 
 def wrong_argument(
     message: str, *, notes: Sequence[str] = (), helps: Sequence[str] = ()
 ) -> WrongArgument:
-    """The exception for a call's wrong argument, said in one sentence."""
+    """The exception for a wrong argument; `message` is one sentence."""
     return WrongArgument(
         Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
 
 
 def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
-    """Raises WrongArgument unless the call's argument `name` has one of the allowed values."""
+    """Raise WrongArgument unless the argument `name` of `call` is one of `allowed`."""
     plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
     if plain and value in allowed:
         return
-    names = [each for each in allowed if isinstance(each, str)]
+    names = [choice for choice in allowed if isinstance(choice, str)]
     raise wrong_argument(
         f"{call}: {name} is one of {', '.join(map(repr, allowed))}, not {shown(value)}",
         helps=meant(value, names) if isinstance(value, str) else (),
     )
 
 
-def whole(call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1) -> None:
-    """Raises WrongArgument unless the call's argument `name` is a whole number within limits."""
+def require_whole_number(
+    call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1
+) -> None:
+    """Raise WrongArgument unless the argument `name` of `call` is an integer in `least`..`most`."""
     is_number = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
         limits = f"from {least}" + ("" if most == 2**63 - 1 else f" to {most}")
@@ -50,17 +50,15 @@ def whole(call: str, name: str, value: object, least: int = 0, most: int = 2**63
 
 
 def warn(diagnostics: Iterable[Diagnostic]) -> None:
-    """Warnings among diagnostics as Python's own, at the place that the caller was called from."""
-    for each in diagnostics:
-        if each.severity is Severity.WARNING:
-            warnings.warn(render([each], "human").rstrip(), stacklevel=3)
+    """Issue warnings among diagnostics as Python warnings at the caller's caller."""
+    for diagnostic in diagnostics:
+        if diagnostic.severity is Severity.WARNING:
+            warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=3)
 
 
 def shown(value: object) -> str:
-    """What a value is, in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
-
-    Told by what a value has, so that nothing is imported to name somebody else's kinds.
-    """
+    """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
+    Arrays are recognised by their attributes, so that no array library is imported."""
     if isinstance(value, np.generic):
         value = value.item()
     if value is None or isinstance(value, bool | int | float):
@@ -70,6 +68,6 @@ def shown(value: object) -> str:
         return f"{kind} {value[:40]!r}" + (" .." if len(value) > 40 else "")
     name, kind_of = type(value).__name__, getattr(value, "dtype", None)
     if kind_of is not None and hasattr(value, "shape"):
-        what = "an array" if name == "ndarray" else f"a {name}"
-        return f"{what} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
+        kind_text = "an array" if name == "ndarray" else f"a {name}"
+        return f"{kind_text} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
     return f"{'an' if name[:1].lower() in 'aeiou' else 'a'} {name}"

@@ -1,4 +1,4 @@
-"""What nscc tells its user, and the exception that carries it."""
+"""The public names for diagnostics, and the exception that carries them."""
 
 from __future__ import annotations
 
@@ -22,14 +22,16 @@ class Rejected(Exception):
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic] | Diagnostic, status: int = 1) -> None:
-        found = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
-        super().__init__(found, status)
-        self.diagnostics = found
+        listed = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
+        super().__init__(listed, status)
+        self.diagnostics = listed
         self.status = status
 
     def __repr__(self) -> str:
-        said = "; ".join(f"{each.code}: {each.message}" for each in self.diagnostics)
-        return f"{type(self).__name__}({said!r})"
+        text = "; ".join(
+            f"{diagnostic.code}: {diagnostic.message}" for diagnostic in self.diagnostics
+        )
+        return f"{type(self).__name__}({text!r})"
 
     def __str__(self) -> str:
         from nscc.diagnostics.render import render  # only where somebody reads it

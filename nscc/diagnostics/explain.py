@@ -9,27 +9,27 @@ from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest, did_you_mean
 
 _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?", re.IGNORECASE)
-"""A code as it is typed or copied: `NS0412`, `ns412`, `412`, `error[NS0412]: ..`."""
+"""A code as typed or copied: `NS0412`, `ns412`, `412`, `error[NS0412]: ..`."""
 
 
 def page(code_or_name: str) -> str:
-    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`).
-
-    Raises Rejected (NS0790, status 2) where there is none.
-    """
+    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`). Raises
+    Rejected (NS0790, status 2) for an unknown one."""
     known = names()
-    wanted = code_or_name.strip()
-    match = _CODE.fullmatch(wanted)
+    query = code_or_name.strip()
+    match = _CODE.fullmatch(query)
     code = f"NS{int(match[1]):04d}" if match else ""
     if code not in known:
-        code = next((c for c, name in known.items() if name == wanted.lower()), "")
+        code = next((c for c, name in known.items() if name == query.lower()), "")
     if not code:
-        near = closest(wanted.upper(), list(known)) or closest(wanted.lower(), list(known.values()))
+        nearest = closest(query.upper(), list(known)) or closest(
+            query.lower(), list(known.values())
+        )
         raise rejected(
             "NS0790",
-            f"unknown message code or name '{wanted[:60]}'",
+            f"unknown message code or name '{query[:60]}'",
             helps=(
-                *((did_you_mean(near),) if near else ()),
+                *((did_you_mean(nearest),) if nearest else ()),
                 "`nscc explain` lists all codes",
             ),
         )
@@ -37,7 +37,7 @@ def page(code_or_name: str) -> str:
 
 
 def index() -> str:
-    """A line for every code: code, name, title."""
+    """One line for each code: code, name, title."""
     lines = []
     for code, name in names().items():
         with open(PAGES / f"{code}-{name}.md", encoding="utf-8") as file:

@@ -1,4 +1,4 @@
-"""How many errors of one text are shown: mistakes are mended a few at a time, and checked again."""
+"""The limit on shown errors of one text; users fix a few at a time and compile again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sure fixes applied to the text that they are for."""
+"""Sure fixes applied to a text."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from nscc.source import Source
 
 
 def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
-    """The text with the sure fixes of its diagnostics, and how many there were.
-
-    Of several fixes of one diagnostic the first sure one is taken; of fixes that overlap the last
-    one in the text.
-    """
+    """Apply the sure fixes of a text's diagnostics; returns the text and the number of fixes. Each
+    diagnostic contributes its first sure fix. Of overlapping fixes, the last one in the text is
+    applied."""
     fixes = []
     for diagnostic in diagnostics:
         sure = [fix for fix in diagnostic.fixes if fix.sure]

@@ -1,4 +1,4 @@
-"""What nscc tells its user: one type for every error, warning and note."""
+"""The type of all errors, warnings and notes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nscc.source import Source, Span
 
 
 class Severity(StrEnum):
-    """How much a diagnostic weighs: an error rejects, a warning and a note do not."""
+    """An error rejects the program; warnings and notes do not."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -20,7 +20,7 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """A place in the source with a few words about it."""
+    """A place in the source with a short text."""
 
     span: Span
     text: str = ""
@@ -28,10 +28,8 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A change that would resolve the diagnostic: replace `span` by `replacement`.
-
-    Not `sure`: only its author knows whether it is what was meant.
-    """
+    """A change that resolves a diagnostic: replace `span` by `replacement`. A fix is `sure` if it
+    cannot change the meaning that the author intended."""
 
     title: str
     span: Span

@@ -1,4 +1,4 @@
-"""One error as an exception, in one call: what input that cannot be used ends in."""
+"""Build the exception for one error in one call."""
 
 from __future__ import annotations
 
@@ -18,19 +18,15 @@ def rejected(
     status: int = 2,
     **about: Any,
 ) -> Rejected:
-    """The exception that ends the command with `status`; by default 2, wrong input.
-
-    `about` are further members of `Diagnostic`.
-    """
+    """An exception that ends the command with `status`, by default 2 (wrong input). `about` are
+    further fields of `Diagnostic`."""
     diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)
 
 
 def unknown_name(code: str, message: str, name: str, known: Sequence[str], listed: str) -> Rejected:
-    """The exception for a name that is none of `known`, which the note lists.
-
-    `message` holds {} in place of the name, `listed` in place of the known names.
-    """
+    """The exception for a name that is not in `known`; a note lists the known names. {} stands for
+    the name in `message` and for the known names in `listed`."""
     return rejected(
         code,
         message.format(name[:60]),

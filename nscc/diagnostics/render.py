@@ -1,5 +1,5 @@
-"""Diagnostics as text: for people, for editors (`short`), for programs (`json`); for services that
-show code see `nscc.diagnostics.reports`."""
+"""Diagnostics as text: for people, editors (`short`) and programs (`json`). See
+`nscc.diagnostics.reports` for code-review services."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def names() -> dict[str, str]:
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Diagnostics as text that ends in a line break; `json` has one object a line."""
+    """Format diagnostics as text that ends in a line break; `json` is one object a line."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
@@ -84,7 +84,7 @@ def _json(diagnostic: Diagnostic) -> str:
 
 
 def _places(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str, int]]:
-    """Where a place begins and ends, if there is one and a text that it is in."""
+    """The (row, column) of the start and the end of `at`, if it has a place in a text."""
     if source is None or at is None:
         return {}
     rows_columns = (source.row_column(offset) for offset in (at.span.start, at.span.end))
@@ -128,7 +128,7 @@ def _labelled(
     margin: int,
     paint: Callable[[str, str], str],
 ) -> list[str]:
-    """The labels' lines with marks under them; a line with several labels is written once."""
+    """The source lines of the labels with marks below them; labels on one line share it."""
     bar = paint(_BLUE, " " * (margin + 1) + "|")
     lines = [bar]
     above = (0, "")
@@ -144,8 +144,8 @@ def _labelled(
 
 
 def _helps(diagnostic: Diagnostic) -> list[str]:
-    said = "".join(diagnostic.helps)
-    fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in said]
+    helps_text = "".join(diagnostic.helps)
+    fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in helps_text]
     helps = [*diagnostic.helps, *fixes]
     lines = [f"help: {text}" for text in helps]
     if diagnostic.ways_out:
@@ -156,7 +156,8 @@ def _helps(diagnostic: Diagnostic) -> list[str]:
 
 
 def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, str]:
-    """The label's line, cut around the label, and the marks under it with the label's words."""
+    """The label's source line, cut around the label, and the line of marks with the label's
+    text."""
     line = source.line(row)
     _, column = source.row_column(label.span.start)
     start = min(column - 1, len(line))
@@ -176,17 +177,17 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
 
 
 def _visible(text: str) -> str:
-    """Text with tabs as blanks and what does not print as `?`, so that columns can be counted."""
+    """Replace tabs by blanks and unprintable characters by `?`, so that columns can be counted."""
     if text.isascii() and text.isprintable():
         return text
     with suppress(UnicodeError):
-        # Names of files in a locale of ASCII: Python escapes their bytes, which are UTF-8.
+        # In an ASCII locale, Python escapes the UTF-8 bytes of file names.
         text = text.encode("utf-8", "surrogateescape").decode("utf-8")
     return "".join(" " * _TAB if ch == "\t" else ch if ch.isprintable() else "?" for ch in text)
 
 
 def _width(text: str) -> int:
-    """Columns that a terminal gives to visible text."""
+    """The number of terminal columns of a text."""
     if text.isascii():
         return len(text)
     from unicodedata import combining, east_asian_width
@@ -195,10 +196,10 @@ def _width(text: str) -> int:
 
 
 def _one_line(text: str) -> str:
-    """Words of a message on one line, with nothing in them that a terminal would act on."""
+    """Join the words of a message on one line and remove control characters."""
     return _visible(" ".join(text.split()))
 
 
 def _printable(text: str) -> str:
-    """Text of one or more lines, with nothing in it that a terminal would act on."""
+    """Remove control characters from a text of several lines."""
     return "\n".join(map(_visible, text.split("\n")))

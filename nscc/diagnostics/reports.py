@@ -1,5 +1,4 @@
-"""Diagnostics for services that show them beside the code: SARIF 2.1.0 (an OASIS standard), and the
-annotations of GitHub's workflow commands."""
+"""Diagnostics for code-review services: SARIF 2.1.0 (OASIS) and GitHub workflow commands."""
 
 from __future__ import annotations
 
@@ -43,7 +42,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
 
 
 def sarif(diagnostics: Sequence[Diagnostic]) -> str:
-    """A log of one run; its results stand in the order of `diagnostics`, which may be none."""
+    """A SARIF log of one run; results are in the order of `diagnostics`."""
     codes = sorted({diagnostic.code for diagnostic in diagnostics})
     rules = [{"id": code, "name": names().get(code, code)} for code in codes]
     driver = {"name": "nscc", "version": __version__, "rules": rules}
@@ -57,22 +56,22 @@ def sarif(diagnostics: Sequence[Diagnostic]) -> str:
 
 def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
     source = diagnostic.source
-    found: dict[str, Any] = {
+    result: dict[str, Any] = {
         "ruleId": diagnostic.code,
         "ruleIndex": codes.index(diagnostic.code),
         "level": str(diagnostic.severity),
         "message": {"text": full_text(diagnostic)},
     }
     if source is not None:
-        found["locations"] = [_location(source, diagnostic.label)]
+        result["locations"] = [_location(source, diagnostic.label)]
         related = [_location(source, label) for label in diagnostic.related]
         if related:
-            found["relatedLocations"] = related
+            result["relatedLocations"] = related
         if diagnostic.fixes:
-            found["fixes"] = [_fix(source, fix) for fix in diagnostic.fixes]
+            result["fixes"] = [_fix(source, fix) for fix in diagnostic.fixes]
     if diagnostic.data:
-        found["properties"] = dict(diagnostic.data)
-    return found
+        result["properties"] = dict(diagnostic.data)
+    return result
 
 
 def _location(source: Source, label: Label | None) -> dict[str, Any]:
@@ -98,13 +97,13 @@ def _fix(source: Source, fix: Fix) -> dict[str, Any]:
 
 
 def _region(source: Source, at: Label | Fix) -> dict[str, int]:
-    """From the first character to that after the last one, counted from 1."""
+    """The region of a place: from its first character to the one after its last, counted from 1."""
     (row, column), (end_row, end_column) = map(source.row_column, (at.span.start, at.span.end))
     return {"startLine": row, "startColumn": column, "endLine": end_row, "endColumn": end_column}
 
 
 def full_text(diagnostic: Diagnostic) -> str:
-    """All that a message says, a line each; its place stands beside it."""
+    """The text of a diagnostic without its place, one line for each part."""
     ways = [f"{i}. {way}" for i, way in enumerate(diagnostic.ways_out, 1)]
     fixes = [fix.title for fix in diagnostic.fixes]
     return "\n".join([diagnostic.message, *diagnostic.notes, *diagnostic.helps, *fixes, *ways])

@@ -1,4 +1,4 @@
-"""The name the user probably meant."""
+"""Suggest the name that the user probably meant."""
 
 from __future__ import annotations
 
@@ -6,20 +6,17 @@ import re
 from collections.abc import Iterable
 
 _LONGEST = 64
-"""Names longer than this are not compared: nobody misspells a word of that length by a letter."""
+"""Longer names are not compared: they are rarely misspelt by a letter."""
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate most like `name`, or None if none is near.
-
-    Upper and lower case count as the same letter. Of equally near candidates the first in
-    alphabetical order is taken, so that the answer does not depend on the order given.
-    """
+    """The candidate most similar to `name`; None if none is similar. Case is ignored. Of equally
+    similar candidates, the alphabetically first is returned."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}
     for candidate in sorted(set(candidates)):
-        # A single letter is like every name that holds it.
+        # A single letter is similar to every name that contains it.
         alike = len(candidate) > 1 or len(name) <= 2
         if alike and len(candidate) <= _LONGEST and candidate != name:
             by_folded.setdefault(candidate.casefold(), candidate)
@@ -30,9 +27,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     from difflib import SequenceMatcher  # only where a name is wrong: keeps start-up short
 
     matcher = SequenceMatcher(None, "", folded, autojunk=False)
-    part = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
-    if part is not None:
-        return part
+    by_word = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
+    if by_word is not None:
+        return by_word
     best, least = None, 0.5 if len(folded) <= 3 else 0.65
     for candidate, original in by_folded.items():
         matcher.set_seq1(candidate)
@@ -45,13 +42,13 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
 def meant(
     name: str, candidates: Iterable[str], otherwise: str = "", written: str = "{}"
 ) -> tuple[str, ...]:
-    """The help that asks for the nearest candidate, as it is `written`; where none is near, the
-    help that says `otherwise`."""
-    near = closest(name, candidates)
-    help_text = did_you_mean(written.format(near)) if near else otherwise
+    """A help "did you mean ..?" with the closest candidate formatted by `written`; else the help
+    `otherwise`."""
+    nearest = closest(name, candidates)
+    help_text = did_you_mean(written.format(nearest)) if nearest else otherwise
     return (help_text,) if help_text else ()
 
 
 def did_you_mean(text: str) -> str:
-    """The question whether the user meant a text."""
+    """Format the help "did you mean ..?"."""
     return f"did you mean `{text}`?"

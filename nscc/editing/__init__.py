@@ -1,9 +1,9 @@
-"""What an editor asks about a program's text while it is written, without any editor's protocol.
+"""Services for editors: what a program's text means while it is written.
 
-    from nscc.editing.document import Document
+from nscc.editing.document import Document
     from nscc.editing.hover import hover
 
-    document = Document("a.nsl", text, folder)
+document = Document("a.nsl", text, folder)
     document.checked.diagnostics    # those of `nscc check`
     hover(document, offset)         # what stands at a character, in words
 

@@ -1,4 +1,4 @@
-"""Changes that an editor offers: the fixes that messages carry."""
+"""Fixes of messages, as an editor offers them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nscc.source import Span
 
 
 def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]:
-    """The fixes of messages whose place or whose change touches `span`, with their messages."""
+    """The fixes, with their messages, whose message or change touches `span`."""
     for diagnostic in document.checked.diagnostics:
         if diagnostic.source is None or diagnostic.source.text != document.text:
             continue
@@ -22,6 +22,7 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
 
 
 def all_mended(document: Document) -> str | None:
-    """The text with every sure fix made, as one round of `nscc check --fix`; None if none is."""
+    """The text with all sure fixes applied once, as `nscc check --fix` does; None if there are
+    none."""
     better, count = mended(document.source, document.checked.diagnostics)
     return better.text if count else None

@@ -1,4 +1,4 @@
-"""What may stand next at a place of a text."""
+"""Completion of words, names and files in a program's text."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ _MOST_FILES = 200
 _MOST_HASHED_BYTES = 64 << 20
 _WORD = re.compile(r"[\w-]*\Z")
 _ENDINGS = {"target": ".toml", "shutters": ".npz", "pixels": ".npz"}
-"""What the files that a statement names end in."""
+"""File name endings for the statements that name files."""
 
 _ONCE = ("nsl", "target", "frame", "reset")
 
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What may stand here, what it is, and a line about it."""
+    """A completion: its text, its kind and a line of description."""
 
     text: str
     kind: Literal["word", "name", "target", "file", "digest"]
@@ -47,8 +47,8 @@ class Offer:
 
 
 def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
-    """What of the text would be replaced, and by what: words that the grammar takes here, the names
-    that this place knows, targets, files, and the digest of a file that was named."""
+    """The span that a completion replaces, and the completions at `offset`: grammar words, visible
+    names, targets, files and the digest of a named file."""
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
@@ -57,8 +57,8 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     starts = statement_starts(tokens)
     if tokens.kinds[-1:] == ["UNCLOSED"]:
         return _in_quotes(document, tokens, starts, offset)
-    found = _WORD.search(before)
-    typed = found.group() if found else ""
+    match = _WORD.search(before)
+    typed = match.group() if match else ""
     span = Span(offset - len(typed), offset)
     tokens = lex(Source(document.name, before[: span.start]))
     return span, list(_Place(document, tokens, statement_starts(tokens)).offers())
@@ -66,7 +66,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
 
 @dataclass(frozen=True)
 class _Place:
-    """A place between tokens: those before it, and which of them begin statements."""
+    """The tokens before a place in the text, and the indices of those that begin statements."""
 
     document: Document
     tokens: Tokens
@@ -81,15 +81,17 @@ class _Place:
         statement = kinds[begin]
         _, stuck = read(self.tokens, begin, len(kinds))
         if stuck is not None and stuck.token < len(kinds):
-            expected = frozenset({"NAME", END})  # something before is wrong: then anything may come
+            expected = frozenset(
+                {"NAME", END}
+            )  # there is an error before: then anything may follow
         else:
             expected = Stuck(len(kinds), tuple(self.tokens.found[begin:])).expected
         if "NAME" in expected:
             yield from self._names(statement, begin)
         if "TARGET_NAME" in expected:
             yield from (Offer(name, "target", "a chip") for name in target_names())
-        own = reserved(self.tokens.version).difference(FORMS)
-        yield from (Offer(word, "word") for word in sorted(own & expected) if word.isalpha())
+        words = reserved(self.tokens.version).difference(FORMS)
+        yield from (Offer(word, "word") for word in sorted(words & expected) if word.isalpha())
         if statement == "bucket" and "open" in expected:
             yield Offer("open", "word")
         if END in expected:
@@ -101,7 +103,7 @@ class _Place:
                 yield Offer(word, "word", FORMS[word][0])
 
     def _names(self, statement: str, begin: int) -> Iterator[Offer]:
-        """The names that mean something at this place of a statement."""
+        """The names that are visible at this place of a statement."""
         kinds, declared = self.tokens.kinds[begin:], self.document.declared
         last, first = kinds[-1], len(kinds) == 1
         if last == "exposure":
@@ -133,18 +135,19 @@ class _Place:
                 scope = pixels_scope(declared, constants)
             case _:
                 scope = constants_scope(declared, constants)
-        what = dict(declared.declared())
+        descriptions = dict(declared.declared())
         for name, meaning in scope.items():
             if meaning.kind != "misplaced":
                 value = f" = {meaning.value}" if meaning.kind == "constant" else ""
-                told = what.get(name, PREDEFINED.get(name, ""))
-                yield Offer(name, "name", f"{told}{value}".strip())
+                description = descriptions.get(name, PREDEFINED.get(name, ""))
+                yield Offer(name, "name", f"{description}{value}".strip())
 
 
 def _in_quotes(
     document: Document, tokens: Tokens, starts: list[int], offset: int
 ) -> tuple[Span, list[Offer]]:
-    """Files of the kind that a statement names; after `sha256` the digest of the file it named."""
+    """Completions inside quotes: files that fit the statement, or the digest of its file after
+    `sha256`."""
     opening = len(tokens.kinds) - 1
     span = Span(tokens.span(opening).start + 1, offset)
     begin = starts[-1] if starts else 0
@@ -159,7 +162,7 @@ def _in_quotes(
 
 
 def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
-    """Files with that ending, and folders, in the folder of the path that was begun."""
+    """Files that end in `ending`, and folders, in the folder of the typed path."""
     inside = typed[: typed.rfind("/") + 1]
     try:
         entries = sorted(os.scandir(document.folder / inside), key=lambda entry: entry.name)

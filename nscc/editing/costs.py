@@ -1,5 +1,5 @@
-"""What a frame and its slots cost, in words: instruction code words, or planes of bits on a chip
-without logic. None for a text that is rejected, or of which only a search can tell."""
+"""Costs of a frame and its slots as sentences; None if the text has errors or only a search can
+tell."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nscc.program.problems import counted
 
 
 def in_short(document: Document) -> str | None:
-    """The cost of a frame and the shortest slot, for the end of a line."""
+    """The cost of a frame and its shortest slot, in a few words."""
     compiled = document.checked.compiled
     shortest_us = _shortest_slot_us(compiled)
     if compiled is None or shortest_us is None:
@@ -26,7 +26,7 @@ def in_short(document: Document) -> str | None:
 
 
 def frame_cost(document: Document) -> str | None:
-    """The same in sentences, with how words are shared out between slots."""
+    """The cost of a frame in sentences, with the distribution of words over slots."""
     compiled = document.checked.compiled
     shortest_us = _shortest_slot_us(compiled)
     if compiled is None or shortest_us is None:
@@ -40,7 +40,7 @@ def frame_cost(document: Document) -> str | None:
 
 
 def slot_cost(document: Document, slot: int) -> str | None:
-    """What runs before a slot's light, and how much of the slot it takes."""
+    """The words that run before a slot, and the share of the slot that they take."""
     compiled = document.checked.compiled
     if compiled is None or _shortest_slot_us(compiled) is None:
         return None
@@ -57,8 +57,8 @@ def slot_cost(document: Document, slot: int) -> str | None:
 
 
 def _shortest_slot_us(compiled: Compiled | None) -> float | None:
-    made = None if compiled is None else compiled.lowered or compiled.sending
-    return None if made is None else made.shortest_slot_us
+    result = None if compiled is None else compiled.lowered or compiled.sending
+    return None if result is None else result.shortest_slot_us
 
 
 def _share(us: float, slot_us: float) -> str:
@@ -69,9 +69,9 @@ def _words_of_frame(lowered: Lowered) -> str:
     schedule, slots = lowered.schedule, lowered.plan.slots
     most = max(lowered.words_per_boundary)
     boundary = lowered.words_per_boundary.index(most)
-    where = f"before slot {boundary}" if boundary < slots else "after the last slot"
+    place = f"before slot {boundary}" if boundary < slots else "after the last slot"
     return (
         f"{counted(schedule.words_total, 'word')} a frame, {schedule.words_stored} stored of "
         f"{lowered.program.target.store_words}: {schedule.words_total / slots:.3g} a slot, at most "
-        f"{most}, {where}."
+        f"{most}, {place}."
     )

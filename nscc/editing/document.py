@@ -1,4 +1,4 @@
-"""A text as an editor has it, and what can be told of it: all of it lazily, each once."""
+"""A program's text in an editor, with lazily computed analyses."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ from nscc.syntax.tree import File
 
 
 @dataclass(frozen=True)
-class Checked:
-    """What `nscc check` says of a text. `compiled` is None where it is rejected."""
+class CheckResult:
+    """The result of `nscc check`; `compiled` is None if the program has errors."""
 
     diagnostics: tuple[Diagnostic, ...]
     compiled: Compiled | None
@@ -38,10 +38,8 @@ class Checked:
 
 @dataclass(frozen=True)
 class Document:
-    """A program's text, which need not be saved or right.
-
-    `name` is what messages call it; paths in it are relative to `folder`.
-    """
+    """A program's text, possibly unsaved or invalid. Messages call it `name`; paths in it are
+    relative to `folder`."""
 
     name: str
     text: str
@@ -49,38 +47,36 @@ class Document:
 
     @cached_property
     def source(self) -> Source:
-        """The text with its name."""
         return Source(self.name, self.text)
 
     @cached_property
-    def checked(self) -> Checked:
-        """What `nscc check` says: the one part of a document that takes long."""
+    def checked(self) -> CheckResult:
+        """The result of `nscc check`; computing it takes longest."""
         try:
-            # As bytes in a file: a text too large, or with what no file may hold, is told so.
+            # Checked as the bytes of a file, which reports too large texts and invalid characters.
             source = source_of(Path(self.name), self.text.encode(errors="surrogatepass"))
             compiled = compile_source(source, self.folder, CHECK)
         except Rejected as rejected:
-            return Checked(rejected.diagnostics, None)
-        return Checked(compiled.diagnostics, compiled)
+            return CheckResult(rejected.diagnostics, None)
+        return CheckResult(compiled.diagnostics, compiled)
 
     @cached_property
     def tokens(self) -> Tokens:
-        """The tokens of the text."""
         return lex(self.source)
 
     @cached_property
     def parsed(self) -> tuple[File, tuple[Diagnostic, ...]]:
-        """The tree of the statements that could be read, and the errors of the others."""
+        """The tree of the valid statements, and the errors of the others."""
         return parse(self.source)
 
     @cached_property
     def declared(self) -> Declarations:
-        """What those statements declare."""
+        """The declarations of the valid statements."""
         return gather(self.parsed[0], self._unheard)
 
     @cached_property
     def target(self) -> Target | None:
-        """The chip; None where the text names one that cannot be had."""
+        """The chip; None if the named one cannot be loaded."""
         return target_of(self.declared, self.folder, self._unheard)
 
     @cached_property
@@ -90,21 +86,21 @@ class Document:
 
     @cached_property
     def books(self) -> Mapping[str, Digits | None]:
-        """The digits (K, N) of every codebook, None where they cannot be told."""
+        """The digits (K, N) of every codebook; None for an invalid one."""
         return make_books(self.declared.books, self.constants["N"], self.folder, self._unheard)
 
     @cached_property
     def fields(self) -> Mapping[str, Field | None]:
-        """Every field of the code, None where its range cannot be told."""
+        """Every field of the code; None for an invalid one."""
         scope = constants_scope(self.declared, self.constants)
         return make_fields(self.declared, scope, self.books, self._unheard)
 
     @cached_property
     def looking(self) -> Looking | None:
-        """What pixels sense and remember; None where they do not, or it cannot be told."""
+        """The statements about sensing and states; None if there are none or they are invalid."""
         return make_looking(self.declared, self.constants, self.target, self._unheard)
 
     @property
     def _unheard(self) -> Problems:
-        """A collector that nobody reads: what is wrong is said by `checked`."""
+        """A collector whose errors are discarded, as `checked` reports them."""
         return Problems(self.source)

@@ -1,4 +1,4 @@
-"""Remarks at the ends of statements that the text does not have: costs, and values of lets."""
+"""Inlay hints at the ends of statements: costs, and values of lets."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from nscc.syntax import tree
 
 @dataclass(frozen=True, slots=True)
 class Hint:
-    """A remark behind the character before `offset`."""
+    """A text shown behind the character before `offset`."""
 
     offset: int
     text: str
 
 
 def hints(document: Document) -> Iterator[Hint]:
-    """What the frame costs, where the program fits; the value of each let that is an expression."""
+    """The frame's cost if the program fits, and the value of every let that is an expression."""
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():

@@ -1,4 +1,4 @@
-"""What stands at a place of a text, in words: for the box that an editor opens there."""
+"""The text of the box that an editor shows for a place in a program."""
 
 from __future__ import annotations
 
@@ -17,33 +17,34 @@ from nscc.program.problems import clipped, counted
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.words import FORMS
+from nscc.words.pictures import Weights
 
 _MOST_VALUES = 12
 
 
 @dataclass(frozen=True, slots=True)
 class Hover:
-    """A place, and what is to be said of it, in Markdown."""
+    """A place, and its description in Markdown."""
 
     span: Span
     text: str
 
 
 def hover(document: Document, offset: int) -> Hover | None:
-    """What a name means and which values it has, what a statement's word begins, what the frame and
-    its slots cost, and the page of each message at this place; None where there is nothing."""
-    parts: list[str] = []
+    """Describe the place `offset`: the meaning and values of a name, the form of a statement, the
+    cost of the frame or a slot, and the pages of messages; None if there is nothing to say."""
+    texts: list[str] = []
     span: Span | None = None
-    for found in (_name(document, offset), _frame(document, offset), _word(document, offset)):
-        if found is not None:
-            parts.append(found.text)
-            span = span or found.span
+    for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
+        if topic is not None:
+            texts.append(topic.text)
+            span = span or topic.span
     for diagnostic in document.checked.diagnostics:
         label = diagnostic.label
         if label is not None and label.span.start <= offset <= label.span.end:
-            parts.append(page(diagnostic.code))
+            texts.append(page(diagnostic.code))
             span = span or label.span
-    return Hover(span, "\n\n---\n\n".join(parts)) if span is not None else None
+    return Hover(span, "\n\n---\n\n".join(texts)) if span is not None else None
 
 
 def _name(document: Document, offset: int) -> Hover | None:
@@ -59,14 +60,14 @@ def _bucket(document: Document, mention: Mention) -> str | None:
         return None
     compiled = document.checked.compiled
     names = [] if compiled is None else [bucket.name for bucket in compiled.program.buckets]
-    told = "one of the exposures of a frame"
+    text = "one of the exposures of a frame"
     if compiled is None or compiled.program.machine is not None or mention.name not in names:
-        return told
-    return f"{told}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
+        return text
+    return f"{text}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
 
 
 def _open_slots(shutters: np.ndarray[tuple[int, int], np.dtype[np.bool_]]) -> str:
-    """Of shutters bool (shutters, N), how long they are open."""
+    """How long `shutters` bool (shutters, N) are open, in words."""
     opened = shutters.sum(axis=1)
     least, most = int(opened.min()), int(opened.max())
     slots = shutters.shape[1]
@@ -90,7 +91,43 @@ def _meaning(document: Document, mention: Mention) -> str | None:
         return _sense(document, name)
     if name in declared.states:
         return _state(document, name)
-    return _predefined(document, name)
+    return _picture(document, name) or _predefined(document, name)
+
+
+def _picture(document: Document, name: str) -> str | None:
+    """A kernel as a grid, or what an image or a plane costs; buckets are among these names, too."""
+    compiled, declared = document.checked.compiled, document.declared
+    if document.tokens.version < 3:
+        return None
+    if any(isinstance(rule, tree.Bucket) and rule.name.text == name for rule in declared.rules):
+        return "one of the frames that an exposure gives"
+    pictures = None if compiled is None or compiled.container is None else (
+        compiled.container.pictures
+    )  # fmt: skip
+    if name in declared.kernels:
+        weights = None if pictures is None else pictures.weights_by_name.get(name)
+        return "a kernel" if weights is None else f"a kernel\n\n{_grid(weights)}"
+    kinds = {each.name.text: each for each in declared.pictures}
+    if name not in kinds:
+        return None
+    is_plane = isinstance(kinds[name], tree.Plane)
+    told = "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
+    cost = next((c for c in pictures.costs if c.name == name), None) if pictures else None
+    if cost is None:
+        return told
+    told += f". {counted(cost.words, 'word')}"
+    if is_plane:
+        return told
+    return f"{told}, peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
+
+
+def _grid(weights: Weights) -> str:
+    """A kernel's weights as a block of text."""
+    width = max(len(str(weight)) for row in weights.rows for weight in row)
+    lines = [" ".join(f"{weight:>{width}}" for weight in row) for row in weights.rows]
+    if weights.divisor > 1:
+        lines[len(lines) // 2] += f"   / {weights.divisor}"
+    return "\n".join(["```text", *lines, "```"])
 
 
 def _field(document: Document, name: str) -> str:
@@ -100,19 +137,23 @@ def _field(document: Document, name: str) -> str:
     kinds = {
         "range": "", "bits": f", {field.bits} free bits", "row": f", a row of `{field.book}`",
     }  # fmt: skip
-    told = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
+    text = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
     compiled = document.checked.compiled
     if compiled is None or compiled.program.mode != "fixed":
-        return told
+        return text
     table = compiled.program.table
     used = np.unique(table.codes[:, table.fields.index(name)])
     listed = f": {', '.join(map(str, used))}" if len(used) <= _MOST_VALUES else ""
-    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
+    return f"{text}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
 
 
 def _sense(document: Document, name: str) -> str:
     looking = document.looking
-    sense = next((each for each in looking.senses if each.name == name), None) if looking else None
+    sense = (
+        next((candidate for candidate in looking.senses if candidate.name == name), None)
+        if looking
+        else None
+    )
     if sense is None:
         return "the light that a pixel compares"
     listed = ", ".join(map(str, sense.at[:_MOST_VALUES])) + ", .." * (len(sense.at) > _MOST_VALUES)
@@ -125,13 +166,17 @@ def _sense(document: Document, name: str) -> str:
 
 def _state(document: Document, name: str) -> str:
     looking = document.looking
-    found = next((each for each in looking.states if each.name == name), None) if looking else None
-    if found is None:
+    state = (
+        next((candidate for candidate in looking.states if candidate.name == name), None)
+        if looking
+        else None
+    )
+    if state is None:
         return "a value that a pixel remembers"
-    values = "a bit" if found.boolean else f"{found.low}..{found.high}"
-    kept = ", kept from frame to frame" if found.kept else ""
+    values = "a bit" if state.boolean else f"{state.low}..{state.high}"
+    kept_text = ", kept from frame to frame" if state.is_kept else ""
     read = ", read out with the frame" if name in document.declared.reads else ""
-    return f"a value that a pixel remembers: {values}, {found.start} at the start{kept}{read}"
+    return f"a value that a pixel remembers: {values}, {state.start} at the start{kept_text}{read}"
 
 
 def _predefined(document: Document, name: str) -> str | None:
@@ -144,7 +189,7 @@ def _predefined(document: Document, name: str) -> str | None:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """What the frame costs; on one of listed slots, what that one does."""
+    """The cost of the frame, or of the listed slot at `offset`."""
     for statement in document.parsed[0].statements:
         if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
             continue
@@ -153,11 +198,11 @@ def _frame(document: Document, offset: int) -> Hover | None:
         if isinstance(statement, tree.ListedSlots):
             for slot, length in enumerate(statement.lengths):
                 if length.span.start <= offset <= length.span.end:
-                    told = slot_cost(document, slot)
-                    return None if told is None else Hover(length.span, told)
+                    text = slot_cost(document, slot)
+                    return None if text is None else Hover(length.span, text)
         cost = frame_cost(document)
-        parts = [*_lengths(document, statement), *([] if cost is None else [cost])]
-        return Hover(statement.span, " ".join(parts)) if parts else None
+        texts = [*_lengths(document, statement), *([] if cost is None else [cost])]
+        return Hover(statement.span, " ".join(texts)) if texts else None
     return None
 
 
@@ -173,7 +218,7 @@ def _lengths(document: Document, statement: tree.EqualSlots | tree.ListedSlots) 
 
 
 def _word(document: Document, offset: int) -> Hover | None:
-    """How a statement is written, at the word that begins it."""
+    """The syntax of a statement, at its first word."""
     for statement in document.parsed[0].statements:
         start = statement.span.start
         if not start <= offset <= statement.span.end:
@@ -181,10 +226,10 @@ def _word(document: Document, offset: int) -> Hover | None:
         word = document.text[start : statement.span.end].split(None, 1)[0]
         if offset <= start + len(word) and word in FORMS:
             forms = "\n".join(FORMS[word])
-            told = f"```nsl\n{forms}\n```"
+            text = f"```nsl\n{forms}\n```"
             compiled = document.checked.compiled
             if isinstance(statement, tree.Open) and compiled is not None:
                 program = compiled.program
-                told = f"Class {program.class_name}: {program.class_reason}.\n\n{told}"
-            return Hover(Span(start, start + len(word)), told)
+                text = f"Class {program.class_name}: {program.class_reason}.\n\n{text}"
+            return Hover(Span(start, start + len(word)), text)
     return None

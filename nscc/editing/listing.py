@@ -1,4 +1,4 @@
-"""Assembly text as an editor has it: what `nscc asm` says of it, and what may stand next."""
+"""Assembly text in an editor: the errors of `nscc asm`, and completions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nscc.chips.load import DEFAULT_NAME, builtin_target, load_target, target_na
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import Offer
-from nscc.editing.document import Checked, Document
+from nscc.editing.document import CheckResult, Document
 from nscc.macros import mnemonics
 from nscc.source import Source, Span
 from nscc.words.assembly import assemble
@@ -25,24 +25,24 @@ _KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Listing:
-    """Assembly text, which need not be saved or right. Members as of Document."""
+    """Assembly text, possibly unsaved or invalid; attributes as of Document."""
 
     name: str
     text: str
     folder: Path
 
     @cached_property
-    def checked(self) -> Checked:
-        """What `nscc asm` says."""
+    def checked(self) -> CheckResult:
+        """The result of `nscc asm`."""
         try:
             assemble(Source(self.name, self.text), self.folder)
         except Rejected as rejected:
-            return Checked(rejected.diagnostics, None)
-        return Checked((), None)
+            return CheckResult(rejected.diagnostics, None)
+        return CheckResult((), None)
 
     @cached_property
     def target(self) -> Target:
-        """The chip that the text names; scamp5 where it names none that can be had."""
+        """The chip that the text names; scamp5 if it names none or one that cannot be loaded."""
         named = _TARGET.search(self.text)
         try:
             return load_target(named[1] if named else DEFAULT_NAME, self.folder)
@@ -54,10 +54,10 @@ Text = Document | Listing
 
 
 def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
-    """What of the text would be replaced, and by what: directives and instructions where a line
-    begins, then chips, kernels or registers, as the word that begins it takes."""
+    """The span that a completion replaces, and the completions at `offset`: directives and
+    instructions at the start of a line, then targets, kernels or registers."""
     line = listing.text[:offset].rpartition("\n")[2]
-    typed = found.group() if (found := _TYPED.search(line)) else ""
+    typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]
     offers = [] if re.search(r"[;#|]", before) else [*_offers(listing, before.split())]
     return Span(offset - len(typed), offset), offers

@@ -1,5 +1,5 @@
-"""Where names stand in a text and what they name. Told from the tokens, so that a statement that is
-not finished hides no name."""
+"""The places of names in a text and what they refer to, from tokens alone: this works for
+incomplete statements."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from nscc.editing.document import Document
 from nscc.source import Span
 
 Kind = Literal["name", "bucket"]
-"""Buckets have names of their own; all else that a program declares shares one set of names."""
+"""Until version 3, buckets have a separate namespace; all other declarations share one."""
 
-DECLARES = ("let", "code", "shutters", "sense", "state")
-"""After these words a statement's own name comes, which expressions may read."""
+DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "plane")
+"""Keywords followed by the name that a statement declares."""
 
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A name at a place; `declares` where the statement is the one that gives it its meaning."""
+    """A name at a place; `declares` if this statement declares it."""
 
     name: str
     span: Span
@@ -27,32 +27,36 @@ class Mention:
 
 
 def mentions(document: Document) -> list[Mention]:
-    """All names of a text in its order, but for those of targets and of arrays in files."""
+    """All names in a text in order, except names of targets and of arrays in files."""
     tokens, kinds = document.tokens, document.tokens.kinds
-    found = []
+    listed = []
     for index, kind in enumerate(kinds):
         before = kinds[index - 1] if index else ""
-        if kind != "NAME" or before == "key":
+        if kind not in ("NAME", "FUNCTION") or before == "key":
             continue
-        kept = before == "kept" and kinds[index - 2 : index - 1] == ["state"]
-        bucket = before in ("bucket", "exposure")
-        declares = kept or before in DECLARES or before == "bucket"
+        is_kept_state = before == "kept" and kinds[index - 2 : index - 1] == ["state"]
+        bucket = before in ("bucket", "exposure") and tokens.version < 3
+        declares = is_kept_state or before in DECLARES or before == "bucket"
         name = tokens.text(index)
-        found.append(Mention(name, tokens.span(index), "bucket" if bucket else "name", declares))
-    return found
+        listed.append(Mention(name, tokens.span(index), "bucket" if bucket else "name", declares))
+    return listed
 
 
 def mention_at(document: Document, offset: int) -> Mention | None:
-    """The name that holds a character or ends before it."""
+    """The name that contains `offset` or ends there."""
     return next((m for m in mentions(document) if m.span.start <= offset <= m.span.end), None)
 
 
 def alike(document: Document, mention: Mention) -> list[Mention]:
-    """All mentions of what one names, itself among them, in the text's order."""
-    wanted = (mention.name, mention.kind)
-    return [each for each in mentions(document) if (each.name, each.kind) == wanted]
+    """All mentions of the thing that `mention` names, including itself, in order."""
+    identity = (mention.name, mention.kind)
+    return [
+        candidate
+        for candidate in mentions(document)
+        if (candidate.name, candidate.kind) == identity
+    ]
 
 
 def declaration(document: Document, mention: Mention) -> Mention | None:
-    """The first mention that gives the name its meaning; None for predefined and unknown ones."""
-    return next((each for each in alike(document, mention) if each.declares), None)
+    """The mention that declares the name; None for predefined and unknown names."""
+    return next((candidate for candidate in alike(document, mention) if candidate.declares), None)

@@ -1,4 +1,4 @@
-"""What a program declares, statement by statement."""
+"""The outline of a program: its declarations."""
 
 from __future__ import annotations
 
@@ -23,18 +23,15 @@ _KINDS = {
     tree.StateRange: "state",
     tree.StateBit: "state",
 }
-"""The statements that are shown, by the words that begin them, however those were misspelt."""
+"""The statements in the outline, with the keyword of each."""
 
 _LONGEST = 60
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
-    """A statement: its name, what is written behind that, in short, what it is, and its place.
-
-    `kind` is the word that begins it, and its name where it has no other; `at` is the place of the
-    name.
-    """
+class OutlineEntry:
+    """A statement in the outline. `kind` is its first word, which is also its name if it declares
+    none; `detail` is a short form of the rest; `at` is the place of the name."""
 
     name: str
     detail: str
@@ -43,9 +40,9 @@ class Entry:
     at: Span
 
 
-def outline(document: Document) -> list[Entry]:
-    """Those statements that have a name, the frame and the rule, in the order written."""
-    found = []
+def outline(document: Document) -> list[OutlineEntry]:
+    """The named statements, the frame and the rule, in the order of the text."""
+    entries = []
     for statement in document.parsed[0].statements:
         kind = _KINDS.get(type(statement))
         if kind is None:
@@ -56,5 +53,5 @@ def outline(document: Document) -> list[Entry]:
         detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
         if len(detail) > _LONGEST:
             detail = detail[: _LONGEST - 3] + "..."
-        found.append(Entry(kind if name is None else name.text, detail, kind, span, at))
-    return found
+        entries.append(OutlineEntry(kind if name is None else name.text, detail, kind, span, at))
+    return entries

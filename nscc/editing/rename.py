@@ -1,4 +1,4 @@
-"""Another name for what a program declares."""
+"""Rename what a program declares."""
 
 from __future__ import annotations
 
@@ -15,15 +15,13 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 class CannotRename(ValueError):
-    """Says in a sentence why a name stays what it is."""
+    """The reason, in one sentence, why a name cannot be changed."""
 
 
 def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
-    """The places that have to become `name`, so that the program means the same.
-
-    Raises CannotRename where no name that the text declares stands at `offset`, where `name` is
-    none or means something else already, and where a file knows the field by its old name.
-    """
+    """The places to replace by `name` so that the program keeps its meaning. Raises CannotRename if
+    there is no declared name at `offset`, if `name` is invalid or in use, or if an array in a file
+    has the old name."""
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(
@@ -34,29 +32,31 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
         raise CannotRename(f"`{name}` is a reserved word of the language")
     if old.kind == "name" and name in _predefined(document):
         raise CannotRename(f"`{name}` is predefined")
-    others = {(each.name, each.kind) for each in mentions(document)} - {(old.name, old.kind)}
-    if (name, old.kind) in others:
+    other_names = {(place.name, place.kind) for place in mentions(document)} - {
+        (old.name, old.kind)
+    }
+    if (name, old.kind) in other_names:
         raise CannotRename(f"`{name}` has another meaning in this program")
-    return tuple(each.span for each in alike(document, old))
+    return tuple(place.span for place in alike(document, old))
 
 
 def renameable(document: Document, offset: int) -> Mention:
-    """The name at `offset`, if it may have another one. Raises CannotRename as `renamed` does."""
-    found = mention_at(document, offset)
-    if found is None:
+    """The name at `offset`, if it can be renamed; raises CannotRename as `renamed` does."""
+    mention = mention_at(document, offset)
+    if mention is None:
         raise CannotRename("there is no name of the program at this place")
-    if declaration(document, found) is None:
-        predefined = found.name in _predefined(document)
+    if declaration(document, mention) is None:
+        predefined = mention.name in _predefined(document)
         why = "is predefined" if predefined else "is not declared in this program"
-        raise CannotRename(f"`{found.name}` {why}")
+        raise CannotRename(f"`{mention.name}` {why}")
     file = document.declared.pixels_file
-    by_name = found.name in document.declared.codes.keys() - document.declared.pixels.keys()
-    if file is not None and by_name and found.kind == "name":
+    by_name = mention.name in document.declared.codes.keys() - document.declared.pixels.keys()
+    if file is not None and by_name and mention.kind == "name":
         raise CannotRename(
-            f"the values of `{found.name}` come from the array of that name in "
+            f"the values of `{mention.name}` come from the array of that name in "
             f'"{file.path.value}": rename the array first'
         )
-    return found
+    return mention
 
 
 def _predefined(document: Document) -> Set[str]:

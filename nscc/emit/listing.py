@@ -1,4 +1,4 @@
-"""Plain text of what lies between the passes, for `--print-after` and `--emit`."""
+"""Plain-text listings of pass outputs, for `--print-after` and `--emit`."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from nscc.chips.target import Target
-from nscc.emit.stream import sending_text, sent_lines
+from nscc.emit.sending_report import sending_text, sent_lines
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
-from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.program.printing import print_program
 from nscc.prove.proof import Proof
 from nscc.stream.sending import Sending
@@ -22,34 +22,34 @@ from nscc.words.disassembly import disassemble
 
 
 def plan_text(plan: ExposurePlan) -> str:
-    """The exposure plan: every boundary's steps, with how many shutters take part."""
+    """An exposure plan: the steps of every boundary and their numbers of shutters."""
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:
-        asked = step.predicate
-        where = "every pixel" if asked is None else f"{asked.bit_count()} shutters"
+        predicate = step.predicate
+        pixels_text = "every pixel" if predicate is None else f"{predicate.bit_count()} shutters"
         bucket = "" if step.bucket < 0 else f" bucket {step.bucket}"
         words = "; ".join(str(word) for word in step.words)
-        lines.append(f"boundary {step.boundary:>4} {step.role:<5}{bucket} [{where}]  {words}")
+        lines.append(f"boundary {step.boundary:>4} {step.role:<5}{bucket} [{pixels_text}]  {words}")
     return "\n".join(lines) + "\n"
 
 
 def planned_text(planned: Planned) -> str:
-    """Every plan, fewest analog writes first, and why other lowerings have none."""
+    """All exposure plans, fewest analog writes first, and why other lowerings have none."""
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 
 def gated_text(gated: Gated) -> str:
-    """The gates of every plan for which they were searched for, the best first."""
-    found = [
-        f"lowering {each.plan.lowering}\n{gates_text(each, gated.program.target)}"
-        for each in gated.tried
+    """The gates of every searched plan, best first."""
+    texts = [
+        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program.target)}"
+        for decoding in gated.decodings
     ]
-    return "".join(found) + _misfits_text(gated.misfits)
+    return "".join(texts) + _misfits_text(gated.misfits)
 
 
 def gates_text(decoding: Decoding, target: Target) -> str:
-    """The gates that answer every demand, on virtual registers, and where those live."""
+    """The gates of every demand on virtual registers, and the registers' places."""
     solution, places = decoding.solution, allocate(decoding.solution, target).places
     lines = [f"encoding: {solution.encoding}"]
     for i, holder in enumerate(solution.holders):
@@ -70,7 +70,7 @@ def _segments(lines: list[str], title: str, segments: tuple[tuple[Gate, ...], ..
 
 
 def schedule_text(lowered: Lowered) -> str:
-    """Kernels with their words, and which boundary launches which."""
+    """Kernels with their words, and the boundaries that launch them."""
     schedule = lowered.schedule
     lines = [
         f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "
@@ -86,9 +86,9 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """The lowerings that were laid out, best first, with their prices; kernels of the best one."""
+    """All lowerings with their prices, best first, and the kernels of the best one."""
     lines = []
-    for lowered in choice.tried:
+    for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
         lines.append(
             f"{lowered.plan.lowering:<11}{'fits' if lowered.fits else 'does not fit':<13}"
@@ -104,25 +104,25 @@ def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
 
 
 def schedule_of(value: Choice | Sending) -> str:
-    """Lowerings with their kernels, or when planes are sent."""
+    """Lowerings with kernels, or the times at which planes are sent."""
     return sending_text(value) if isinstance(value, Sending) else choice_text(value)
 
 
 def container_text(container: Container) -> str:
-    """Words as assembly text; of a chip without logic what is sent and read."""
+    """Words as assembly text, or the planes and readouts of a chip without logic."""
     if container.target.streamed:
         return "".join(f"{line}\n" for line in sent_lines(container))
     return disassemble(container)
 
 
 def proof_text(proof: Proof) -> str:
-    """Whether the proof holds, and of what."""
+    """The result of a proof, and its extent."""
     verdict = "holds" if proof.holds else f"fails: {proof.failure}"
     return f"proof {verdict}: {proof.codes} codes, {proof.slots} slots\n"
 
 
 def text_after(name: str, value: Any) -> str:
-    """What pass `name` of `nscc.pipeline.PASSES` made, as text."""
+    """The output of pass `name` of `nscc.pipeline.PASSES` as text."""
     texts: dict[str, Callable[[Any], str]] = {
         "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,

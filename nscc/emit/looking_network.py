@@ -1,4 +1,5 @@
-"""The network of gates of a program whose pixels look at the light.
+"""The gate network of programs with senses (see `nscc.emit.network` for nodes): from codes, states
+and answers to shutter changes, resets and next states.
 
 As `nscc.emit.network`, which says what its nodes are: from code, states and answers to what opens,
 closes and resets, and to the states as the frame leaves them.
@@ -20,9 +21,9 @@ from nscc.words.machine import LIGHT, Comparison, Machine
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
-    """The network of any program's gates; see `nscc.emit.network` for nodes and attributes."""
+    """The gate network of any program; see `nscc.emit.network` for nodes and attributes."""
     if isinstance(lowered, LookingLowered) and lowered.looking is not None:
-        return _Maker(lowered, lowered.looking).made()
+        return _Maker(lowered, lowered.looking).build_network()
     return gate_network(lowered)
 
 
@@ -34,7 +35,7 @@ class _Maker(NetworkMaker):
         self.buckets = [bucket.name for bucket in lowered.program.buckets]
         self.resets_some = lowered.program.target.reset_honours_flag != "no"
 
-    def made(self) -> nx.DiGraph:
+    def build_network(self) -> nx.DiGraph:
         solution = self.solution
         self.planes(solution.planes, solution.holders)
         for i, holder in enumerate(solution.states):
@@ -50,15 +51,15 @@ class _Maker(NetworkMaker):
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
-        """An analog word: it may write FLAG, or ask for it."""
+        """Add an analog word, which writes FLAG or depends on it."""
         effect = word.operation.effect
         if effect is Effect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)
         elif effect is Effect.FLAG_ANALOG:
-            asked = next(looks)
-            signal = "light" if asked.signal == LIGHT else self.buckets[asked.signal]
+            comparison = next(looks)
+            signal = "light" if comparison.signal == LIGHT else self.buckets[comparison.signal]
             self.holds["FLAG"] = self.value(
-                "look", "where", "FLAG", (word,), boundary, signal=signal, steps=asked.level
+                "look", "where", "FLAG", (word,), boundary, signal=signal, steps=comparison.level
             )
         elif effect is Effect.BUS:
             registers = self.lowered.plan.bucket_registers
@@ -66,21 +67,21 @@ class _Maker(NetworkMaker):
             for bucket in (registers.index(r) for r in word.destinations if r in registers):
                 self.demand(edge, self.buckets[bucket], boundary)
         elif effect is Effect.RESET_PIX and self.resets_some:
-            # It stands twice: one word is too short to empty the well.
-            resets = (each for _, each in self.network.nodes(data=True) if each["kind"] == "demand")
-            if not any((each["edge"], each["boundary"]) == ("reset", boundary) for each in resets):
+            # It is there twice: one word is too short to reset the photodiode.
+            resets = (node for _, node in self.network.nodes(data=True) if node["kind"] == "demand")
+            if not any((node["edge"], node["boundary"]) == ("reset", boundary) for node in resets):
                 self.demand("reset", "", boundary)
 
     def _ends(self) -> None:
-        """The code as it was, and the states that are read or kept."""
-        told = set()
+        """Add the final values: restored code, and states that are read out or kept."""
+        ended = set()
         for state, names in zip(self.machine.states, self.solution.registers, strict=True):
             for bit, name in enumerate(names):
-                if state.read or state.kept:
+                if state.read or state.is_kept:
                     self.end(f"z_{state.name}_{bit}", name, kind="state", state=state.name, bit=bit)
-                    told.add(name)
+                    ended.add(name)
         for i in range(len(self.solution.planes)):
-            if f"p{i}" not in told:
+            if f"p{i}" not in ended:
                 self.end(f"e{i}", f"p{i}", kind="end")
 
 
@@ -91,6 +92,6 @@ def _machine(lowered: LookingLowered) -> Machine:
 
 
 def _in_order(comparisons: tuple[Comparison, ...]) -> list[Comparison]:
-    """The comparisons of a boundary as `nscc.looks.solve` makes them: those of one signal together,
-    light last."""
-    return sorted(comparisons, key=lambda each: -each.signal)
+    """The comparisons of a boundary in the order of `nscc.looks.solve`: grouped by signal, light
+    last."""
+    return sorted(comparisons, key=lambda comparison: -comparison.signal)

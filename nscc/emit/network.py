@@ -1,33 +1,32 @@
-"""The gates of a frame as a network: values and what is computed from them.
+"""The gates of a frame as a network of values.
 
-A register is written again and again, so it is not registers that are nodes but what is written
-into them, once each (static single assignment), and every edge leads from a value to what reads it.
-The network holds what is needed to run it: bits of every plane, and the function of every gate.
+Each value that is written to a register is a node (static single assignment), and each edge leads
+from a value to a reader. The network is executable: it has the bits of every plane and the function
+of every gate.
 
 The graph's attributes are `encoding`, `lowering`, `shutters`, `slots`, `depth` (gates on the
-longest path) and `registers` (see `registers_needed`). Its nodes come in the order in which they
-run, and have a `kind`:
+longest path) and `registers` (see `registers_needed`). Its nodes are in execution
+order and have a `kind`:
 
-plane   what a register holds when the frame starts: `register`, `name` in the listing of the gates,
+plane   the initial content of a register: `register`, `name` in the listing of the gates,
         `holder` in words, `bits` as a hexadecimal number, bit i for shutter i of the decode table
 gate    `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
         `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`,
         and the `kernel` it is stored in
 demand  what FLAG must hold: `edge` "open", "rise", "fall" or "reset", `bucket` ("" where PIX is
         reset), `boundary`
-end     a plane as it must be again when the frame ends: `register`, `boundary`
+end     the required final content of a plane: `register`, `boundary`
 
 A masked gate writes its function where its mask is 1 and keeps the register's old content
-elsewhere. The edges to it have a `role`, of the words "source", "mask" and "kept": a value may be
-several of them. An edge without a role leads from a source.
+elsewhere. The edges to it have a `role`: one or more of the words "source", "mask" and "kept". An
+edge without a role leads from a source.
 
-Of a program whose pixels look at the light, planes are also the registers of its states, which the
-frame's first words clear or which the frame before left, for the behaviours of its machine. It has
-two kinds more:
+In a program with senses, planes include the registers of its states: cleared by the frame's first
+words or kept from the previous frame. Bits are for the behaviours of its machine. Two more kinds:
 
 look    an answer in FLAG, which comes from no gate: `function` where, `signal` "light" or a bucket,
-        `steps` of IN, `boundary`, `kernel`. It holds where the signal is at most the level
-state   a bit of a state as the frame leaves it: `state`, `bit`, `register`, `boundary`
+        `steps` of IN, `boundary`, `kernel`. It is 1 where the signal is at most the level
+state   the final bit of a state: `state`, `bit`, `register`, `boundary`
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ from nscc.operations import Op
 
 
 class NetworkMaker:
-    """A network in the making: its nodes, and the value that each register holds by now."""
+    """Builds a network: its nodes so far, and the node whose value each register holds."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
         plan = lowered.plan
@@ -60,19 +59,19 @@ class NetworkMaker:
         self._counts = Counter[str]()
 
     def planes(self, vectors: Iterable[int], holders: Iterable[str]) -> None:
-        """Adds what the code registers hold when the frame starts."""
+        """Add the initial values of the code registers."""
         for i, (vector, holder) in enumerate(zip(vectors, holders, strict=True)):
             self.plane(f"p{i}", self.places[f"p{i}"], holder, vector)
 
     def plane(self, name: str, register: str, holder: str, vector: int) -> None:
-        """Adds what a register holds when the frame starts."""
+        """Add the initial value of a register."""
         self.network.add_node(
             name, kind="plane", register=register, name=name, holder=holder, bits=f"{vector:#x}"
         )
         self.holds[name] = name
 
     def gate(self, gate: Gate, boundary: int) -> None:
-        """Adds a gate, with edges from the values that it reads."""
+        """Add a gate with edges from its inputs."""
         written = words((gate,), self.lowered.schedule.allocation)
         node = self.value("gate", gate.name, gate.destination, written, boundary)
         roles = {self.holds[source]: ["source"] for source in gate.sources}
@@ -81,15 +80,15 @@ class NetworkMaker:
                 if register in self.holds:
                     roles.setdefault(self.holds[register], []).append(role)
         for value, names in roles.items():
-            said = {} if gate.mask is None else {"role": " ".join(names)}
-            self.network.add_edge(value, node, **said)
+            attributes = {} if gate.mask is None else {"role": " ".join(names)}
+            self.network.add_edge(value, node, **attributes)
         self.holds[gate.destination] = node
 
     def value(
         self, kind: str, function: str, name: str, written: Sequence[Op], boundary: int,
         **look: str | int,
     ) -> str:  # fmt: skip
-        """Adds what words of a boundary write into the register `name`: a gate or a look."""
+        """Add the value, of a gate or a look, that words write into the register `name`."""
         node = self._named(kind[0])
         self.network.add_node(
             node, kind=kind, function=function, name=name, register=self.places.get(name, name),
@@ -99,13 +98,13 @@ class NetworkMaker:
         return node
 
     def demand(self, edge: str, bucket: str, boundary: int) -> None:
-        """Adds a demand on FLAG."""
+        """Add a demand on FLAG."""
         node = self._named("d")
         self.network.add_node(node, kind="demand", edge=edge, bucket=bucket, boundary=boundary)
         self.network.add_edge(self.holds["FLAG"], node)
 
     def end(self, node: str, name: str, **attributes: str | int) -> None:
-        """Adds what the register `name` must hold when the frame ends."""
+        """Add the required final value of the register `name`."""
         register, slots = self.places[name], self.lowered.plan.slots
         self.network.add_node(node, **attributes, register=register, boundary=slots)
         self.network.add_edge(self.holds[name], node)
@@ -116,8 +115,8 @@ class NetworkMaker:
 
 
 def gate_network(lowered: Lowered) -> nx.DiGraph:
-    """The network of a program's gates, whose shutters are fixed; see the module for nodes and
-    attributes. `nscc.emit.looking_network` has that of any program."""
+    """The network of a program with fixed shutters; see the module docstring.
+    `nscc.emit.looking_network` handles all programs."""
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
     maker.planes(solution.planes, solution.holders)
@@ -135,13 +134,13 @@ def gate_network(lowered: Lowered) -> nx.DiGraph:
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:
-    """The network, with its `depth` and `registers` said."""
+    """Set the attributes `depth` and `registers` of the network."""
     network.graph |= {"depth": depth(network), "registers": registers_needed(network)}
     return network
 
 
 def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
-    """Gates, and the (edge, bucket) of demands, with their boundaries, as they run."""
+    """Gates, and demands as (edge, bucket), with their boundaries, in execution order."""
     solution = lowered.solution
     steps = [step for step in lowered.plan.steps if step.predicate is not None]
     for segment in solution.opening:
@@ -154,7 +153,7 @@ def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
 
 
 class KernelFinder:
-    """Finds each gate's words again in the kernels that its boundary launches."""
+    """Finds the kernel that contains each gate's words."""
 
     def __init__(self, lowered: Lowered) -> None:
         schedule = lowered.schedule
@@ -170,7 +169,7 @@ class KernelFinder:
         self._next = dict.fromkeys(self._run, 0)
 
     def kernel_of(self, gate: tuple[Op, ...], boundary: int) -> int:
-        """The kernel of a boundary's next gate."""
+        """The kernel of the boundary's next gate."""
         run, at = self._run[boundary], self._next[boundary]
         while tuple(word for word, _ in run[at : at + len(gate)]) != gate:
             if at >= len(run):
@@ -181,21 +180,19 @@ class KernelFinder:
 
 
 def of_kind(network: nx.DiGraph, *kinds: str) -> list[str]:
-    """The nodes of some kinds, in the network's order."""
+    """The nodes of these kinds, in the network's order."""
     return [node for node, kind in network.nodes(data="kind") if kind in kinds]
 
 
 def depth(network: nx.DiGraph) -> int:
-    """Gates on the longest path."""
+    """Number of gates on the longest path."""
     gates = network.subgraph(of_kind(network, "gate"))
     return len(nx.dag_longest_path(gates))
 
 
 def interference(network: nx.DiGraph) -> nx.Graph:
-    """Values that are there at the same time, and so need different registers.
-
-    Planes are there before the first gate; a gate may write where it reads for the last time.
-    """
+    """The interference graph: an edge joins two values that are alive at the same time. Planes are
+    alive before the first gate. A gate may overwrite a register that it reads for the last time."""
     last: dict[str, str] = {}
     for node in network:
         last |= dict.fromkeys(network.predecessors(node), node)
@@ -205,26 +202,24 @@ def interference(network: nx.DiGraph) -> nx.Graph:
         alive -= {value for value in network.predecessors(node) if last[value] == node}
         if kind in ("plane", "gate", "look"):
             graph.add_node(node)
-            graph.add_edges_from((node, other) for other in alive)
+            graph.add_edges_from((node, other_value) for other_value in alive)
             if node in last:
                 alive.add(node)
     return graph
 
 
 def registers_needed(network: nx.DiGraph) -> int:
-    """The fewest registers, FLAG among them, that hold all values in the order of the gates.
-
-    In straight code values live for an interval of time, and colouring intervals in the order in
-    which they begin takes no more colours than there are values at any one time.
-    """
+    """The fewest registers, including FLAG, that can hold all values in this order of gates. Live
+    ranges of straight-line code are intervals, so this is the largest number of simultaneously live
+    values."""
     colours = nx.greedy_color(interference(network), lambda graph, _: list(graph))
     return 1 + max(colours.values(), default=-1)
 
 
 def graphml_bytes(network: nx.DiGraph) -> bytes:
-    """The network as GraphML: attributes as they are."""
+    """The network as GraphML."""
     out = io.BytesIO()
-    # The writer by name: `write_graphml` takes another one where lxml is installed.
+    # Named explicitly: `write_graphml` selects another writer if lxml is installed.
     nx.write_graphml_xml(network, out)
     return out.getvalue() + b"\n"
 
@@ -236,7 +231,7 @@ _SHAPES = {
 
 
 def dot_text(network: nx.DiGraph) -> str:
-    """The network for Graphviz, from left to right. (networkx's own writers need more packages.)"""
+    """The network as Graphviz DOT, left to right (networkx's writers need more packages)."""
     lines = ["digraph gates {", "  rankdir=LR;", "  node [fontname=monospace];"]
     lines.append(f"  label={_quoted([network.graph['encoding']])};")
     for node, attributes in network.nodes(data=True):
@@ -256,8 +251,8 @@ def _label(node: dict[str, str | int]) -> list[str]:
             name = f"{node['function']} {node['name']}"
             return [name, f"{node['register']}, boundary {node['boundary']}"]
         case "look":
-            what = f"{node['signal']} at most {node['steps']} steps"
-            return [what, f"FLAG, boundary {node['boundary']}"]
+            comparison_text = f"{node['signal']} at most {node['steps']} steps"
+            return [comparison_text, f"FLAG, boundary {node['boundary']}"]
         case "demand":
             return [f"{node['edge']} of {node['bucket'] or 'PIX'}", f"boundary {node['boundary']}"]
         case "state":
@@ -267,5 +262,5 @@ def _label(node: dict[str, str | int]) -> list[str]:
 
 
 def _quoted(lines: Iterable[str]) -> str:
-    """A string of DOT with these lines; JSON escapes what DOT does."""
+    """A DOT string of these lines; JSON escapes the same characters."""
     return '"' + "\\n".join(json.dumps(line, ensure_ascii=False)[1:-1] for line in lines) + '"'

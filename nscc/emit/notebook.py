@@ -1,4 +1,4 @@
-"""A program as a notebook shows it: its shutters over time, and what its words cost."""
+"""Notebook views of a program: its shutters over time."""
 
 from __future__ import annotations
 
@@ -12,19 +12,17 @@ from nscc.lower.resources import time_text
 
 _MOST_ROWS = 24
 _COLUMNS = 360
-"""With more slots than this a bar shows the share of open time in each of its columns."""
+"""With more slots, each column of a bar shows the share of open time."""
 _SHADES = 4
 _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
-"""Pixels for the labels, the chart, one of its rows and the time below it."""
+"""Pixels for labels, chart width, row height and the time axis."""
 
 
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """When shutters bool (shutters, buckets, N) are open, a line each, time to scale.
-
-    Of more than a screenful some are shown, evenly chosen; the first and the last are among them.
-    """
+    """Chart of shutters bool (shutters, buckets, N) over time, one row each. At most a screenful is
+    shown: evenly spaced rows, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))
@@ -47,22 +45,24 @@ def shutter_chart(
     shapes.append(html.words(_LABELS + _WIDTH, bottom + 15, time_text(float(edges[-1])), "end"))
     title = f"when {count} shutters are open"
     chart = html.drawing(_LABELS + _WIDTH, bottom + _AXIS, shapes, title)
-    some = html.text(f"{len(chosen)} of {count} shutters") if len(chosen) < count else html.Html()
+    count_note = (
+        html.text(f"{len(chosen)} of {count} shutters") if len(chosen) < count else html.Html()
+    )
     legend = html.legend(buckets) if len(buckets) > 1 else html.Html()
-    return html.Html(f"{chart}{legend}{some}")
+    return html.Html(f"{chart}{legend}{count_note}")
 
 
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """Runs of columns that are open alike, one path for each shade."""
+    """SVG paths for runs of equally open columns, one path for each shade."""
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))
     paths: dict[int, list[str]] = {}
     for start, end in zip(starts, ends, strict=True):
-        left, right = (_LABELS + _WIDTH * places[edge] for edge in (start, end))
-        box = f"M{left:.4g} {top:.4g}H{right:.4g}v{height:.4g}H{left:.4g}z"
+        x0, x1 = (_LABELS + _WIDTH * places[edge] for edge in (start, end))
+        box = f"M{x0:.4g} {top:.4g}H{x1:.4g}v{height:.4g}H{x0:.4g}z"
         paths.setdefault(int(shade[start]), []).append(box)
     colour = html.SERIES[bucket % len(html.SERIES)]
     return [

@@ -54,7 +54,7 @@ def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
     """A product of a program for a chip without logic."""
     from nscc.emit.listing import text_after
     from nscc.emit.report import report_bytes
-    from nscc.emit.stream import planes_bytes, sending_text, stream_report
+    from nscc.emit.sending_report import planes_bytes, sending_text, stream_report
     from nscc.syntax.printing import print_tree
     from nscc.words.file import to_bytes
     from nscc.words.legality import refuse_planes
@@ -128,6 +128,8 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "asm":
             return text_after("words", container).encode()
         case "report":
-            return report_bytes(report(choice, proof))
+            from nscc.emit.pictures import picture_report
+
+            return report_bytes({**report(choice, proof), **picture_report(container)})
         case _:
             return to_bytes(container)

@@ -1,4 +1,4 @@
-"""The report of a build (`--emit report`): what was compiled, what it costs, what was proved."""
+"""The build report (`--emit report`): program, cost and proof."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import json
 from collections import Counter
 from typing import Any
 
-from nscc.emit.looks import looks_report
+from nscc.emit.looks_report import looks_report
 from nscc.emit.subject import subject
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
@@ -17,7 +17,7 @@ from nscc.words.cost import refresh_count
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """The report as JSON values; keys as in the command line's contract."""
+    """The build report as JSON values, as `--emit report` writes them."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     slots = len(program.frame.slot_us)
@@ -52,7 +52,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
         "refreshed": list(schedule.refreshed),
         "analog_writes": _range(lowered),
         "headroom_e": lowered.headroom_e,
-        "alternatives": [*map(_priced, choice.tried[1:]), *misfits],
+        "alternatives": [*map(_priced, choice.lowerings[1:]), *misfits],
         "failed_generators": list(choice.failed_generators),
         "proof": {
             "codes": proof.codes,
@@ -68,7 +68,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
 
 
 def report_bytes(values: dict[str, Any]) -> bytes:
-    """The report as a file."""
+    """The report as the bytes of a file."""
     return (json.dumps(values, indent=2) + "\n").encode()
 
 
@@ -91,7 +91,7 @@ def _priced(lowered: Lowered) -> dict[str, Any]:
 
 
 def _logic(lowered: Lowered) -> dict[str, Any]:
-    """Counts of decode logic: digital words executed in a frame, refresh left out."""
+    """Counts of digital words for decoding in a frame, without refresh."""
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
@@ -117,7 +117,7 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
 
 
 def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
-    """Digital words of a kernel that decode, and how many in-place pairs are among them."""
+    """The numbers of decoding words and of in-place pairs in a kernel."""
     rows = [word.operation for word in kernel]
     digital = [row for row in rows if row.effect in (Effect.DIGITAL, Effect.FLAG_DIGITAL)]
     pairs = sum(row.phase is Phase.READ and not row.name.startswith("REFRESH") for row in digital)

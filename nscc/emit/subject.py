@@ -1,4 +1,4 @@
-"""What a report says of the program itself, whatever the chip that it was built for."""
+"""The part of reports that describes the program, independent of the chip."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from nscc.program.program import Program
 
 
 def subject(program: Program) -> dict[str, Any]:
-    """Class, slots, codes, fields and buckets as JSON values; keys as in the command line's
-    contract."""
+    """Class, slots, codes, fields and buckets of a program as JSON values."""
     table = program.table
     return {
         "class": program.class_name,

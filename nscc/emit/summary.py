@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nscc.emit.looks import looks_lines
-from nscc.emit.stream import rate_text, stream_rows
+from nscc.emit.looks_report import looks_lines
+from nscc.emit.sending_report import rate_text, stream_rows
 from nscc.lower.ledger import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
@@ -50,6 +50,10 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     schedule = lowered.schedule
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
+    if compiled.container is not None and compiled.container.pictures is not None:
+        from nscc.emit.pictures import picture_rows
+
+        rows += picture_rows(compiled.container.pictures, program.target)
     return [
         *rows,
         ("lowering", f"{lowered.plan.lowering}; encoding: {lowered.solution.encoding}"),

@@ -1,1 +1,1 @@
-"""How large a shutter class may be on a chip: proved, compiled, or unknown."""
+"""The largest size of each shutter class on a chip: compiled, impossible, or unknown."""

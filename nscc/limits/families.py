@@ -1,7 +1,7 @@
 """The shutter classes as families of programs: one program text for each size.
 
-A size is a number of slots, or of rows of a codebook. Codebooks need data that only their author
-has: rows of a fixed pseudo-random sequence stand in, which no gate sharing makes cheap.
+A size is a number of slots, or of codebook rows. A codebook's data are fixed pseudo-random rows,
+which gates cannot share.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nscc.program.capacity import largest_with
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
 
 MOST_DIGITS = 1 << 14
-"""Most rows x slots of a codebook that is compiled to find a limit: larger ones take long."""
+"""Most rows x slots of a codebook compiled for a limit; larger ones take long."""
 
 BUMP_LENGTHS = (4, 8, 16)
 BOOK_ROWS = (16, 64, 256)
@@ -32,14 +32,14 @@ class Family:
     """A class of shutters at every size.
 
     `text(size, slot)` is a program without data, `slot` a time as programs write it.
-    `shutters(size)` counts its different shutters and `slots(size)` its slots. Where `nested`, a
-    program for one size serves every smaller one, so what is impossible stays so. `counted_as`
-    says how the shutters are counted, `ceiling` is the largest size that is ever compiled and
-    `ceiling_reason` why.
+    `shutters(size)` counts its different shutters, `slots(size)` its slots. If `nested`, the
+    program for one size also serves all smaller sizes, so sizes above an impossible one are
+    impossible. `counted_as` describes the count of shutters; `ceiling` is the largest size to
+    compile, for `ceiling_reason`.
     """
 
     name: str
-    what: str
+    description: str
     unit: Literal["slots", "rows"]
     text: Callable[[int, str], str]
     shutters: Callable[[int], int]
@@ -52,7 +52,7 @@ class Family:
 
 
 def families() -> list[Family]:
-    """Classes a to e, class c at three lengths, and codebooks of several heights and one length."""
+    """Classes a to e, class c with three lengths, and codebooks."""
     return [
         _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
         _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),
@@ -76,7 +76,7 @@ def stop_rule(first: str) -> str:
 
 
 def start_rule(length: int) -> str:
-    """Class c: a whole bump of `length` slots anywhere in the frame."""
+    """Class c: a complete bump of `length` slots anywhere in the frame."""
     return f"code start : 0..N - {length}\nopen when start <= n < start + {length}"
 
 
@@ -98,7 +98,8 @@ def book_rule(rows: list[str]) -> str:
 
 
 def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArray[np.bool_]) -> str:
-    """A program without data whose codes `id` are the rows of `shutters` (rows, buckets, slots)."""
+    """A program without data whose codes `id` number the rows of `shutters` (rows, buckets,
+    slots)."""
     times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
     lines, rules = ["nsl 1", f"frame slots [{times}]"], []
     for number, name in enumerate(buckets):
@@ -118,8 +119,7 @@ def program_text(slots: int, slot: str, rule: str) -> str:
 
 
 def random_rows(count: int, slots: int) -> list[str]:
-    """Distinct pseudo-random rows of digits, the same on every machine; fewer than `count` where
-    there are no more."""
+    """At most `count` distinct pseudo-random rows of digits, the same on every machine."""
     rows: dict[str, None] = {}
     words = -(-slots // 64)
     number = 0
@@ -131,7 +131,7 @@ def random_rows(count: int, slots: int) -> list[str]:
 
 
 def _mixed(number: int) -> int:
-    """64 bits that look random: a counter through the mixer of SplitMix64 (Steele et al., 2014)."""
+    """64 pseudo-random bits from a counter, by the mixer of SplitMix64 (Steele et al., 2014)."""
     bits = number * 0x9E3779B97F4A7C15 % _WORD
     bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9 % _WORD
     bits = (bits ^ bits >> 27) * 0x94D049BB133111EB % _WORD
@@ -139,11 +139,16 @@ def _mixed(number: int) -> int:
 
 
 def _by_slots(
-    name: str, what: str, rule: str, shutters: Callable[[int], int], counted_as: str, least: int = 1
+    name: str,
+    description: str,
+    rule: str,
+    shutters: Callable[[int], int],
+    counted_as: str,
+    least: int = 1,
 ) -> Family:
     ceiling, reason = _provable(shutters)
     return Family(
-        name, what, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
+        name, description, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
         counted_as, lambda size: size, True, least, ceiling, reason,
     )  # fmt: skip
 
@@ -192,7 +197,8 @@ def _book_by_rows(slots: int) -> Family:
 
 
 def _provable(shutters: Callable[[int], int]) -> tuple[int, str]:
-    """The largest number of slots whose codes nscc enumerates and proves, and why no more."""
+    """The largest number of slots for which all codes can be enumerated and proved, and the
+    reason."""
     most = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
     if most == MOST_SLOTS:
         return most, f"a frame has at most {MOST_SLOTS} slots (NS0308)"

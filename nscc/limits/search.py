@@ -1,7 +1,7 @@
-"""Which sizes are worth compiling: powers of two, the sizes where one more bit is needed, and then
-what lies between the last that fits and the next that does not.
+"""The order in which sizes are compiled: powers of two, sizes that need one more bit, then
+bisection between fitting and failing sizes.
 
-Searches count what they compile and know no clock, so they end at the same sizes on any machine.
+Searches count compilations, not time, so they end at the same sizes on every machine.
 """
 
 from __future__ import annotations
@@ -13,20 +13,18 @@ from typing import Any
 from nscc.program.capacity import Count, largest_with
 
 GIVE_UP_AFTER = 2
-"""Candidates in a row that do not fit before larger ones are left alone."""
+"""Number of consecutive failing candidates after which larger ones are skipped."""
 
 
 _ALIKE = 1.02
-"""A power of two tells nothing if a larger candidate is within this factor."""
+"""A power of two is skipped if a larger candidate is within this factor."""
 
 
 @dataclass(frozen=True)
-class Trial:
-    """One program that was compiled: `fits` means that its words were proved.
-
-    `figures` are its costs. Of one that does not fit, `code` and `reason` are the error's, and
-    `proved` says that no other compiler would help.
-    """
+class SizeTrial:
+    """A compiled program of one size; `fits` means that its words were proved. `figures` are its
+    costs. If it does not fit, `code` and `reason` are those of the error, and `proved` means that
+    no compiler can make it fit."""
 
     size: int
     fits: bool
@@ -37,7 +35,8 @@ class Trial:
 
 
 def candidates(count: Count, least: int, most: int) -> list[int]:
-    """The sizes that a search looks at first, ascending; `count` as in `certain`."""
+    """The sizes that a search compiles first, ascending; `count(size)` is the number of
+    shutters."""
     steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
@@ -49,45 +48,41 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 
 
 def explore(
-    sizes: list[int], attempt: Callable[[int], Trial], budget: int
-) -> Generator[Trial, None, dict[int, Trial]]:
-    """Compiles the ascending `sizes`, then looks beyond the largest that fits.
+    sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
+) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
+    """Compile the ascending `sizes`, then search beyond the largest that fits. Yields at most
+    `budget` trials as they end, and returns all by size. Each step tries the next larger size
+    before the middle, because limits often lie where one more bit is needed."""
+    trials: dict[int, SizeTrial] = {}
 
-    Yields each trial as it is made, at most `budget` of them, and returns all by size. The next
-    larger size is tried before the middle: limits tend to lie where one more bit is needed.
-    """
-    tried: dict[int, Trial] = {}
-
-    def make(size: int) -> Generator[Trial, None, bool]:
-        tried[size] = attempt(size)
-        yield tried[size]
-        return tried[size].fits
+    def make(size: int) -> Generator[SizeTrial, None, bool]:
+        trials[size] = attempt(size)
+        yield trials[size]
+        return trials[size].fits
 
     failures = 0
     for size in sizes:
-        if len(tried) == budget or failures == GIVE_UP_AFTER:
+        if len(trials) == budget or failures == GIVE_UP_AFTER:
             break
         failures = 0 if (yield from make(size)) else failures + 1
-    good = max((t.size for t in tried.values() if t.fits), default=None)
-    if good is None:
-        return tried
-    bad = min((size for size in tried if size > good), default=good + 1)
-    probe = good + 1
-    while bad - good > 1 and len(tried) < budget:
+    largest_fit = max((t.size for t in trials.values() if t.fits), default=None)
+    if largest_fit is None:
+        return trials
+    smallest_misfit = min((size for size in trials if size > largest_fit), default=largest_fit + 1)
+    probe = largest_fit + 1
+    while smallest_misfit - largest_fit > 1 and len(trials) < budget:
         if (yield from make(probe)):
-            good = probe
+            largest_fit = probe
         else:
-            bad = probe
-        probe = (good + bad) // 2
-    return tried
+            smallest_misfit = probe
+        probe = (largest_fit + smallest_misfit) // 2
+    return trials
 
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
-    """The largest size in `least`..`most` that was found to fit, with at most `budget` attempts.
-
-    `most` is tried first, and then halves: exact where what fits at a size fits at smaller ones
-    and the budget lasts.
-    """
+    """The largest size in `least`..`most` that was found to fit in at most `budget` attempts. Tries
+    `most` first and then bisects. Exact if every smaller size of a fitting size fits and the budget
+    suffices."""
     if most < least or budget < 1:
         return None
     if fits(most):

@@ -1,4 +1,4 @@
-"""The limits of a chip: every class compiled at the sizes that a search asks for."""
+"""The survey of a chip's limits: every family compiled at the sizes that the search chooses."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
-from nscc.limits.search import Trial, candidates, explore
+from nscc.limits.search import SizeTrial, candidates, explore
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options, run_passes
 from nscc.program.capacity import bits_needed, impossible_from
@@ -18,22 +18,22 @@ from nscc.source import Source
 from nscc.words.legality import refuse_planes
 
 BUDGET = 40
-"""Most programs compiled for one class at one slot length."""
+"""Most compilations for one class and slot length."""
 
 
 @dataclass(frozen=True)
 class Limit:
-    """What is known of a family on a target: sizes built, impossible, and neither.
+    """The limit of a family on a target: built, impossible and unknown sizes.
 
-    `built` is the largest trial that fits, None if none does. From `impossible` on no program
-    exists, for `impossible_reason`; None where nothing is proved. `unknown_reason` says why the
-    sizes between are neither, "" if there are none.
+    `built` is the largest trial that fits, or None. From size `impossible` on no program exists,
+    for `impossible_reason`; None if nothing is proved. `unknown_reason` says why sizes in between
+    are unknown, "" if there are none.
     """
 
     family: Family
     slot: str
-    tried: tuple[Trial, ...]
-    built: Trial | None
+    trials: tuple[SizeTrial, ...]
+    built: SizeTrial | None
     impossible: int | None
     impossible_reason: str
     unknown_reason: str
@@ -44,44 +44,42 @@ class Limit:
         return self.built.size + 1 if self.built else self.family.least
 
     @property
-    def gaps(self) -> tuple[Trial, ...]:
-        """Sizes below the largest built that did not fit."""
+    def gaps(self) -> tuple[SizeTrial, ...]:
+        """Trials below the largest built size that did not fit."""
         built = self.built.size if self.built else 0
-        return tuple(trial for trial in self.tried if trial.size < built and not trial.fits)
+        return tuple(trial for trial in self.trials if trial.size < built and not trial.fits)
 
 
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
-) -> Generator[Trial, None, list[Limit]]:
-    """Yields each trial as it is made and returns a limit for every slot length and family.
-
-    Raises Rejected (NS0510) for a chip that any shutter fits.
-    """
+) -> Generator[SizeTrial, None, list[Limit]]:
+    """Yield each trial as it ends; return the limit of every slot length and family. Raises
+    Rejected (NS0510) for a chip that fits every shutter."""
     refuse_planes(
         target,
         "--limits does not apply to this chip",
         f"any shutter fits slots of {time_text(target.plane_load_us)}: only the loading "
         "time limits it",
     )
-    found = []
+    limits = []
     for slot in slots:
         for family in families():
-            found.append((yield from limit_of(family, target, options, slot)))
-    return found
+            limits.append((yield from limit_of(family, target, options, slot)))
+    return limits
 
 
 def limit_of(
     family: Family, target: Target, options: Options, slot: str
-) -> Generator[Trial, None, Limit]:
-    """The same for one family at one slot length; every legal code is compiled."""
+) -> Generator[SizeTrial, None, Limit]:
+    """Like `survey`, for one family and slot length, compiling every legal code."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
     sizes = candidates(family.shutters, family.least, most)
     trials = yield from explore(sizes, lambda size: _attempt(family, size, slot, options), BUDGET)
-    tried = tuple(trials[size] for size in sorted(trials))
-    built = next((trial for trial in reversed(tried) if trial.fits), None)
-    proved = [t for t in tried if t.proved] if family.nested else []
+    ordered_trials = tuple(trials[size] for size in sorted(trials))
+    built = next((trial for trial in reversed(ordered_trials) if trial.fits), None)
+    proved = [t for t in ordered_trials if t.proved] if family.nested else []
     impossible, reason = capacity, ""
     if capacity is not None:
         shutters = family.shutters(capacity)
@@ -91,11 +89,11 @@ def limit_of(
         )
     if proved:
         impossible, reason = proved[0].size, proved[0].reason
-    limit = Limit(family, slot, tried, built, impossible, reason, "")
+    limit = Limit(family, slot, ordered_trials, built, impossible, reason, "")
     return replace(limit, unknown_reason=_unknown(limit))
 
 
-def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
+def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTrial:
     try:
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
@@ -103,7 +101,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         worst = next((d for d in errors if d.data.get("proved")), errors[0])
         proved = worst.data.get("proved") is True
-        return Trial(size, False, {}, worst.code, worst.message, proved)
+        return SizeTrial(size, False, {}, worst.code, worst.message, proved)
     lowered, proof = compiled.lowered, compiled.proof
     assert lowered is not None
     assert proof is not None
@@ -119,16 +117,16 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
         "words_stored": schedule.words_stored,
         "shortest_slot_us": round(lowered.shortest_slot_us, 6),
     }
-    return Trial(size, True, figures)
+    return SizeTrial(size, True, figures)
 
 
 def _unknown(limit: Limit) -> str:
-    """Why the sizes between those built and those impossible are neither."""
+    """Why the sizes between the largest built and the smallest impossible one are unknown."""
     family, first = limit.family, limit.unknown_from
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""
     reasons = []
-    nearest = next((trial for trial in limit.tried if trial.size >= first), None)
+    nearest = next((trial for trial in limit.trials if trial.size >= first), None)
     if nearest is not None and (limit.impossible is None or nearest.size < limit.impossible):
         proves = (
             "certain, but only for these rows"

@@ -1,9 +1,9 @@
-"""Ways out of a program that cannot fit: nearby programs, each compiled before it is offered.
+"""Ways out for a program that does not fit: nearby programs, compiled before they are offered.
 
-A nearby program keeps target, slot time and the limits that its author asked for, and does less:
-only the codes in use, the first rows of its codebook, fewer slots, one bump a pixel, or a codebook
-of few shutters. How many rows or slots still fit is searched for. A codebook needs data that only
-its author has: rows of a fixed pseudo-random sequence stand in.
+A nearby program keeps the target, the slot time and the user's limits. It does less: only the codes
+in use, fewer codebook rows, fewer slots, one bump a pixel, or a codebook of few shutters. The
+numbers of rows and slots are searched for. Codebooks that the user would have to provide are
+replaced by pseudo-random rows.
 """
 
 from __future__ import annotations
@@ -35,36 +35,34 @@ from nscc.source import Source
 
 MOST_SHOWN = 3
 QUICK_LEVEL = 1
-"""Several programs are compiled for one error message: with no more effort than this each, but for
-the rows of a codebook."""
+"""Highest level for ways out, since one error message compiles several programs; not for codebook
+rows."""
 _FRAME_TRIALS = 8
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
 _LONGEST_BOOK = 256
 _MOST_DIGITS = 1 << 13
-"""Most digits of a codebook's first rows that are compiled for one error message."""
+"""Most digits of a codebook that is compiled for one error message."""
 
 
 class Attempt(Protocol):
-    """Compiles a program for the target at hand; None if it does not fit."""
+    """Compile a program for the target; returns None if it does not fit."""
 
     def __call__(self, source: Source, codes: Codes, level: int) -> Lowered | None:
-        """What the program becomes at a level of effort."""
+        """The lowered program at a level of effort, or None."""
 
 
 @dataclass(frozen=True)
 class WayOut:
-    """A nearby program that fits: what to write and what it costs; `data` is for programs."""
+    """A nearby program that fits: what to write and its cost; `data` is for programs."""
 
     text: str
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
 def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
-    """Nearby programs that were compiled and fit, those first that change least.
-
-    `level` is that of the program that does not fit; prices say at which level they are found.
-    """
+    """Nearby programs that were compiled and fit, smallest change first. `level` is the level of
+    the program that does not fit; each price names the level of its compilation."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 
@@ -77,25 +75,26 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
     yield from _fewer_rows(program, attempt, most)
     yield from _fewer_slots(program, attempt, level)
-    for rule, what, why in _simpler(program):
+    for rule, change, why in _simpler(program):
         lowered = attempt(_source(program, rule, len(program.frame.slot_us)), "open", level)
         if lowered is not None:
-            yield _way_out(what, why, lowered, level)
+            yield _way_out(change, why, lowered, level)
 
 
-def _way_out(what: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
+def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
     words = lowered.schedule.words_total / len(lowered.program.frame.slot_us)
-    return WayOut(f"{what:<24}{why}: {words:.3g} words a slot at -O{level}", data)
+    return WayOut(f"{change:<24}{why}: {words:.3g} words a slot at -O{level}", data)
 
 
 def _source(program: Program, rule: str, slots: int) -> Source:
-    """A program of `slots` slots as long as this one's on average."""
+    """A program with `rule` and `slots` slots of this program's mean length."""
     slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
 
 
 def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """The most rows, from the first in use on, that a codebook may have in the same frame."""
+    """The largest number of codebook rows, starting with the first in use, that fits the same
+    frame."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
@@ -126,7 +125,7 @@ def _largest(
     attempt: Callable[[Source, Codes], Lowered | None],
     budget: int,
 ) -> tuple[int, Lowered | None]:
-    """The largest size that fits as `nscc.limits.search.largest` finds it, and what it became."""
+    """The largest size that fits (`nscc.limits.search.largest`), and its lowered program."""
     built: dict[int, Lowered | None] = {}
 
     def fits(size: int) -> bool:
@@ -138,12 +137,12 @@ def _largest(
 
 
 def _different(program: Program, count: int) -> int:
-    """How many different shutters the first `count` codes open."""
+    """The number of different shutters of the first `count` codes."""
     return len(np.unique(program.table.shutter_of_code[:count]))
 
 
 def _book_source(program: Program, count: int) -> Source:
-    """The first `count` rows in use as a program of their own, with the same frame and buckets."""
+    """A program of the first `count` rows in use, with the same frame and buckets."""
     table = program.table
     shutters = table.shutters[table.shutter_of_code[:count]]
     buckets = [bucket.name for bucket in program.buckets]
@@ -151,22 +150,22 @@ def _book_source(program: Program, count: int) -> Source:
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """The most slots found for the whole class, where the frame has more."""
+    """The largest number of slots that fits the complete class, if the frame has more."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
     least, most = 2, slots - 1
     match program.class_name:
         case "b":
-            rule, kept = stop_rule("1"), "every stop"
+            rule, kept_shutters = stop_rule("1"), "every stop"
         case "c":
             length = int(program.table.shutters.sum(axis=2).max(initial=1))
             least = length + 1
-            rule, kept = start_rule(length), f"every bump of {counted(length, 'slot')}"
+            rule, kept_shutters = start_rule(length), f"every bump of {counted(length, 'slot')}"
         case "d":
-            rule, kept = bump_rule(), "every bump"
+            rule, kept_shutters = bump_rule(), "every bump"
             most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, 1, most)
         case "e":
-            rule, kept = bits_rule(), "every shutter"
+            rule, kept_shutters = bits_rule(), "every shutter"
             most = min(most, registers)
         case _:
             return
@@ -174,12 +173,12 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
     quick = partial(attempt, level=level)
     count, lowered = _largest(least, most, build, quick, _FRAME_TRIALS)
     if lowered is not None:
-        why = f"{counted(slots - count, 'slot')} fewer, {kept} still possible"
+        why = f"{counted(slots - count, 'slot')} fewer, {kept_shutters} still possible"
         yield _way_out(f"frame {count} slots", why, lowered, level)
 
 
 def _simpler(program: Program) -> Iterator[tuple[str, str, str]]:
-    """Other classes in the same frame: (rule, what to write, what it means)."""
+    """Programs of other classes in the same frame: (rule, what to write, what it means)."""
     slots = len(program.frame.slot_us)
     rows = random_rows(_BOOK_ROWS, slots)
     if slots <= _LONGEST_BOOK and len(rows) < len(program.table.shutters):

@@ -1,4 +1,4 @@
-"""Shutters that open once and close once, seen from the demands of one bucket's levels."""
+"""Shutters that open and close once, recognised from the level demands of one bucket."""
 
 from __future__ import annotations
 
@@ -13,11 +13,9 @@ from nscc.truth import rows
 
 @dataclass(frozen=True)
 class Bumps:
-    """Shutter k is open in steps start[k] .. stop[k] - 1, never where start[k] = stop[k] = 0.
-
-    Both are (shutters,) in 0 .. steps; `step[i]` is the step of demand i, one for each run of
-    demands that ask for the same.
-    """
+    """Shutter k is open in steps start[k] .. stop[k] - 1, never if start[k] = stop[k] = 0. Both are
+    (shutters,) in 0 .. steps. `step[i]` is the step of demand i: consecutive demands with equal
+    predicates have one step."""
 
     start: NDArray[np.int64]
     stop: NDArray[np.int64]
@@ -25,7 +23,7 @@ class Bumps:
     steps: int
 
     def groups(self, size: int = 1) -> list[tuple[int, int]]:
-        """(group, demand) for every group of `size` steps: the first demand in it."""
+        """(group, demand) for every group of `size` steps, with the first demand of the group."""
         first: dict[int, int] = {}
         for demand, step in enumerate(self.step):
             first.setdefault(step // size, demand)
@@ -33,52 +31,52 @@ class Bumps:
 
     @property
     def length(self) -> int:
-        """The longest bump in steps."""
+        """The number of steps of the longest bump."""
         return int((self.stop - self.start).max(initial=0))
 
     @property
     def never(self) -> NDArray[np.bool_]:
-        """(shutters,) whether a shutter never opens."""
+        """Whether each shutter never opens, (shutters,)."""
         return np.asarray(self.start == self.stop)
 
 
-# Shutters times demands that are looked at as a matrix of bytes: 32 MB.
+# Limit on shutters times demands, as a matrix of bytes: 32 MB.
 _MOST_CELLS = 1 << 25
 
 
 def bumps_of(problem: Problem) -> Bumps:
-    """The bumps that the demands are. Raises GaveUp where some shutter has another shape."""
+    """The bumps of a problem. Raises GaveUp if some shutter is not a bump."""
     if len({(d.edge, d.bucket) for d in problem.demands}) != 1:
         raise GaveUp("demands of several kinds")
     if problem.demands[0].edge != "open":
         raise GaveUp("the demands are events")
     if problem.shutters * len(problem.demands) > _MOST_CELLS:
         raise GaveUp("too many shutters and demands to look at")
-    wanted: list[int] = []
+    predicates: list[int] = []
     step: list[int] = []
     for demand in problem.demands:
-        if not wanted or demand.predicate != wanted[-1]:
-            wanted.append(demand.predicate)
-        step.append(len(wanted) - 1)
-    held = rows(wanted, problem.shutters)
-    start = held.argmax(axis=1).astype(np.int64)
-    count = held.sum(axis=1).astype(np.int64)
+        if not predicates or demand.predicate != predicates[-1]:
+            predicates.append(demand.predicate)
+        step.append(len(predicates) - 1)
+    open_in_step = rows(predicates, problem.shutters)
+    start = open_in_step.argmax(axis=1).astype(np.int64)
+    count = open_in_step.sum(axis=1).astype(np.int64)
     stop = start + count
-    # argmax of booleans is the first 1. A row has one bump if as many are 1 as lie between its
-    # ends.
-    last = held.shape[1] - held[:, ::-1].argmax(axis=1)
+    # argmax of booleans is the first 1. A row is one bump if its number of 1s equals the distance
+    # of its ends.
+    last = open_in_step.shape[1] - open_in_step[:, ::-1].argmax(axis=1)
     if np.any((count > 0) & (last != stop)):
         raise GaveUp("some shutter opens more than once")
     start[count == 0] = 0
     stop[count == 0] = 0
-    return Bumps(start, stop, tuple(step), len(wanted))
+    return Bumps(start, stop, tuple(step), len(predicates))
 
 
 def two_ended(problem: Problem) -> Bumps:
-    """The bumps that the demands are. Raises GaveUp also where one end follows from the other."""
+    """The bumps of a problem. Raises GaveUp also if one end of all bumps determines the other."""
     bumps = bumps_of(problem)
     start, stop = bumps.start[~bumps.never], bumps.stop[~bumps.never]
-    # Bumps of one length may be cut by the end of the frame.
+    # The end of the frame may cut bumps of one length.
     cut = stop == bumps.steps
     if any(np.all(values == values[:1]) for values in (start, stop, (stop - start)[~cut])):
         raise GaveUp("one end of each bump follows from the other")

@@ -1,9 +1,10 @@
-"""Arbitrary shutters: some predicates stored, the others made from those planes by cascades.
+"""Generator for arbitrary shutters: store some predicates, and compute the others from them by
+cascades.
 
-Every demand whose predicate is stored costs one word. Which predicates are stored decides what
-the others cost, so sets of them are compared by quick searches before the search for cascades in
-earnest. Where the stored predicates do not tell all shutters apart, a few shutters' bits of the
-last ones are changed, and those predicates are made by cascades too (short ones).
+A demand with a stored predicate costs one word. Quick searches compare sets of stored predicates;
+the best set gets the full search for cascades. If the stored predicates do not distinguish all
+shutters, a few bits of the last ones are changed, and short cascades compute the original
+predicates.
 """
 
 from __future__ import annotations
@@ -18,36 +19,34 @@ from numpy.typing import NDArray
 
 from nscc.logic.cascade_search import MOST_POINTS, Cascade, Search
 from nscc.logic.cubes import Budget
-from nscc.logic.encodings import asked
+from nscc.logic.encodings import describe_demand
 from nscc.logic.gates import Gates
 from nscc.logic.point_sets import Planes, Points, packed
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows, set_bits
 
-# More scratch registers leave too few planes to make anything of.
+# More scratch registers leave too few planes.
 _MOST_SCRATCH = 3
-# The beam of a search that only compares choices of planes: narrow, but thousands are compared.
+# Beam width of the searches that compare choices of planes; thousands of them run.
 _QUICK_WIDTH = 6
-# The share of the steps after which the choice of planes ends, and the widths that follow.
+# The share of steps for choosing planes, and the beam widths afterwards.
 _CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
-# Words of a cascade: no limit, but for a number.
+# Limit on the words of a cascade; effectively none.
 _LONGEST = 4096
-# Of the steps from choice to choice, the share that exchanges a predicate (the others invert one),
-# and by how much the words may grow at first.
+# The share of changes of a choice that exchange a predicate (the others invert one), and the
+# initial tolerance for more words.
 _EXCHANGED = 0.8
 _SLACK = 0.03
-# What a choice of planes costs before any search.
+# Steps for a choice of planes before any search.
 _STEPS_A_CHOICE = 100
 
 
 @dataclass(frozen=True)
 class _Points:
-    """Shutters that no demand tells apart are one point.
-
-    `bits` (predicates, points) are the distinct predicates that planes may hold, the first
-    `demanded` of them asked for; `names` say what they are; `shutters` (shutters,) are points.
-    """
+    """Groups of shutters that no demand distinguishes. `bits` (predicates, points) are the distinct
+    predicates that planes may hold; the first `demanded` of them are demands. `names` describes
+    them; `shutters` (shutters,) is the point of each shutter."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -56,12 +55,13 @@ class _Points:
 
 
 _Choice = tuple[tuple[int, bool], ...]
-"""Of each plane the predicate that it holds (a number into `_Points.bits`), and if inverted."""
+"""For each plane its predicate (an index into `_Points.bits`), and whether inverted."""
 
 
 @dataclass(frozen=True)
 class _Plan:
-    """A choice, its planes (planes, points), scratch registers, and the cascade of every task."""
+    """A choice of planes (planes, points), the number of scratch registers, and the cascade of
+    every task."""
 
     choice: _Choice
     planes: NDArray[np.bool_]
@@ -71,15 +71,12 @@ class _Plan:
 
 
 _Task = tuple[int, int]
-"""Number of a predicate, and of that which FLAG holds before, -1 if that is not known."""
+"""Index of a predicate, and of the one that FLAG holds before, -1 if unknown."""
 
 
 def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Stores some predicates and makes the others by cascades of cubes.
-
-    Raises GaveUp where the steps do not suffice for a first solution. Once there is one, the steps
-    left improve it, and running out of them only ends the search.
-    """
+    """Store some predicates and compute the others by cascades of cubes. Raises GaveUp if the steps
+    do not suffice for a first solution. The remaining steps improve it."""
     finder = _Finder(problem, machine, budget)
     best: _Plan | None = None
     try:
@@ -94,7 +91,7 @@ def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
 
 
 class _Finder:
-    """Looks for plans of one problem."""
+    """Searches for plans of one problem."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
         self._problem = problem
@@ -104,11 +101,11 @@ class _Finder:
         self._points = _points(problem)
         self._sets = packed(self._points.bits)
         self._tasks = self._tasks_of_demands()
-        # How often each task comes in a frame.
+        # How often each task occurs in a frame.
         self._times = Counter(task for task in self._tasks if task is not None)
 
     def plans(self) -> Iterator[_Plan]:
-        """Plans, each better than the last; raises GaveUp when the steps run out."""
+        """Yield plans, each better than the one before; raises GaveUp when the steps run out."""
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
         widest = min(self._machine.registers - 1, len(self._points.bits))
@@ -119,8 +116,8 @@ class _Finder:
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
-        # Two scratch registers and FLAG let every link have a cube beside its inner value; then
-        # one, for a plane more.
+        # Two scratch registers and FLAG allow a cube besides the inner value in every link; one
+        # scratch register allows one more plane.
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
@@ -164,7 +161,7 @@ class _Finder:
         )
 
     def _tasks_of_demands(self) -> list[_Task | None]:
-        """Every demand's task; None where FLAG already holds what is asked for."""
+        """The task of every demand; None if FLAG already holds its predicate."""
         problem = self._problem
         number: dict[int, int] = {}
         for demand in problem.demands:
@@ -172,38 +169,48 @@ class _Finder:
         tasks: list[_Task | None] = []
         for i, demand in enumerate(problem.demands):
             before = problem.demands[i - 1].predicate if demand.flag_kept else None
-            held = -1 if before is None else number[before]
-            tasks.append(None if problem.answered(i) else (number[demand.predicate], held))
+            flag_predicate = -1 if before is None else number[before]
+            tasks.append(
+                None if problem.answered(i) else (number[demand.predicate], flag_predicate)
+            )
         return tasks
 
     def _quick_width(self) -> int:
-        """The width of quick searches: narrower where even one of them takes many steps."""
+        """The beam width of quick searches, smaller if a single one takes many steps."""
         sets, points = self._sets.shape[1], self._points.bits.shape[1]
         cascades = max(1, self._points.demanded - self._machine.registers + 2)
-        # A quick search in numbers: links of a cascade (each decides two points or more), times the
-        # cubes that are looked at for each of them, times the words of 64 points of a cube.
+        # Estimated steps of a quick search: links of a cascade (each decides two or more points),
+        # times cubes per link, times words of 64 points per cube.
         links = points // 2
         cubes = min(points * 8, 1 << (self._machine.registers - 2))
         steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
         return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
     def _first_choices(self, width: int) -> Iterator[_Choice]:
-        """Planes to begin with: first what is no demand's (levels make edges), then demands."""
+        """Initial choices of planes: predicates that no demand asks for first (edges can be made of
+        levels), then demanded ones."""
         numbers = range(len(self._points.bits))
-        others = numbers[self._points.demanded :]
-        if others:
-            yield tuple((number, False) for number in (*others, *numbers)[:width])
+        undemanded = numbers[self._points.demanded :]
+        if undemanded:
+            yield tuple((number, False) for number in (*undemanded, *numbers)[:width])
         yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
-        """A plan of at most `most` words found with a narrow beam."""
+        """Search with a narrow beam for a plan of at most `most` words; None if not found."""
         planes = _separating(self._points.bits, choice)
         times = self._times
         repeats = times.total() - len(times)
-        found = self._search(planes, scratch).find(
-            *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
+        optional_cascades = self._search(planes, scratch).find(
+            *self._predicates_and_flag(list(times)),
+            [min(most, _LONGEST)] * len(times),
+            width,
+            most - repeats,
         )
-        cascades = {task: one for task, one in zip(times, found, strict=True) if one is not None}
+        cascades = {
+            task: cascade
+            for task, cascade in zip(times, optional_cascades, strict=True)
+            if cascade is not None
+        }
         if len(cascades) < len(times):
             return None
         words = sum(count * cascades[task].words for task, count in times.items())
@@ -215,32 +222,32 @@ class _Finder:
         table = Planes(sets, planes.shape[1], self._machine)
         return Search(table, self._machine, scratch, self._budget)
 
-    def _wanted(self, tasks: list[_Task]) -> tuple[Points, Points]:
-        """The predicate of every task and what FLAG holds before (nothing where unknown)."""
-        predicates, held = np.array(tasks).T
-        known = np.where((held >= 0)[:, None], self._sets[held], np.uint64(0))
+    def _predicates_and_flag(self, tasks: list[_Task]) -> tuple[Points, Points]:
+        """The predicate of every task, and the content of FLAG before it (empty if unknown)."""
+        predicates, flag_predicates = np.array(tasks).T
+        known = np.where((flag_predicates >= 0)[:, None], self._sets[flag_predicates], np.uint64(0))
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
-        """Better choices of planes near the best one, until `until` steps are left."""
+        """Improve the choice of planes by local search, until `until` steps are left."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
         current = best
         span = max(1, self._budget.left - until)
         while self._budget.left > until:
-            near = list(current.choice)
-            place = choose.randrange(len(near))
-            number, turned = near[place]
-            held = dict(near)
-            others = [number for number in everyone if number not in held]
-            if others and choose.random() < _EXCHANGED:
-                near[place] = choose.choice(others), False
+            neighbour = list(current.choice)
+            place = choose.randrange(len(neighbour))
+            number, turned = neighbour[place]
+            chosen_planes = dict(neighbour)
+            unchosen_planes = [number for number in everyone if number not in chosen_planes]
+            if unchosen_planes and choose.random() < _EXCHANGED:
+                neighbour[place] = choose.choice(unchosen_planes), False
             else:
-                near[place] = number, not turned
-            # A little worse is allowed at first, less and less (threshold accepting; Dueck and
-            # Scheuer, 1990): most choices have no better neighbour.
+                neighbour[place] = number, not turned
+            # Slightly worse choices are accepted, less and less (threshold accepting; Dueck and
+            # Scheuer, 1990), because most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
-            plan = self._quick(tuple(near), current.scratch, width, current.words + slack)
+            plan = self._quick(tuple(neighbour), current.scratch, width, current.words + slack)
             if plan is not None:
                 current = plan
                 if plan.words < best.words:
@@ -248,23 +255,23 @@ class _Finder:
                     yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
-        """Shorter cascades for the same planes, the longest first."""
+        """Search for shorter cascades with the same planes, longest cascade first."""
         search = self._search(best.planes, best.scratch)
         for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
-            (found,) = search.find(*self._wanted([task]), [old - 1], width, _LONGEST)
-            if found is not None:
-                cascades = {**best.cascades, task: found}
-                words = best.words - times * (old - found.words)
+            (shorter,) = search.find(*self._predicates_and_flag([task]), [old - 1], width, _LONGEST)
+            if shorter is not None:
+                cascades = {**best.cascades, task: shorter}
+                words = best.words - times * (old - shorter.words)
                 best = replace(best, cascades=cascades, words=words)
                 yield best
 
 
 def _points(problem: Problem) -> _Points:
-    """The points of a problem, with the open slots of its buckets as further planes."""
+    """The points of a problem; open slots of its buckets are additional candidate planes."""
     names: dict[int, str] = {}
     for demand in problem.demands:
-        names.setdefault(demand.predicate, asked(demand))
+        names.setdefault(demand.predicate, describe_demand(demand))
     demanded = len(names)
     for bucket in problem.opens:
         for slot, level in enumerate(bucket):
@@ -279,12 +286,13 @@ def _points(problem: Problem) -> _Points:
 
 
 def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
-    """The planes of a choice, changed in as few points as tell all points apart."""
+    """The planes of a choice, changed in as few points as needed to distinguish all points."""
     stored, inverted = np.array(choice).T
     planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
-    # `kinds` numbers what the planes so far tell apart; a plane may split each kind in two. A half
-    # that the planes to come cannot tell apart any more gives its surplus to the other half.
+    # `kinds` numbers the classes that the planes so far distinguish; a plane may split each in two.
+    # If the remaining planes cannot distinguish the members of a half, its surplus moves to the
+    # other half.
     kinds = np.zeros(count, dtype=np.int64)
     for place, plane in enumerate(planes):
         room = 1 << (len(planes) - 1 - place)
@@ -297,19 +305,19 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     return planes
 
 
-def _write(gates: Gates, found: Cascade, scratch: int) -> None:
-    """The gates of a cascade, the innermost link first. Values in scratch stand in t0."""
+def _write(gates: Gates, cascade: Cascade, scratch: int) -> None:
+    """Add the gates of a cascade, innermost link first. Values in scratch are in t0."""
     registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
     inner: list[str] = []
-    for link in reversed(found.links):
-        sources = inner + ["FLAG"] * link.held
+    for link in reversed(cascade.links):
+        sources = inner + ["FLAG"] * link.reads_flag
         free = [register for register in registers if register not in sources]
         for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
             gates.nor(register, _names(set_bits(mask)))
             sources.append(register)
         sources += _names(link.planes)
         if link.to_flag:
-            gates.where(sources, None)
+            gates.load_flag(sources, None)
         elif link.negated:
             gates.nor("t0", sources)
         else:

@@ -1,15 +1,15 @@
-"""Cascades of cubes: one predicate from code planes, found from its last gate backwards.
+"""Cascades of cubes: one predicate computed from code planes, searched from its last gate
+backwards.
 
-The value sought must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere.
-Its last word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), of
-single planes, and of a value of the same kind with fewer points left to decide, which stands in
-FLAG or in a scratch register. So FLAG and scratch take turns, and a complement costs nothing. A
-beam keeps, for every number of words, the values that leave the least to decide.
+A value must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere. Its last
+word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), single
+planes, and an inner value of the same kind with fewer points to decide, held in FLAG or in a
+scratch register. FLAG and scratch alternate, and complements are free. A beam search keeps, for
+every number of words, the values with the least left to decide.
 
-Backwards, because that shows what does not matter: a value that is read by an OR must be 0 where
-the OR is, and 1 where the OR is and nothing else in it; where something else is, it may be either.
-So every link hands on fewer points than it got, and a cascade ends where planes and cubes alone
-decide what is left.
+The backward direction reveals don't-cares: a value that an OR reads must be 0 where the OR is 0,
+and 1 where the OR is 1 only because of it; elsewhere it is free. So every link passes on fewer
+points, and a cascade ends when planes and cubes decide all points.
 """
 
 from __future__ import annotations
@@ -29,48 +29,48 @@ from nscc.logic.point_sets import Indices, Planes, Points, disjoint, gains, size
 from nscc.logic.problem import Machine
 from nscc.truth import set_bits
 
-# Words of 64 points that one step of a budget stands for.
+# Words of 64 points for one step of the budget.
 _WORDS_A_STEP = 640
-# Steps for numpy's own overhead, each time that a batch of values is expanded.
+# Steps for numpy's overhead for each batch of values.
 _STEPS_A_BATCH = 8
-# Words of 64 points looked at in one go: what fits a cache.
+# Words of 64 points in a batch, which fits the cache.
 _BATCH = 1 << 18
-# So many of the best cubes are tried as the first one of a link, so many as each further one.
+# Numbers of best cubes to try as the first and as each further one of a link.
 _FIRST_CUBES = 4
 _NEXT_CUBES = 2
 
 
 @dataclass(frozen=True)
 class Link:
-    """One link of a cascade: what its value is an OR of, or a NOR if `negated`.
+    """One link of a cascade: an OR, or a NOR if `negated`, of its inputs.
 
     The value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in a
-    scratch register of its own; `planes` are read as they are, `held` is FLAG as it stood before
-    the cascade. Every link but the innermost also reads the value of the next one.
+    scratch register of its own; `planes` are read as they are. A link that `reads_flag` also
+    reads FLAG as it was before the cascade. Every link except the innermost reads the next link.
     """
 
     to_flag: bool
     negated: bool
     cubes: tuple[int, ...]
     planes: tuple[int, ...]
-    held: bool
+    reads_flag: bool
 
 
 @dataclass(frozen=True)
 class Cascade:
-    """Links, the last to run first, and the words they take."""
+    """The links of a cascade, the last to run first, and its number of words."""
 
     links: tuple[Link, ...]
     words: int
 
 
-# More points than this are not served.
+# Largest number of points.
 MOST_POINTS = 4096
 
-# What a value leaves to decide, in bits: which of its points are on (the logarithm of a binomial,
-# here from a table of log n!), and a little for each point and for having points of both kinds. The
-# last few words decide _LAST_BITS of them, the others seldom more than _MOST_BITS_A_WORD. The
-# weights were found by trying; they order the beam, no result is wrong for them.
+# The estimate of the bits that a value leaves to decide: which of its points are on (log of a
+# binomial, from a table of log n!), plus a little for each point and for having points of both
+# kinds. The last words decide _LAST_BITS of them, others rarely more than _MOST_BITS_A_WORD. The
+# weights are empirical; they only order the beam.
 _CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, MOST_POINTS + 1))])
 _A_POINT = 0.2
 _LAST_BITS = 16.0
@@ -80,11 +80,9 @@ _A_PAIR = 0.5
 
 @dataclass(frozen=True)
 class _Values:
-    """Values that a beam considers: what is left to decide, and how each one is reached.
-
-    `task` says for which predicate. `via` is the number of the value that reads this one, `negated`
-    how, and `cubes` (n, scratch) are masks of the cubes beside it, 0 where there are fewer.
-    """
+    """The values in a beam: undecided points, and how each value is reached. `task` is the index of
+    the predicate. `via` is the number of the value that reads this one, and `negated` whether as a
+    NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -96,26 +94,26 @@ class _Values:
     def __len__(self) -> int:
         return len(self.on)
 
-    def take(self, which: Indices | NDArray[np.bool_]) -> _Values:
-        return _Values(*(part[which] for part in vars(self).values()))
+    def take(self, indices: Indices | NDArray[np.bool_]) -> _Values:
+        return _Values(*(array[indices] for array in vars(self).values()))
 
     def swapped(self) -> _Values:
-        """The values as complements."""
+        """The complements of the values."""
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
-    def left(self) -> NDArray[np.float64]:
-        """What each value leaves to decide, in bits, more or less."""
+    def undecided_bits(self) -> NDArray[np.float64]:
+        """Estimate the information, in bits, that each value leaves to decide."""
         ones, zeros = sizes(self.on), sizes(self.off)
         bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
 
     def best(self, width: int) -> _Values:
-        """For every task the `width` values that leave the least to decide, each once."""
-        left = self.left()
-        # Equal values have equal digests; two that share one by chance are no loss.
+        """For every task the `width` distinct values with the least left to decide."""
+        undecided = self.undecided_bits()
+        # Equal values have equal digests; a collision only loses a value.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
         digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
-        order = np.lexsort((digest, left, self.task))
+        order = np.lexsort((digest, undecided, self.task))
         task, digest = self.task[order], digest[order]
         new = np.ones(len(order), dtype=np.bool_)
         new[1:] = (digest[1:] != digest[:-1]) | (task[1:] != task[:-1])
@@ -124,20 +122,20 @@ class _Values:
         return self.take(order[rank < width])
 
     @staticmethod
-    def joined(parts: Sequence[_Values]) -> _Values:
-        if len(parts) == 1:
-            return parts[0]
-        alike = zip(*(vars(part).values() for part in parts), strict=True)
-        return _Values(*(np.concatenate(part) for part in alike))
+    def joined(groups: Sequence[_Values]) -> _Values:
+        if len(groups) == 1:
+            return groups[0]
+        alike = zip(*(vars(group).values() for group in groups), strict=True)
+        return _Values(*(np.concatenate(group) for group in alike))
 
 
 _Way = tuple[int, bool, tuple[int, ...], bool]
-"""The value that reads this one, whether complemented, with which cubes; whether this one stands
-in FLAG (for the way that ends a cascade: whether FLAG is read as it was before)."""
+"""The parent value, whether complemented, the cubes of the link, and whether this value is in FLAG
+(for the end of a cascade: whether it reads the old FLAG)."""
 
 
 class Search:
-    """Looks for cascades over one set of planes, with `scratch` registers to compute in."""
+    """Searches for cascades over one set of planes, with `scratch` registers."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
         self._table = planes
@@ -148,13 +146,19 @@ class Search:
         self._where_limit = machine.where_sources or 1 << 30
 
     def find(
-        self, on: Points, held: Points, most_words: Sequence[int], width: int, most_total: int
+        self,
+        on: Points,
+        flag_before: Points,
+        most_words: Sequence[int],
+        width: int,
+        most_total: int,
     ) -> list[Cascade | None]:
-        """For every predicate of `on` (n, W) a cascade of at most `most_words` words that leaves it
-        in FLAG; None where a beam of `width` finds none.
+        """For every predicate of `on` (n, W), find a cascade of at most `most_words` words that
+        leaves it in FLAG; None where a beam of `width` finds none.
 
-        FLAG holds `held` (n, W) before, the empty set where that is not known. The search ends
-        when the cascades will hardly take as few as `most_total` words together.
+        FLAG holds `flag_before` (n, W) before the cascade, the empty set if its content is unknown.
+        The search ends when the cascades are unlikely to take as few as `most_total` words
+        together.
         """
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
@@ -163,46 +167,48 @@ class Search:
             np.zeros((count, self._scratch), dtype=np.int64),
         )  # fmt: skip
         self._recorded: list[tuple[int, _Values, bool]] = []
-        self._held = held
+        self._flag_before = flag_before
         self._ends: list[tuple[int, _Way] | None] = [None] * count
         self._most = np.array(most_words, dtype=np.int64)
         waiting: dict[tuple[int, bool], list[_Values]] = defaultdict(list)
         waiting[0, True].append(start)
         words = 0
-        left = np.zeros(count)
+        undecided = np.zeros(count)
         while waiting and (self._most > words).any():
             open_still = self._most > words
-            done = sum(
+            finished_words = sum(
                 end[0]
-                for end, more in zip(self._ends, open_still, strict=True)
-                if end is not None and not more
+                for end, is_open in zip(self._ends, open_still, strict=True)
+                if end is not None and not is_open
             )
-            # Words that the open tasks will end at: a bound that is seldom passed, not a proof.
-            ahead = words + 1 + np.maximum(left - _LAST_BITS, 0) / _MOST_BITS_A_WORD
-            if done + float(ahead[open_still].sum()) > most_total:
+            # Estimated final words of the open tasks; not a strict bound.
+            ahead = words + 1 + np.maximum(undecided - _LAST_BITS, 0) / _MOST_BITS_A_WORD
+            if finished_words + float(ahead[open_still].sum()) > most_total:
                 break
-            left = np.full(count, np.inf)
+            undecided = np.full(count, np.inf)
             for in_flag in (True, False):
-                parts = waiting.pop((words, in_flag), None)
-                if parts is None:
+                groups = waiting.pop((words, in_flag), None)
+                if groups is None:
                     continue
-                joined = _Values.joined(parts)
+                joined = _Values.joined(groups)
                 joined = joined.take(open_still[joined.task])
                 if len(joined):
                     values = joined.best(width)
-                    np.minimum.at(left, values.task, values.left())
+                    np.minimum.at(undecided, values.task, values.undecided_bits())
                     values = self._numbered(values, in_flag)
-                    # WHERE only ORs; a register takes a NOR as well as an OR.
+                    # WHERE can only OR; a register can also take a NOR.
                     forms = (values,) if in_flag else (values, values.swapped())
                     for form in forms:
-                        for more, inner_in_flag, inner in self._links(form, in_flag, words, width):
-                            waiting[words + more, inner_in_flag].append(inner)
-            left[np.isinf(left)] = 0.0
+                        for link_words, inner_in_flag, inner in self._links(
+                            form, in_flag, words, width
+                        ):
+                            waiting[words + link_words, inner_in_flag].append(inner)
+            undecided[np.isinf(undecided)] = 0.0
             words += 1
         return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
 
     def _numbered(self, values: _Values, in_flag: bool) -> _Values:
-        """The same values as roots of further links, the way to them recorded."""
+        """Record the values as roots of further links."""
         first = 0
         if self._recorded:
             before, last, _ = self._recorded[-1]
@@ -214,7 +220,7 @@ class Search:
     def _links(
         self, values: _Values, in_flag: bool, words: int, width: int
     ) -> Iterator[tuple[int, bool, _Values]]:
-        """(words of the link, whether the inner value stands in FLAG, inner values)."""
+        """Yield (words of the link, whether the inner value is in FLAG, inner values)."""
         scratch = self._scratch
         most = self._most_cubes(in_flag)
         alone = self._without_planes(values, self._room(in_flag, cubes=False, inner=False))
@@ -231,29 +237,30 @@ class Search:
                 current = _Values.joined(grown.pop((used, spent)))
                 if used:
                     current = current.best(2 * width)
-                # In place, that is with every scratch register holding a cube, is a word more.
-                more = spent + 1 + (not in_flag and used == scratch)
+                # If every scratch register holds a cube, the link is in place, which takes one more
+                # word.
+                link_words = spent + 1 + (not in_flag and used == scratch)
                 if used:
-                    self._finish(current, in_flag, words + more, inner=False)
+                    self._finish(current, in_flag, words + link_words, inner=False)
                     if not in_flag or used < self._where_limit:
-                        self._finish(current, in_flag, words + more, inner=True)
+                        self._finish(current, in_flag, words + link_words, inner=True)
                     if not in_flag:
-                        yield more, True, current
+                        yield link_words, True, current
                     else:
                         if used < scratch and used < self._where_limit:
-                            yield more, False, current
+                            yield link_words, False, current
                         if self._reads_flag and used < self._where_limit:
-                            yield more, True, current
+                            yield link_words, True, current
                 if used < most:
                     for price, wider in self._with_cube(current, used):
                         grown[used + 1, spent + price].append(wider)
 
     def _most_cubes(self, to_flag: bool) -> int:
-        """Most cubes in one link: a word into scratch also reads FLAG, and may read in place."""
+        """The most cubes in one link: a scratch register as destination can also be in place."""
         return min(self._scratch, self._where_limit if to_flag else self._or_limit - 1)
 
     def _room(self, to_flag: bool, *, cubes: bool, inner: bool) -> int:
-        """How many planes a link may read, with any cubes and an inner value or without."""
+        """The number of planes that a link can read besides its cubes and inner value."""
         if not to_flag:
             return self._or_limit - 1 - (self._most_cubes(to_flag) if cubes else 0)
         if not cubes:
@@ -261,61 +268,59 @@ class Search:
         return max(0, self._where_limit - self._most_cubes(to_flag) - self._reads_flag)
 
     def _without_planes(self, values: _Values, room: int) -> _Values:
-        """The values less what single planes of their own decide, `room` of them at most."""
+        """The values after removing the points that at most `room` single planes decide."""
         planes = self._table.planes
         if room <= 0:
             return values
         self._budget.spend(_STEPS_A_BATCH)
-        # A plane that avoids `off` may stand in the OR; it costs nothing but its place there.
+        # A plane that avoids `off` can be a source of the OR, which costs only its place.
         pure = disjoint(planes[None], values.off[:, None])
         on = values.on
         if room >= len(planes):
             read = np.where(pure[..., None], planes[None], np.uint64(0))
             on = on & ~np.bitwise_or.reduce(read, axis=1)
         else:
-            each = np.arange(len(on))
+            value_numbers = np.arange(len(on))
             for _ in range(room):
                 gain = np.where(pure, sizes(planes[None] & on[:, None]), 0)
                 choice = gain.argmax(axis=1)
-                useful = (gain[each, choice] > 0)[:, None]
+                useful = (gain[value_numbers, choice] > 0)[:, None]
                 on = np.where(useful, on & ~planes[choice], on)
         return replace(values, on=on)
 
     def _with_cube(self, values: _Values, used: int) -> Iterator[tuple[int, _Values]]:
-        """(price, values less one cube more): the cubes that decide most, none that is wrong."""
+        """Yield (price, values after one more cube) for valid cubes that decide most points."""
         top = _FIRST_CUBES if used == 0 else _NEXT_CUBES
         for price, cubes, masks in self._table.groups:
             batch = max(1, _BATCH // cubes.size)
             for start in range(0, len(values), batch):
-                part = values.take(np.arange(start, min(len(values), start + batch)))
-                self._budget.spend(_STEPS_A_BATCH + len(part) * cubes.size // _WORDS_A_STEP)
-                gain = gains(cubes, part.on, part.off)
+                batch_values = values.take(np.arange(start, min(len(values), start + batch)))
+                self._budget.spend(_STEPS_A_BATCH + len(batch_values) * cubes.size // _WORDS_A_STEP)
+                gain = gains(cubes, batch_values.on, batch_values.off)
                 most = min(top, len(cubes))
-                # Ties go to the first, whatever the processor's way of partitioning: gains differ
-                # by one, so they are made wider than all places together.
+                # Ties go to the first, independent of the processor's partition order: integer
+                # gains are scaled by more than the number of places.
                 rank = gain * -len(cubes) + np.arange(len(cubes), dtype=np.int32)
                 best = np.sort(np.argpartition(rank, most - 1, axis=1)[:, :most], axis=1)
                 rows, columns = np.nonzero(np.take_along_axis(gain, best, 1) > 0)
                 if len(rows):
                     chosen = best[rows, columns]
-                    wider = part.take(rows)
+                    wider = batch_values.take(rows)
                     wider.cubes[:, used] = masks[chosen]
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
-        """Remembers, for every task, the first value that has nothing left to decide.
-
-        With `inner`, what FLAG held before the cascade may decide the rest.
-        """
-        left = values.on
+        """Record, for every task, the first value without undecided points. With `inner`, the
+        content of FLAG before the cascade may decide points."""
+        undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
                 return
-            held = self._held[values.task]
-            pure = disjoint(held, values.off)
-            left = np.where(pure[:, None], left & ~held, left)
-        done = np.flatnonzero(~left.any(axis=1) & (self._most[values.task] >= words))
-        for i, task in zip(done.tolist(), values.task[done].tolist(), strict=True):
+            flag_before = self._flag_before[values.task]
+            pure = disjoint(flag_before, values.off)
+            undecided = np.where(pure[:, None], undecided & ~flag_before, undecided)
+        decided = np.flatnonzero(~undecided.any(axis=1) & (self._most[values.task] >= words))
+        for i, task in zip(decided.tolist(), values.task[decided].tolist(), strict=True):
             if words <= self._most[task]:
                 cubes = tuple(c for c in values.cubes[i].tolist() if c)
                 way = (int(values.via[i]), bool(values.negated[i]), cubes, inner)
@@ -323,7 +328,7 @@ class Search:
                 self._most[task] = words - 1
 
     def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
-        """The links of a cascade that was found for `on`, with the planes that each one reads."""
+        """The links of the cascade found for `on`, with the planes that each one reads."""
         if end is None:
             return None
         words, way = end
@@ -332,14 +337,14 @@ class Search:
             ways.append(way)
         off = self._table.everything & ~on
         links = []
-        for i, (via, negated, cubes, held) in reversed(list(enumerate(ways))):
+        for i, (via, negated, cubes, reads_flag) in reversed(list(enumerate(ways))):
             to_flag = self._way(via)[3]
-            held = held and i == 0
+            reads_flag = reads_flag and i == 0
             if negated:
                 on, off = off, on
-            room = self._room(to_flag, cubes=bool(cubes), inner=held or i > 0)
+            room = self._room(to_flag, cubes=bool(cubes), inner=reads_flag or i > 0)
             planes, on = self._read(on, off, cubes, room)
-            links.append(Link(to_flag, negated, cubes, planes, held))
+            links.append(Link(to_flag, negated, cubes, planes, reads_flag))
         return Cascade(tuple(links), words)
 
     def _way(self, number: int) -> _Way:
@@ -352,8 +357,8 @@ class Search:
     def _read(
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
-        """The planes that a link reads beside its cubes, no more than needed, and what is left."""
-        wanted = on
+        """The planes that a link needs besides its cubes, and the points left to decide."""
+        target = on
         table = self._table.planes
         pure = disjoint(table, off[None])
         picked: list[int] = []
@@ -370,17 +375,15 @@ class Search:
             covered |= self._table.everything & ~np.bitwise_or.reduce(read, axis=0)
         planes = []
         for choice in picked:
-            if (table[choice] & wanted & ~covered).any():
+            if (table[choice] & target & ~covered).any():
                 planes.append(choice)
                 covered |= table[choice]
-        return tuple(sorted(planes)), wanted & ~covered
+        return tuple(sorted(planes)), target & ~covered
 
 
 @cache
 def _factors() -> NDArray[np.uint64]:
-    """Odd numbers, two for every word of the largest set.
-
-    They are made when first needed: importing numpy.random takes longer than most programs.
-    """
+    """Odd numbers for hashing, two for each word of the largest set. Computed on first use, because
+    importing numpy.random is slow."""
     numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
     return numbers * 2 + 1

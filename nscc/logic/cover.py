@@ -1,10 +1,10 @@
-"""Covers by one-word cubes: a predicate as an OR of NORs over values that stand in registers.
+"""Covers of a predicate: an OR of NORs (cubes) over values in registers.
 
-Two-level minimisation (prime cubes, then a cheapest choice of them: Quine and McCluskey, Petrick)
-with two turns of its own: only values as they stand are literals, and the price of a cube is
-shared. NOR(A) holds where every value of A is 0, so a cube lies inside a predicate when the values
-of A together reach every shutter outside it. A cube costs one word and needs no inverted literal.
-Cubes that lie inside the predicates to come as well may stay in a register: their word is shared.
+This is two-level minimisation (prime cubes, then the cheapest choice of them: Quine and McCluskey,
+Petrick) with two differences: literals are only values as stored, and the price of a cube is
+shared. NOR(A) is 1 where every value of A is 0, so the cube lies inside a predicate if the values
+of A cover all shutters outside. A cube costs one word and needs no inverted literal. A cube inside
+later predicates may stay in its register, and these demands share its word.
 """
 
 from __future__ import annotations
@@ -19,10 +19,8 @@ from nscc.truth import union
 
 @dataclass(frozen=True, slots=True)
 class Nor:
-    """A cube NOR(sources): its truth vector, and how many demands it serves from now on.
-
-    `words`: what it takes to make, more than one where a word may not have so many sources.
-    """
+    """A cube NOR(sources): its truth vector, and the number of demands that it serves from now on.
+    `words` is its price, more than one if it has more sources than one word accepts."""
 
     sources: tuple[int, ...]
     vector: int
@@ -31,35 +29,31 @@ class Nor:
 
     @property
     def cost(self) -> float:
-        """Words for each demand that it serves."""
+        """Words for each demand served."""
         return self.words / self.life
 
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """`positive`: indices of values whose OR, with that of `cubes`, is the wanted predicate.
-
-    `cost` are words, those of cubes that live on shared among the demands that they serve.
-    """
+    """Indices `positive` of values and `cubes` whose OR is the predicate. `cost` is in words, with
+    the words of lasting cubes divided among the demands served."""
 
     positive: tuple[int, ...]
     cubes: tuple[Nor, ...]
     cost: float
 
 
-# Cubes are tried that stay valid for so many demands. What is longer-lived is smaller and pays off
-# over more demands; between two neighbouring lengths the cube is seldom another.
+# Numbers of demands for which cubes are tried. A longer-lived cube is smaller and shared by more
+# demands; neighbouring lengths rarely give different cubes.
 _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
-# Each one adds a cube or more; a demand that needs so many is too dear to be answered this way.
+# Each seed adds at least one cube; a demand that needs more is too expensive.
 _MOST_SEEDS = 40
 
 
 @dataclass(frozen=True)
 class Covers:
-    """Looks for covers within `budget`.
-
-    `everything` is the truth vector of all shutters, `fan_in` how many sources one word may have.
-    """
+    """Searches for covers within `budget`. `everything` is the truth vector of all shutters,
+    `fan_in` the number of sources that one word accepts."""
 
     everything: int
     fan_in: int | None
@@ -68,40 +62,38 @@ class Covers:
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """The cheapest cover found of ahead[0] by values and cubes, None if there is none.
-
-        `values` are truth vectors, `usable[i]` says whether value i may stand in the OR itself;
-        `ahead` are the predicates wanted now and by the demands to come, everything on which is
-        outside must stay outside.
-        """
-        wanted = ahead[0]
-        positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~wanted]
-        rest = wanted & ~union(values[i] for i in positive)
-        if not rest:
-            return Cover(_irredundant(positive, values, wanted), (), 0.0)
+        """Find a cheap cover of ahead[0] by values and cubes; None if not found. `values` are truth
+        vectors; `usable[i]` says whether value i may be in the OR itself. `ahead` are the
+        predicates of this demand and the following ones, for the choice of cubes that last."""
+        predicate = ahead[0]
+        positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
+        uncovered = predicate & ~union(values[i] for i in positive)
+        if not uncovered:
+            return Cover(_irredundant(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
-        # A single register is not kept for cubes that live on.
-        cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], rest)
-        chosen = cubes and _select(cubes, rest, most_cubes, self.budget)
+        # A single register is not used for lasting cubes.
+        cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
+        chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)
         if not chosen:
             return None
-        left = wanted & ~union(cube.vector for cube in chosen)
+        uncovered_by_cubes = predicate & ~union(cube.vector for cube in chosen)
         cost = sum(cube.cost for cube in chosen)
-        return Cover(_irredundant(positive, values, left), tuple(chosen), cost)
+        return Cover(_irredundant(positive, values, uncovered_by_cubes), tuple(chosen), cost)
 
     def _candidates(
-        self, values: Sequence[int], ahead: Sequence[int], rest: int
+        self, values: Sequence[int], ahead: Sequence[int], uncovered: int
     ) -> list[Nor] | None:
-        """Cubes inside ahead[0] that reach all of `rest`; None if a shutter cannot be reached."""
-        found: dict[int, Nor] = {}
-        unreached = rest
+        """Return cubes inside ahead[0] that cover `uncovered`; None if a shutter cannot be
+        covered."""
+        nor_by_vector: dict[int, Nor] = {}
+        unreached = uncovered
         outside = [self.everything & ~ahead[0]]
         for predicate in ahead[1 : _HORIZONS[-1]]:
             outside.append(outside[-1] | (self.everything & ~predicate))
         for _ in range(_MOST_SEEDS):
             if not unreached:
-                return list(found.values())
+                return list(nor_by_vector.values())
             # A cube that reaches `seed` can only read values that are 0 there.
             seed = unreached & -unreached
             zeros = [i for i, v in enumerate(values) if not v & seed]
@@ -109,37 +101,35 @@ class Covers:
             for horizon in _HORIZONS:
                 if horizon > len(outside) or outside[horizon - 1] & seed:
                     break
-                cube = self._prime(zeros, values, outside[horizon - 1], rest)
+                cube = self._prime(zeros, values, outside[horizon - 1], uncovered)
                 if cube is None:
                     break
                 sources, vector = cube
                 unreached &= ~vector
-                known = found.get(vector)
+                known = nor_by_vector.get(vector)
                 if known is None or len(sources) < len(known.sources):
                     served = max(1, life(vector, ahead))
                     words = words_of(len(sources), self.fan_in)
-                    found[vector] = Nor(sources, vector, served, words)
+                    nor_by_vector[vector] = Nor(sources, vector, served, words)
             if unreached == before:
                 return None
         return None
 
     def _prime(
-        self, zeros: Sequence[int], values: Sequence[int], outside: int, rest: int
+        self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
-        """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
-
-        Every literal dropped makes the cube larger. Of those that may go, the one goes that lets
-        in most of `rest`. When none may, the cube is prime: no larger one avoids `outside`.
-        """
+        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none. It
+        starts with all literals and drops one at a time, which makes the cube larger: the one that
+        adds most of `uncovered`. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
-        # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
+        # A literal that alone keeps out a part of `outside` can never be dropped.
         free, once, twice = [(values[i], i) for i in zeros], 0, 0
-        kept: list[int] = []
+        required: list[int] = []
         steps = 1 + self.everything.bit_length() // 512
         while True:
-            self.budget.spend((len(free) + len(kept)) * steps)
-            covered, again = once, twice  # by at least one literal, by at least two
+            self.budget.spend((len(free) + len(required)) * steps)
+            covered, again = once, twice  # by at least one literal, and by at least two
             for v, _ in free:
                 again |= covered & v
                 covered |= v
@@ -149,14 +139,14 @@ class Covers:
             for literal in free:
                 v = literal[0]
                 if v & needed:
-                    kept.append(literal[1])
+                    required.append(literal[1])
                     twice |= once & v
                     once |= v
                 else:
                     may_go.append(literal)
             if not may_go:
-                return tuple(sorted(kept)), self.everything & ~covered
-            gained, most, gone = alone & rest, -1, 0
+                return tuple(sorted(required)), self.everything & ~covered
+            gained, most, gone = alone & uncovered, -1, 0
             for place, (v, _) in enumerate(may_go):
                 count = (v & gained).bit_count()
                 if count > most:
@@ -166,48 +156,48 @@ class Covers:
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:
-    """How many of the predicates `ahead`, from the first one on, contain `vector`."""
-    for count, wanted in enumerate(ahead):
-        if vector & ~wanted:
+    """The number of predicates, from ahead[0] on without a gap, that contain `vector`."""
+    for count, predicate in enumerate(ahead):
+        if vector & ~predicate:
             return count
     return len(ahead)
 
 
-def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) -> tuple[int, ...]:
-    """Values, as few as a greedy choice finds, whose OR contains `wanted`."""
+def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
+    """Choose few values greedily so that their OR contains `uncovered`."""
     chosen: list[int] = []
-    while wanted:
-        best = max(positive, key=lambda i: (values[i] & wanted).bit_count())
+    while uncovered:
+        best = max(positive, key=lambda i: (values[i] & uncovered).bit_count())
         chosen.append(best)
-        wanted &= ~values[best]
+        uncovered &= ~values[best]
     return tuple(sorted(chosen))
 
 
-def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[Nor] | None:
-    """The cheapest choice of at most `most` cubes that contains `rest`, by branch and bound."""
-    ordered = sorted(cubes, key=lambda c: (-(c.vector & rest).bit_count(), len(c.sources)))
+def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
+    """Find the cheapest at most `most` cubes that cover `uncovered`, by branch and bound."""
+    ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")
     visits = 0
 
-    def descend(left: int, chosen: list[Nor], cost: float) -> None:
+    def descend(remaining: int, chosen: list[Nor], cost: float) -> None:
         nonlocal best, best_cost, visits
-        if not left:
+        if not remaining:
             if cost < best_cost - 1e-9:
                 best, best_cost = list(chosen), cost
             return
-        # Some cube must hold the first shutter left, so these are all the branches there are. Most
-        # choices are of two or three cubes; the limit is for the few that are not.
+        # Some cube must contain the first uncovered shutter, so the branching is complete. Most
+        # choices have two or three cubes; the limit is for the others.
         visits += 1
         if len(chosen) == most or visits > 2000:
             return
-        seed = left & -left
+        seed = remaining & -remaining
         for cube in ordered:
             if cube.vector & seed and cost + cube.cost < best_cost - 1e-9:
                 chosen.append(cube)
-                descend(left & ~cube.vector, chosen, cost + cube.cost)
+                descend(remaining & ~cube.vector, chosen, cost + cube.cost)
                 chosen.pop()
 
-    descend(rest, [], 0.0)
+    descend(uncovered, [], 0.0)
     budget.spend(visits)
     return best

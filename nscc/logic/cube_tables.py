@@ -1,9 +1,9 @@
-"""Codes from tables of cubes, which a search has found (`tests/benchmarks/search_cubes.py`).
+"""Codes from precomputed tables of cubes (`tests/benchmarks/search_cubes.py`).
 
-One NOR finds a cube if those of its planes that have a 1 in it stand inverted. Codes that tell
-shutters apart as a program needs it in one cube each, and cubes for which few planes are inverted
-in a frame, are hard to find. So the cubes come from a table, and a shutter takes any code that all
-of them allow. Every plane has a 0 in the first cube of a frame that reads it.
+One NOR computes a cube if the planes that are 1 in it are inverted. Codes in which each needed set
+is one cube, with few inversions in a frame, are hard to find, so the cubes come from tables. A
+shutter gets any code that all its cubes allow. Every plane is 0 in the first cube of a frame that
+reads it.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from nscc.truth import set_bits, union
 
 @dataclass(frozen=True)
 class BumpCubes:
-    """Cubes over `planes` planes of bumps, each of which touches the groups i to j of slots.
+    """Cubes over `planes` planes for bumps that touch the groups i to j of slots.
 
-    `rises[k]`, one cube or two, contain the bumps with i = k, and none with k < i or j < k;
-    `falls[k]`, for all groups but the last, contains the bumps with j = k, and none with
-    i <= k < j. What is open already may rise again, and what is closed may fall again.
+    `rises[k]`, one cube or two, contain the bumps with i = k, and none with k < i or j < k.
+    `falls[k]`, for all groups except the last, contains the bumps with j = k, and none with i <= k
+    < j. Opening open shutters and closing closed ones is harmless.
     """
 
     planes: int
@@ -34,7 +34,7 @@ class BumpCubes:
 
     @staticmethod
     def of(planes: int, groups: int) -> BumpCubes | None:
-        """The cubes of so many groups over as many planes as are of use; None if none are known."""
+        """The cubes for these numbers of groups and planes; None if no table has them."""
         known = [t for t in _bump_tables() if t.planes <= planes and len(t.rises) >= groups]
         best = min(known, key=lambda t: (-t.planes, len(t.rises)), default=None)
         return best and BumpCubes(best.planes, best.rises[:groups], best.falls[: groups - 1])
@@ -52,7 +52,7 @@ class BumpCubes:
 
 @cache
 def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """Codes of so many numbers, and for each a cube that holds its code and no other one's."""
+    """Codes of `count` numbers, and for each a cube that contains its code and no other."""
     known = [rows for width, rows in _tables("numbers") if width == planes and len(rows) >= count]
     if not known:
         codes = cycle(count, planes)
@@ -67,7 +67,7 @@ def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, 
 
 @cache
 def _codes_in(cubes: Iterable[Cube], planes: int) -> int:
-    """The codes in any of some cubes, as a bit mask."""
+    """The codes in any of the cubes, as a bit mask."""
     return sum(
         1 << code
         for code in range(1 << planes)
@@ -86,7 +86,7 @@ def _bump_tables() -> tuple[BumpCubes, ...]:
 
 
 def _tables(kind: str) -> list[tuple[int, list[str]]]:
-    """The tables of a kind: how many planes, and a row for each group or number."""
+    """The tables of a kind: the number of planes, and a row for each group or number."""
     return [(table["planes"], table["rows"].strip().splitlines()) for table in _file()[kind]]
 
 
@@ -98,5 +98,5 @@ def _file() -> dict[str, Any]:
 
 
 def _cube(row: str) -> Cube:
-    """A cube from a character for each plane: 0, 1, or - where it does not read the plane."""
+    """Parse a cube with one character for each plane: 0, 1, or - if it does not read the plane."""
     return tuple((plane, int(bit)) for plane, bit in enumerate(row.strip()) if bit != "-")

@@ -1,9 +1,9 @@
-"""Cubes over code planes: covers, and the gates that bring an OR of cubes into FLAG.
+"""Cubes over code planes: covers, and the gates that compute an OR of cubes in FLAG.
 
-A cube is a set of literals (plane, value); it holds where every plane has its value. NOR reads
-complements, so a literal with value 1 needs its plane inverted. The emitter inverts planes in
-place and remembers which way round each one stands, so consecutive demands share the work (a
-Gray counter is the extreme: one inversion a step); at the end of the frame all are put back.
+A cube is a set of literals (plane, value); it is 1 where every plane has its value. NOR reads
+complements, so a literal with value 1 needs an inverted plane. The emitter inverts planes in place
+and tracks their polarity, so that consecutive demands share inversions (with a Gray counter one a
+step). At the end of the frame all polarities are restored.
 """
 
 from __future__ import annotations
@@ -16,15 +16,13 @@ from nscc.logic.gates import Gates
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 
 Cube = tuple[tuple[int, int], ...]
-"""Literals (plane, value), planes in rising order."""
+"""Literals (plane, value), in ascending order of planes."""
 
 
 @dataclass(frozen=True)
 class Encoding:
-    """What the planes hold, and each demand's predicate as an OR of cubes.
-
-    `cubes[i]` covers demand i; where there is `inverted`, `inverted[i]`: its complement instead.
-    """
+    """The content of the planes, and each demand's predicate as an OR of cubes. `cubes[i]` covers
+    demand i, or its complement if `inverted[i]`."""
 
     name: str
     planes: Planes
@@ -32,87 +30,92 @@ class Encoding:
     inverted: tuple[bool, ...] = ()
 
 
-# More cubes of one predicate than this are taken as they come: sorting them takes too long.
+# Above this number the cubes of a predicate stay unsorted, since sorting takes too long.
 _MOST_SORTED = 128
 
 
 class Budget:
-    """Steps that a search may still take; the same input always takes the same steps."""
+    """The search steps left; the same input always takes the same number."""
 
     def __init__(self, steps: int) -> None:
         self.left = steps
 
     def spend(self, steps: int) -> None:
-        """Takes `steps` away; raises GaveUp when none are left."""
+        """Subtract `steps`; raises GaveUp when none are left."""
         self.left -= steps
         if self.left < 0:
             raise GaveUp("the search used up its steps")
 
 
 def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
-    """Prime cubes whose union contains `on` and avoids `off`; planes must tell the two apart.
+    """Prime cubes whose union contains `on` and avoids `off`, which the planes must distinguish.
 
-    Codes that no shutter has are don't-cares: cubes may hold them. All primes (Quine, McCluskey)
-    would be too many at 13 planes; each cube starts as one shutter's code and is expanded, with
-    choices by what is still to be covered (as Espresso does, Brayton et al., 1984).
+    Codes without a shutter are don't-cares. With 13 planes there are too many primes to enumerate
+    (Quine, McCluskey). Each cube starts as the code of one uncovered shutter and is expanded
+    greedily by newly covered shutters (like Espresso, Brayton et al., 1984).
     """
     literals = [(everything & ~plane, plane) for plane in planes]
-    found: list[Cube] = []
-    rest = on
-    while rest:
-        seed = rest & -rest
-        kept = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]
-        kept = _expand(kept, literals, rest, off, everything, budget)
+    cubes: list[Cube] = []
+    uncovered = on
+    while uncovered:
+        seed = uncovered & -uncovered
+        cube = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]
+        cube = _expand(cube, literals, uncovered, off, everything, budget)
         covered = everything
-        for i, value in kept:
+        for i, value in cube:
             covered &= literals[i][value]
         if covered & off:
             raise GaveUp("two shutters have the same code in these planes")
-        found.append(tuple(kept))
-        rest &= ~covered
-    return found
+        cubes.append(tuple(cube))
+        uncovered &= ~covered
+    return cubes
 
 
 def _expand(
-    kept: list[tuple[int, int]],
+    cube: list[tuple[int, int]],
     literals: list[tuple[int, int]],
-    rest: int,
+    uncovered: int,
     off: int,
     everything: int,
     budget: Budget,
 ) -> list[tuple[int, int]]:
-    """Drops literals while no off-shutter gets in, each time the one that covers most."""
-    while kept:
-        budget.spend(len(kept) * (1 + everything.bit_length() // 512))
-        # The cube without one literal, for each one: the literals before it and those after it.
-        after = [everything] * (len(kept) + 1)
-        for i in range(len(kept) - 1, -1, -1):
-            plane, value = kept[i]
+    """Drop literals, each time the one that covers most, while the cube avoids `off`."""
+    while cube:
+        budget.spend(len(cube) * (1 + everything.bit_length() // 512))
+        # The cube without each literal: the product of those before and after it.
+        after = [everything] * (len(cube) + 1)
+        for i in range(len(cube) - 1, -1, -1):
+            plane, value = cube[i]
             after[i] = after[i + 1] & literals[plane][value]
         before, best, choice = everything, -1, -1
-        for i, (plane, value) in enumerate(kept):
+        for i, (plane, value) in enumerate(cube):
             without = before & after[i + 1]
             if not without & off:
-                gain = (without & rest).bit_count()
+                gain = (without & uncovered).bit_count()
                 if gain > best:
                     best, choice = gain, i
             before &= literals[plane][value]
         if choice < 0:
-            return kept
-        del kept[choice]
-    return kept
+            return cube
+        del cube[choice]
+    return cube
 
 
 def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
-    """The gates for an encoding. Raises GaveUp where no register is left to compute with."""
+    """The gates of an encoding. Raises GaveUp if there is no free register."""
     planes = len(encoding.planes)
-    left = machine.registers - planes
-    if left < 0:
+    free_registers = machine.registers - planes
+    if free_registers < 0:
         raise GaveUp(f"{planes} code planes are more than {machine.registers} registers")
-    solution = _emit_with(problem, machine, encoding, left)
-    if machine.masked and left > 1 and solution.scratch == left and all(solution.writes()):
-        # Only a plane that never changes may live in the masked register; there is none.
-        solution = _emit_with(problem, machine, encoding, left - 1)
+    solution = _emit_with(problem, machine, encoding, free_registers)
+    if (
+        machine.masked
+        and free_registers > 1
+        and solution.scratch == free_registers
+        and all(solution.writes())
+    ):
+        # Only a constant plane may be in the masked register, and there is none.
+        solution = _emit_with(problem, machine, encoding, free_registers - 1)
     return solution
 
 
@@ -129,11 +132,9 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """Planes while gates are emitted: which of them stand `inverted` (1), and in which register.
-
-    A plane is inverted in place, which takes two words; where `free` names a register that holds
-    nothing then, into that register, which takes one and leaves the plane's old register free.
-    """
+    """The polarity (`inverted` = 1) and register of each plane while gates are emitted. Inverting a
+    plane in place takes two words. Inverting it into a register named by `free` takes one and frees
+    the plane's old register."""
 
     def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
         self._gates = gates
@@ -142,7 +143,7 @@ class Standing:
         self.free = free
 
     def flip(self, plane: int) -> Segment:
-        """Turns a plane over; the gates that wait are in the same segment."""
+        """Invert a plane; pending gates are in the same segment."""
         self.inverted[plane] ^= 1
         if self.free is None:
             self._gates.invert(self.registers[plane])
@@ -150,22 +151,23 @@ class Standing:
         return self._move(plane, "NOT")
 
     def turn(self, cube: Cube) -> list[Segment]:
-        """Turns over the planes of `cube` that stand the wrong way for a NOR."""
+        """Invert the planes of `cube` that have the wrong polarity for a NOR."""
         return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
 
     def read_by(self, cube: Cube) -> list[str]:
-        """The registers whose NOR is `cube`, once its planes are turned."""
+        """The registers whose NOR is `cube` after `turn`."""
         return [self.registers[plane] for plane, _ in cube]
 
     def restore(self) -> tuple[Segment, ...]:
-        """Puts every plane back as it was and where it was."""
+        """Restore the polarity and register of every plane."""
         segments = []
         while astray := [
             plane
             for plane, register in enumerate(self.registers)
             if self.inverted[plane] or register != f"p{plane}"
         ]:
-            # A plane whose register is free goes there; else one that is elsewhere makes room.
+            # If a plane's own register is free, it moves there; otherwise a displaced plane makes
+            # room.
             plane = min(astray, key=lambda p: (f"p{p}" != self.free, self.registers[p] == f"p{p}"))
             if self.inverted[plane] and self.registers[plane] == f"p{plane}":
                 self._gates.invert(f"p{plane}")
@@ -176,7 +178,7 @@ class Standing:
         return tuple(segments)
 
     def _move(self, plane: int, name: str) -> Segment:
-        """Writes a plane, or its inverse, into the free register, which its own one becomes."""
+        """Write a plane, or its inverse, to the free register, and free its old one."""
         assert self.free is not None
         self._gates.add(Gate(name, self.free, (self.registers[plane],)))
         self.registers[plane], self.free = self.free, self.registers[plane]
@@ -184,7 +186,7 @@ class Standing:
 
 
 class _Emitter:
-    """State of the machine while gates are emitted."""
+    """The state of the registers while gates are emitted."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
         self._machine = machine
@@ -194,26 +196,26 @@ class _Emitter:
         self.used = 0
 
     def answer(self, cubes: Sequence[Cube], inverted: bool) -> tuple[Segment, ...]:
-        """Segments that leave the OR of `cubes` (or its complement) in FLAG."""
+        """Segments that compute the OR of `cubes`, or its complement, in FLAG."""
         segments: list[Segment] = []
         single = [cube[0] for cube in cubes if len(cube) == 1]
         wide = [cube for cube in cubes if len(cube) != 1]
         terms: list[str] = []
         while wide:
-            # The cube next that needs fewest planes turned over: they may be left so for others.
+            # The next cube is the one with the fewest inversions, which may also serve other cubes.
             if len(wide) <= _MOST_SORTED:
                 wide.sort(key=self._mismatches)
             cube = wide.pop(0)
-            # Room first: turning the plane of the masked register overwrites its mask, which is
-            # scratch and may hold a term.
+            # Make room first: inverting the plane in the masked register overwrites its mask, a
+            # scratch register that may hold a term.
             terms = self._make_room(terms)
             self._close(segments)
             segments += self.planes.turn(cube)
             target = self._free(terms)
             self._gates.nor(target, [f"p{plane}" for plane, _ in cube])
             terms.append(target)
-        # Planes are read as they stand at the end; one that stands the wrong way round is
-        # inverted into scratch, or in place where there is none.
+        # Single planes are read with their final polarity; one with the wrong polarity is inverted
+        # into scratch, or in place if there is none.
         standing = self.planes.inverted
         terms += [f"p{plane}" for plane, value in single if standing[plane] != value]
         for plane, value in single:
@@ -227,7 +229,7 @@ class _Emitter:
         return sum(self.planes.inverted[plane] != value for plane, value in cube)
 
     def _close(self, segments: list[Segment]) -> None:
-        """Ends a segment, if gates wait for that."""
+        """End a segment if there are pending gates."""
         if pending := self._gates.take():
             segments.append(pending)
 
@@ -239,20 +241,20 @@ class _Emitter:
         raise GaveUp("no register is left to compute with")
 
     def _make_room(self, terms: list[str]) -> list[str]:
-        """Gathers the terms so far when every scratch register holds one."""
-        held = [name for name in terms if name in self._scratch]
-        if len(held) < len(self._scratch):
+        """Combine the terms so far if every scratch register holds one."""
+        scratch_terms = [name for name in terms if name in self._scratch]
+        if len(scratch_terms) < len(self._scratch):
             return terms
-        if not held:
+        if not scratch_terms:
             raise GaveUp("no register is left to compute with")
-        others = [name for name in terms if name not in held and name != "FLAG"]
+        stored_terms = [name for name in terms if name not in scratch_terms and name != "FLAG"]
         flag = ["FLAG"] if "FLAG" in terms else []
-        if len(held) == 1:
-            # One scratch register: the sum so far waits in FLAG.
-            self._load_flag([*flag, held[0]])
-            return ["FLAG", *others]
-        self._gates.or_(held[0], [*flag, *held])
-        return [held[0], *others]
+        if len(scratch_terms) == 1:
+            # With one scratch register, the partial sum is kept in FLAG.
+            self._load_flag([*flag, scratch_terms[0]])
+            return ["FLAG", *stored_terms]
+        self._gates.or_(scratch_terms[0], [*flag, *scratch_terms])
+        return [scratch_terms[0], *stored_terms]
 
     def _negate(self, plane: int, terms: list[str], segments: list[Segment]) -> list[str]:
         name = f"p{plane}"
@@ -268,24 +270,28 @@ class _Emitter:
         return [*terms, target]
 
     def _load_flag(self, terms: list[str]) -> None:
-        """FLAG := OR of terms, of which FLAG itself may be one."""
+        """FLAG := OR(terms), which may include FLAG."""
         spare = next((name for name in self._scratch if name in terms), None)
         limit = self._machine.where_sources
         if spare is None and limit is not None and len(terms) > limit:
             spare = self._free(terms)
         if "FLAG" in terms and not self._machine.where_reads_flag:
-            held = [name for name in terms if name in self._scratch]
-            into = held[0] if held else self._free(terms)
-            self._gates.or_(into, ["FLAG", into] if held else ["FLAG"])
+            scratch_terms = [name for name in terms if name in self._scratch]
+            into = scratch_terms[0] if scratch_terms else self._free(terms)
+            self._gates.or_(into, ["FLAG", into] if scratch_terms else ["FLAG"])
             terms = [into, *(name for name in terms if name not in ("FLAG", into))]
             spare = into
-        self._gates.where(terms, spare)
+        self._gates.load_flag(terms, spare)
 
     def _finish(self, terms: list[str], inverted: bool) -> None:
         if not inverted:
             self._load_flag(terms)
             return
-        held = [name for name in terms if name in self._scratch]
-        target = held[0] if held and len(held) == len(self._scratch) else self._free(terms)
+        scratch_terms = [name for name in terms if name in self._scratch]
+        target = (
+            scratch_terms[0]
+            if scratch_terms and len(scratch_terms) == len(self._scratch)
+            else self._free(terms)
+        )
         self._gates.nor(target, terms)
-        self._gates.where([target], None)
+        self._gates.load_flag([target], None)

@@ -1,7 +1,7 @@
-"""Encodings: what the code planes may hold so that a problem's predicates get cheap.
+"""Encodings: contents of the code planes that make a problem's predicates cheap to compute.
 
-Each function looks at the predicates, not at where they come from, and raises GaveUp where it does
-not serve them or where the planes would not leave the registers it needs.
+Each function depends only on the predicates. It raises GaveUp if it does not suit them or if its
+planes leave too few registers.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from nscc.truth import members, union
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """One plane for each distinct predicate (raw bits; thermometer codes): one word a demand."""
+    """One plane for each distinct predicate (raw bits, thermometer codes): one word a demand."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
     place = {predicate: i for i, predicate in enumerate(distinct)}
     cubes = tuple((((place[d.predicate], 1),),) for d in problem.demands)
-    first = {d.predicate: asked(d) for d in reversed(problem.demands)}
+    first = {d.predicate: describe_demand(d) for d in reversed(problem.demands)}
     planes = [(predicate, first[predicate]) for predicate in distinct]
     return Encoding("one register for each predicate", planes, cubes)
 
 
-def asked(demand: Demand) -> str:
-    """What a demand asks, in words."""
+def describe_demand(demand: Demand) -> str:
+    """Describe a demand in words."""
     if demand.edge == "open":
         return f"open in slot {demand.boundary - 1}"
     return f"{demand.edge} at boundary {demand.boundary}"
@@ -53,17 +53,17 @@ def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Times as Gray codes, kept in the pixel as time XOR now: an event is an equality, one NOR.
+    """Event times in Gray code, stored as time XOR now: an event is a test for equality, one NOR.
 
-    A shutter's k-th event of one kind (rise or fall of a bucket) is a time. Every kind and k is a
-    field: its planes hold the Gray code of the event's number, and one in-place NOT before each
-    event keeps "all zero" meaning "now".
+    The times of the k-th events of one kind (rise or fall of a bucket) form a field. Its planes
+    hold the Gray code of the event number. One in-place NOT before each event keeps "all zero"
+    equal to "now".
     """
     planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
-        # Shutters without such an event keep the number after the last: it never comes.
+        # Shutters without such an event keep the number after the last, which never occurs.
         numbers = np.full(problem.shutters, len(events), dtype=np.int64)
         for number, (_, shutters) in enumerate(events):
             numbers[shutters] = number
@@ -75,14 +75,17 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         planes += binary_planes(f"{label}, Gray bit", gray(numbers), width)
         for number, (demand, _) in enumerate(events):
             cubes[demand].append(_equality(gray(number), base, width))
-    return Encoding("event times in Gray code", planes, tuple(tuple(each) for each in cubes))
+    return Encoding(
+        "event times in Gray code", planes, tuple(tuple(demand_cubes) for demand_cubes in cubes)
+    )
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
-    """`fall time`, with its rank and bucket where there are several."""
-    which = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
-    where = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
-    return f"{edge} time{which}{where}"
+    """The name of a field of events, such as `fall time`, with rank and bucket if there are
+    several."""
+    rank_text = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
+    bucket_text = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
+    return f"{edge} time{rank_text}{bucket_text}"
 
 
 def _equality(code: int, base: int, width: int) -> Cube:
@@ -94,22 +97,19 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
 def event_fields(problem: Problem, most: int) -> Events:
-    """For each kind of event and its rank: (demand, shutters) in time order.
-
-    Demands that find FLAG as they want it are nobody's event. Raises GaveUp where there are more
-    than `most` such fields.
-    """
-    seen: dict[tuple[str, int], NDArray[np.int64]] = {}
+    """For each kind and rank of events: (demand, shutters) in time order. Demands that FLAG already
+    meets are omitted. Raises GaveUp if there are more than `most` fields."""
+    event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
         if problem.answered(i):
             continue
         kind = (demand.edge, demand.bucket)
-        if kind not in seen:
-            seen[kind] = np.zeros(problem.shutters, dtype=np.int64)
+        if kind not in event_counts:
+            event_counts[kind] = np.zeros(problem.shutters, dtype=np.int64)
         shutters = members(demand.predicate, problem.shutters)
-        ranks = seen[kind][shutters]
-        seen[kind][shutters] += 1
+        ranks = event_counts[kind][shutters]
+        event_counts[kind][shutters] += 1
         for rank in sorted(set(ranks.tolist())):
             fields.setdefault((*kind, rank), []).append((i, shutters[ranks == rank]))
         if len(fields) > most:
@@ -118,7 +118,7 @@ def event_fields(problem: Problem, most: int) -> Events:
 
 
 def _index_planes(problem: Problem, machine: Machine) -> Planes:
-    """Planes of the Gray code of every shutter's number, as few as tell all shutters apart."""
+    """Planes with the Gray code of every shutter's number, as few as possible."""
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
@@ -127,21 +127,20 @@ def _index_planes(problem: Problem, machine: Machine) -> Planes:
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Shutters numbered in Gray code, each member of a predicate an equality.
-
-    Serves long programs whose kernels must repeat to fit the store: every equality reads all the
-    planes, so one kernel serves all of them, and one serves each plane's inversion.
-    """
+    """Number the shutters in Gray code; each member of a predicate is one test for equality. Useful
+    for long programs, whose kernels must repeat to fit the store: one kernel serves all equality
+    tests, and one inverts each plane."""
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
-    # Every member is an equality of its own, of two words and more: beyond a few, others win.
+    # Every member is a separate equality test of at least two words; for more than a few, other
+    # encodings are cheaper.
     if _members(problem) > 4 * len(problem.demands):
         raise GaveUp("predicates hold too many shutters for an equality each")
     return _index_equalities(problem, machine)
 
 
 def gray_index_wide(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """As `gray_index`, for any predicates: dear in words and time, but cheap in the store."""
+    """Like `gray_index`, for any predicates: many words and much time, but few stored words."""
     budget.spend(_STEPS_A_MEMBER * _members(problem))
     return _index_equalities(problem, machine)
 
@@ -158,7 +157,7 @@ def _index_equalities(problem: Problem, machine: Machine) -> Encoding:
     return Encoding("shutter number in Gray code, equalities", planes, cubes)
 
 
-# An equality takes no search, but its gates take about as long to write down as these steps.
+# Equality tests need no search, but emitting their gates takes about as long as this many steps.
 _STEPS_A_MEMBER = 100
 
 
@@ -167,13 +166,14 @@ def _members(problem: Problem) -> int:
 
 
 def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Shutters numbered in Gray code, a cover of cubes for each predicate."""
+    """Number the shutters in Gray code; cover each predicate by cubes."""
     planes = _index_planes(problem, machine)
     return _covered(problem, "shutter number in Gray code", planes, budget)
 
 
 def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """As `covered_gray_index`, with every bit held both ways round, so that nothing is inverted."""
+    """Like `covered_gray_index`, with both polarities of every bit stored, so that no plane is
+    inverted."""
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
@@ -188,11 +188,9 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
 
 
 def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """The values of the code's fields, each in Gray code, a cover of cubes for each predicate.
-
-    Rules are written in fields, so events of one field are equalities again, and what sets a few
-    shutters apart (those that never open) costs a few cubes at a few boundaries.
-    """
+    """Store the values of the code's fields in Gray code; cover each predicate by cubes. Rules are
+    written in fields, so events of one field are equality tests. Shutters that differ otherwise,
+    for example never-open ones, cost a few cubes at a few boundaries."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []
@@ -212,7 +210,7 @@ def _twice(cube: Cube) -> Cube:
 
 
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """The open shutters of every slot stored: an edge is one cube of two neighbours."""
+    """Store the open shutters of every slot; an edge is one cube of two neighbours."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:
@@ -222,21 +220,21 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 
 
 def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
-    wanted = [demand.predicate for demand in problem.demands]
+    predicates = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
-    covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(wanted)}
-    cubes, inverted = zip(*(covers[predicate] for predicate in wanted), strict=True)
+    covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(predicates)}
+    cubes, inverted = zip(*(covers[predicate] for predicate in predicates), strict=True)
     return Encoding(name, planes, cubes, inverted)
 
 
 def _best_cover(
     problem: Problem, predicate: int, planes: Sequence[int], budget: Budget
 ) -> tuple[tuple[Cube, ...], bool]:
-    """The smaller of the covers of a predicate and of its complement, which costs a gate more."""
+    """The cover of a predicate or of its complement, which costs one more gate; the smaller one."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
     if len(direct) > 1:
-        other = cover(complement, predicate, planes, problem.everything, budget)
-        if len(other) + 1 < len(direct):
-            return tuple(other), True
+        complement_cover = cover(complement, predicate, planes, problem.everything, budget)
+        if len(complement_cover) + 1 < len(direct):
+            return tuple(complement_cover), True
     return tuple(direct), False

@@ -1,9 +1,9 @@
-"""Events: each shutter's k-th rise or fall is a time, and a demand picks out the equal times.
+"""Event encoding: each shutter's k-th rise or fall is a time, and a demand selects equal times.
 
-A time is a group and a place in it. The place is written in digits. Each value of a digit has a
-plane, which is 0 where the digit has that value. Planes of the group's code are inverted as time
-goes on, so that those which identify the current group are all 0. An equality is then one NOR. The
-codes are chosen such that few planes must be inverted.
+A time consists of a group and a place in it. The place is written in digits; each value of a digit
+has a plane, which is 0 if the digit has that value. The planes of the group's code are inverted as
+time advances, so that those that identify the current group are all 0. An equality test is then one
+NOR. The codes are chosen to need few inversions.
 """
 
 from __future__ import annotations
@@ -20,19 +20,17 @@ from numpy.typing import NDArray
 from nscc.logic.cube_tables import number_cubes
 from nscc.logic.cubes import Cube
 from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
-from nscc.logic.encodings import asked, event_fields, event_name
+from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns, members, union, vector
 
 
 @dataclass(frozen=True)
 class _Field:
-    """Numbers (shutters,), and for each event, in time order, the demand and its number.
-
-    Shutters without an event have the number after the last, `count` - 1 if there are any. An event
-    of shutters of several numbers goes by the lowest one.
-    """
+    """Numbers (shutters,), and for each event, in time order, its demand and number. Shutters
+    without an event have the number `count` - 1. An event of shutters with several numbers has the
+    lowest one."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -42,8 +40,8 @@ class _Field:
 
 @dataclass(frozen=True)
 class _Form:
-    """A way to hold a field: places in digits of `radices`, groups in `bits`; how often a bit is
-    turned over in a frame."""
+    """A layout of a field: places in digits of `radices`, groups in `bits`; `turns` counts
+    inversions in a frame."""
 
     radices: tuple[int, ...]
     bits: int
@@ -51,30 +49,30 @@ class _Form:
 
     @property
     def planes(self) -> int:
-        """Registers that it takes."""
+        """The number of registers."""
         return sum(self.radices) + self.bits
 
     @property
     def size(self) -> int:
-        """Numbers in a group."""
+        """The number of places in a group."""
         return prod(self.radices)
 
     @property
     def name(self) -> str:
-        """The digits, the highest first."""
+        """The radices, highest digit first."""
         high = [str(1 << self.bits)] if self.bits else []
         return " x ".join(high + [str(r) for r in self.radices]) or "1"
 
 
-# Choices of digits that are tried, the fewest turns first; choices that are looked at; kinds of
-# events, of which there may be more than registers, since several can share a field.
+# Limits: layouts tried (fewest inversions first), layouts considered, and kinds of events, which
+# may exceed the registers since several can share a field.
 _MOST_TRIED = 6
 _MOST_COMBINED = 20_000
 _MOST_KINDS = 24
 
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Digits for every field; registers that are left hold the last demands as they are."""
+    """Digits for every field; spare registers store the last demands directly."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -88,9 +86,11 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))
     for chosen in fitting[:_MOST_TRIED]:
         stored = room - sum(form.planes for form in chosen)
-        for kept in {0, stored}:
+        for stored_demands in {0, stored}:
             with suppress(GaveUp):
-                yield from walk(problem, machine, _script(problem, events, chosen, kept), steps)
+                yield from walk(
+                    problem, machine, _script(problem, events, chosen, stored_demands), steps
+                )
 
 
 _Events = list[tuple[int, int]]
@@ -98,17 +98,17 @@ _Events = list[tuple[int, int]]
 
 
 def _events(problem: Problem) -> list[tuple[str, _Events]]:
-    """The events of each field, by its name: one field for each kind and rank of events, and one
-    for several whose times tell each other."""
+    """The events of each field, by name: one field for each kind and rank, merged if the events of
+    several imply each other."""
     kinds = event_fields(problem, _MOST_KINDS)
     merged: list[tuple[str, _Events]] = []
-    for key, found in kinds.items():
-        events = [(demand, vector(shutters)) for demand, shutters in found]
+    for key, demand_shutters in kinds.items():
+        events = [(demand, vector(shutters)) for demand, shutters in demand_shutters]
         name = event_name(*key, kinds)
-        for i, (other, known) in enumerate(merged):
+        for i, (known_name, known) in enumerate(merged):
             both = sorted([*known, *events])
             if _atoms([v for _, v in both]) is not None:
-                merged[i] = f"{other} and {name}", both
+                merged[i] = f"{known_name} and {name}", both
                 break
         else:
             merged.append((name, events))
@@ -116,7 +116,7 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
 
 
 def _field(name: str, events: _Events, shutters: int) -> _Field:
-    """The field that numbers these events; raises GaveUp where no numbers tell them apart."""
+    """The field that numbers these events; raises GaveUp if numbers cannot distinguish them."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
         raise GaveUp("the remaining events are not unions of each other")
@@ -129,11 +129,9 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
 
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
-    """The smallest of `vectors`, disjoint, whose unions are all the others, in the order in which
-    they come; None if there are none.
-
-    One field then serves all of them: an atom is a number, a union of atoms several equalities.
-    """
+    """The smallest disjoint `vectors` whose unions are all the others, in their order; None if
+    there are none. One field then serves all: an atom is a number, a union of atoms several
+    equality tests."""
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
@@ -147,26 +145,27 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 
 def _forms(field: _Field, room: int) -> list[_Form]:
-    """Ways to hold a field, those with the fewest planes first."""
-    found: list[_Form] = []
+    """The layouts of a field, fewest planes first."""
+    forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         least = -(-field.count // (1 << bits))
         inner = radices_of(room - bits, least) if least > 1 else ((),)
         for radices in inner[:1]:
             form = _Form(radices, bits, 0)
             turned = sum(len(run) for run in _turns(field, form, 0).values())
-            found.append(replace(form, turns=turned))
-    return found
+            forms.append(replace(form, turns=turned))
+    return forms
 
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
-    """The bits of the group turned over before each demand and, at -1, after the last one."""
+    """The group bits that are inverted before each demand and, at key -1, after the last one."""
     _, cubes = _groups(field, form)
     standing = [0] * form.bits
     turned: dict[int, tuple[Segment, ...]] = {}
     back = tuple((bit, 0) for bit in range(form.bits))
     for demand, number in (*field.events, (-1, None)):
-        # A plane stands turned over where the group's cube asks for a 1: now reads as all zeros.
+        # A plane is inverted if the group's cube requires a 1, so that the current group reads as
+        # zeros.
         cube = back if number is None else cubes[number // form.size]
         flips = [bit for bit, value in cube if standing[bit] != value]
         if flips:
@@ -177,7 +176,8 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
 
 
 def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """The code of each group and the cube that identifies it; the first event inverts no plane."""
+    """The code of each group and the cube that identifies it; the first event needs no
+    inversion."""
     if not form.bits:
         return (0,), ((),)
     return number_cubes(-(-field.count // form.size), form.bits)
@@ -186,7 +186,7 @@ def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ..
 def _script(
     problem: Problem, events: list[tuple[str, _Events]], chosen: tuple[_Form, ...], stored: int
 ) -> Script:
-    """`stored`: how many of the last demands have a plane of their own."""
+    """The script for these layouts; the last `stored` demands have their own planes."""
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]
     planes: Planes = []
@@ -200,9 +200,11 @@ def _script(
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
         for digit_name, digit, radix in digits_of(field.numbers, form.radices):
-            held = columns(digit[:, None] != np.arange(radix))
-            planes += [(p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(held)]
-    planes += [(problem.demands[i].predicate, asked(problem.demands[i])) for i in raw]
+            digit_planes = columns(digit[:, None] != np.arange(radix))
+            planes += [
+                (p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(digit_planes)
+            ]
+    planes += [(problem.demands[i].predicate, describe_demand(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
     name = "event times in digits " + " and ".join(form.name for form in chosen)
     return Script(name, planes, before=before, closing=closing)

@@ -1,4 +1,4 @@
-"""Gates within the machine's fan-in, written down as they are emitted."""
+"""A list of gates, split to the machine's fan-in as they are added."""
 
 from __future__ import annotations
 
@@ -8,80 +8,88 @@ from nscc.logic.problem import Gate, Machine
 
 
 def words_of(sources: int, fan_in: int | None) -> int:
-    """Words of a NOR or OR of so many sources into a register that is not among them.
-
-    The first word reads `fan_in` of them. Each further one is in place, a pair of words, and reads
-    one less, since what is gathered so far is a source too.
-    """
+    """The words of a NOR or OR of `sources` registers into another register. The first word reads
+    `fan_in` of them. Each further pair of words is in place and reads one source less, since the
+    partial result is also a source."""
     if fan_in is None or sources <= fan_in:
         return 1
     return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
 
 
 class Gates:
-    """Collects gates; splits what has more sources than one word of the machine may read."""
+    """Collects gates; splits those with more sources than one word accepts."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self._gates: list[Gate] = []
 
     def take(self) -> tuple[Gate, ...]:
-        """The gates since the last call."""
-        taken = tuple(self._gates)
+        """Return and remove the collected gates."""
+        gates = tuple(self._gates)
         self._gates.clear()
-        return taken
+        return gates
 
     def add(self, gate: Gate) -> None:
-        """A gate that is within the machine's fan-in."""
+        """Add a gate that is within the machine's fan-in."""
         self._gates.append(gate)
 
     def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """destination := NOR(sources), 1 if there are none. The destination may be among them."""
+        """destination := NOR(sources), 1 without sources. The destination may be a source."""
         self._gather("NOR", "NOT", destination, sources, mask)
 
     def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """destination := OR(sources), 0 if there are none. The destination may be among them."""
+        """destination := OR(sources), 0 without sources. The destination may be a source."""
         self._gather("OR", "MOV", destination, sources, mask)
 
     def invert(self, register: str) -> None:
         """register := NOT register."""
         self._gates.append(Gate("NOT", register, (register,)))
 
-    def where(self, sources: Sequence[str], scratch: str | None) -> None:
-        """FLAG := OR(sources); `scratch` may be overwritten, also when it is a source."""
+    def load_flag(self, sources: Sequence[str], scratch: str | None) -> None:
+        """FLAG := OR(sources); may overwrite `scratch`, even if it is a source."""
         limit = self._machine.where_sources
         if limit is not None and len(sources) > limit:
             if scratch is None:
                 raise ValueError("no scratch register to gather the sources of WHERE")
-            # If `scratch` is a source itself, the others are gathered on top of it.
-            rest = [name for name in sources if name != scratch]
+            # If `scratch` is a source, the other sources are ORed into it.
+            other_sources = [name for name in sources if name != scratch]
             head = [scratch] if scratch in sources else []
-            spill = len(rest) - (limit - 1)
-            self.or_(scratch, [*head, *rest[:spill]])
-            sources = [scratch, *rest[spill:]]
+            spill = len(other_sources) - (limit - 1)
+            self.or_(scratch, [*head, *other_sources[:spill]])
+            sources = [scratch, *other_sources[spill:]]
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
     def _gather(
-        self, many: str, single: str, destination: str, sources: Sequence[str], mask: str | None
+        self,
+        name: str,
+        single_name: str,
+        destination: str,
+        sources: Sequence[str],
+        mask: str | None,
     ) -> None:
         if not sources:
-            self.add(Gate("SET" if many == "NOR" else "CLR", destination, (), mask))
+            self.add(Gate("SET" if name == "NOR" else "CLR", destination, (), mask))
             return
         limit = self._machine.or_sources
-        rest = [name for name in sources if name != destination]
-        in_place = len(rest) < len(sources)
-        # OR is associative, so what does not fit is gathered in the destination first. NOR is not:
-        # only the last gate inverts. In place, the destination takes one of the sources' places.
+        other_sources = [source for source in sources if source != destination]
+        in_place = len(other_sources) < len(sources)
+        # OR is associative, so excess sources are first gathered in the destination. NOR is not:
+        # only the last gate inverts. In place, the destination is one of the sources.
         if limit is not None:
             room = limit - 1 if in_place else limit
-            while len(rest) > room:
-                head, rest = rest[:room], rest[room:]
+            while len(other_sources) > room:
+                head, other_sources = other_sources[:room], other_sources[room:]
                 self._append("OR", "MOV", destination, [destination] * in_place + head, mask)
                 in_place, room = True, limit - 1
-        self._append(many, single, destination, [destination] * in_place + rest, mask)
+        self._append(name, single_name, destination, [destination] * in_place + other_sources, mask)
 
     def _append(
-        self, many: str, single: str, destination: str, sources: Sequence[str], mask: str | None
+        self,
+        many_name: str,
+        single_name: str,
+        destination: str,
+        sources: Sequence[str],
+        mask: str | None,
     ) -> None:
-        name = many if len(sources) > 1 else single
+        name = many_name if len(sources) > 1 else single_name
         self._gates.append(Gate(name, destination, tuple(sources), mask))

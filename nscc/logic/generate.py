@@ -1,4 +1,4 @@
-"""The generators of encodings: what each serves, in which order, and at which level of effort."""
+"""The generators of encodings, their order, and the levels of effort that use them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.logic import (
     encodings,
     events,
     halved_bumps,
-    nested,
+    nested_demands,
     paired_bumps,
     states,
     windows,
@@ -24,20 +24,21 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.plugins import Group, added, unusable
 
-# Search steps of one generator at each level; a step is one cofactor of a truth vector
-# of up to 512 shutters.
+# Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
+# shutters.
 SEARCH_STEPS = {0: 50_000, 1: 400_000, 2: 500_000, 3: 4_000_000}
 
-# Where all of them gave up, they are tried again with this many: seconds instead of none at all.
+# Steps of a second attempt after all generators gave up; it takes seconds.
 PATIENT_STEPS = 4_000_000
 
-# Covers of more shutters than this are tried only where nothing else works: they would not win.
+# With more shutters, covers are too expensive and only tried if nothing else works.
 MOST_COVERED = 512
 
-# A family's member of at most so many times the words that every solution needs ends the search.
+# A family's solution within this factor of the minimum number of words ends the search.
 _CLOSE = 1.1
 
-# Cascades take seconds to search. They are tried where every other solution takes so many times the
+# Cascades take seconds to search. They are tried only if every other solution takes this
+# many times the
 # words that are needed, and at -O2 for no more demands than these: they would not win.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
 _MOST_CASCADED = {2: 32, 3: 1 << 20}
@@ -63,11 +64,11 @@ last      The dearest: every shutter of every predicate by itself. Few kernels s
 
 @dataclass(frozen=True)
 class Generator:
-    """An encoding: which predicate sets it serves, as a kind, and how it is made.
+    """A generator of solutions for one encoding.
 
-    `solve` (problem, machine, steps) gives its solutions, at least one, with no more search steps
-    than that each, and raises GaveUp where it does not serve the problem. `from_level` is the level
-    of effort from which on it is tried, None for its kind's.
+    `solve(problem, machine, steps)` yields at least one solution, each with at most `steps` search
+    steps, or raises GaveUp. `kind` decides when it is tried. `from_level` is the lowest level of
+    effort that tries it, None for its kind's default.
     """
 
     kind: Kind
@@ -75,7 +76,7 @@ class Generator:
     from_level: int | None = None
 
 
-def _one(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
+def _generator_of(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
     def solved(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
         return (solve(problem, machine, Budget(steps)),)
 
@@ -83,7 +84,7 @@ def _one(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> G
 
 
 def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
-    return _one(kind, lambda problem, machine, budget: emit(
+    return _generator_of(kind, lambda problem, machine, budget: emit(
         problem, machine, encode(problem, machine, budget)
     ))  # fmt: skip
 
@@ -91,8 +92,8 @@ def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding])
 GENERATORS: dict[str, Generator] = {
     "stored_predicates": _emitted("direct", encodings.stored_predicates),
     "one_hot": _emitted("direct", encodings.one_hot),
-    "digits": Generator("family", nested.digits),
-    "counted": Generator("family", nested.counted),
+    "digits": Generator("family", nested_demands.digits),
+    "counted": Generator("family", nested_demands.counted),
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
     "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
@@ -100,9 +101,9 @@ GENERATORS: dict[str, Generator] = {
     "equalities": Generator("family", events.equalities),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
-    "state_register": _one("equality", states.state_register),
-    "state_in_flag": _one("equality", states.state_in_flag),
-    "cascade": _one("cascade", cascade),
+    "state_register": _generator_of("equality", states.state_register),
+    "state_in_flag": _generator_of("equality", states.state_in_flag),
+    "cascade": _generator_of("cascade", cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
@@ -120,26 +121,24 @@ _GROUP: Group = "nscc.encodings"
 
 
 def added_generators() -> dict[str, Generator]:
-    """The generators that other distributions add, each whole.
-
-    Raises Rejected (NS0905) for one that is none, or whose declaration is not as it must be.
-    """
-    found: dict[str, Generator] = added(_GROUP, GENERATORS)
-    for name, each in found.items():
-        if not isinstance(each, Generator):
-            raise unusable(_GROUP, name, f"it is not a Generator, but {type(each).__name__}")
-        if each.kind not in FROM_LEVEL:
+    """The generators that other distributions add. Raises Rejected (NS0905) for an invalid
+    generator or declaration."""
+    generators: dict[str, Generator] = added(_GROUP, GENERATORS)
+    for name, generator in generators.items():
+        if not isinstance(generator, Generator):
+            raise unusable(_GROUP, name, f"it is not a Generator, but {type(generator).__name__}")
+        if generator.kind not in FROM_LEVEL:
             raise unusable(_GROUP, name, f"its kind is not one of {', '.join(FROM_LEVEL)}")
-        if not callable(each.solve):
+        if not callable(generator.solve):
             raise unusable(_GROUP, name, "its `solve` cannot be called")
-        if each.from_level is not None and each.from_level not in range(LEAST_ADDED, 4):
+        if generator.from_level is not None and generator.from_level not in range(LEAST_ADDED, 4):
             raise unusable(_GROUP, name, f"its `from_level` is not between {LEAST_ADDED} and 3")
-    return found
+    return generators
 
 
 @dataclass(frozen=True)
 class GeneratorFault:
-    """An exception of a generator, which its author did not expect."""
+    """An unexpected exception of a generator."""
 
     generator: str
     level: int
@@ -161,41 +160,40 @@ class GeneratorFault:
 def note_fault(
     error: Exception, name: str, level: int, faults: list[GeneratorFault] | None
 ) -> None:
-    """Adds an exception of `name` to `faults`; raises it again where nobody lists faults, and
-    where it is a diagnostic or a lack of memory."""
+    """Add an exception of the generator `name` to `faults`; raise it again if `faults` is None, or
+    if it is a diagnostic or a MemoryError."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
-    said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-    faults.append(GeneratorFault(name, level, said, "".join(traceback.format_exception(error))))
+    message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+    faults.append(GeneratorFault(name, level, message, "".join(traceback.format_exception(error))))
 
 
 def solutions(
     problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
 ) -> Iterator[Solution]:
-    """Solutions of a problem, each from another generator; none where every one gives up.
+    """Solutions of a problem from different generators; none if every generator gives up.
 
-    They are made as they are asked for, those first that tend to be cheapest. The caller prices
-    them: what a solution costs depends on the words around it. A generator that raises an
-    unexpected exception is left out, and `faults` gets the exception; without `faults`, it is
-    raised.
+    They are computed lazily, those that tend to be cheapest first. The caller prices them, because
+    a price depends on the surrounding words. If a generator raises an unexpected exception,
+    `faults` gets it and the search goes on; without `faults` it propagates.
     """
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
-    generators = _asked(level)
+    generators = _generators_at(level)
     steps = SEARCH_STEPS[level]
 
-    def made(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
-        """Solutions of generators of these kinds."""
+    def solve_kinds(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
+        """Yield solutions of generators of these kinds."""
         for kind in kinds:
-            for name, each in generators.items():
-                if each.kind == kind:
+            for name, generator in generators.items():
+                if generator.kind == kind:
                     try:
-                        yield from _tried(name, each, problem, machine, allowed)
+                        yield from _checked_solutions(name, generator, problem, machine, allowed)
                     except Exception as error:
                         note_fault(error, name, level, faults)
 
-    direct = list(made("direct"))
+    direct = list(solve_kinds("direct"))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
@@ -209,52 +207,57 @@ def solutions(
             yield solution
 
     least = _fewest_words(problem, machine)
-    yield from counted(made("family"))
+    yield from counted(solve_kinds("family"))
     close = fewest <= _CLOSE * least
-    yield from counted(made("equality"))
+    yield from counted(solve_kinds("equality"))
     if fewest == inf or not (close or problem.shutters > MOST_COVERED):
-        yield from counted(made("cover"))
+        yield from counted(solve_kinds("cover"))
     worth = fewest >= _WORTH_CASCADES.get(level, inf) * least
     if worth and len(problem.demands) <= _MOST_CASCADED.get(level, 0):
         share = min(1.0, fewest / (_ALL_STEPS * least))
-        yield from counted(made("cascade", allowed=int(share * steps)))
+        yield from counted(solve_kinds("cascade", allowed=int(share * steps)))
     if fewest == inf:
-        yield from made("cover", "last", allowed=PATIENT_STEPS)
+        yield from solve_kinds("cover", "last", allowed=PATIENT_STEPS)
 
 
-def _asked(level: int) -> dict[str, Generator]:
-    """The generators, by name, that are worth trying at a level of effort."""
+def _generators_at(level: int) -> dict[str, Generator]:
+    """The generators by name that a level of effort uses."""
     known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
     return {
-        name: each
-        for name, each in known.items()
-        if level >= (FROM_LEVEL[each.kind] if each.from_level is None else each.from_level)
+        name: generator
+        for name, generator in known.items()
+        if level
+        >= (FROM_LEVEL[generator.kind] if generator.from_level is None else generator.from_level)
     }
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:
-    """Words that every solution needs: one a demand, two for what cannot be stored as well."""
-    asked = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
-    return len(asked) + max(0, len(set(asked)) - machine.registers)
+    """The fewest words of any solution: one a demand, and two for each predicate that cannot be
+    stored."""
+    unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
+    return len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
 
 
-def _tried(
+def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """A generator's solutions, until it gives up. Raises NS0905 where one from outside is wrong."""
-    own = name in GENERATORS
+    """The solutions of a generator until it gives up. Raises NS0905 for a wrong solution of an
+    added generator."""
+    built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
-            wrong = None if own else _wrong(problem, machine, solution)
-            if wrong is not None:
-                raise unusable(_GROUP, name, f"its solution does not meet its demands: {wrong}")
+            fault_text = None if built_in else _solution_fault(problem, machine, solution)
+            if fault_text is not None:
+                raise unusable(
+                    _GROUP, name, f"its solution does not meet its demands: {fault_text}"
+                )
             yield solution
     except GaveUp:
         return
 
 
-def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """What is wrong with a solution of somebody else's."""
+def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
+    """Why a solution of an added generator is invalid; None if it is valid."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises where anything in it is not frozen: solutions are keys

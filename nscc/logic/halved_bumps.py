@@ -1,10 +1,10 @@
-"""Bumps in long frames: start and last slot in binary, in nearly all registers.
+"""Bumps in long frames: start and last slot in binary, using nearly all registers.
 
-The frame has two halves of 2^b slots. 2 b planes hold start and last slot modulo 2^b, one plane
-says in which half the last slot is, and the mask says in which half the start is. The masked
-register, which is empty at first, holds the open bumps. The planes at which a number n has a 0 are
-all 0 for the bumps whose number is a submask of n: n itself, and smaller numbers only. A bump with
-a smaller start or end is open or closed already, so no plane is ever inverted.
+The frame has two halves of 2^b slots. 2 b planes hold start and last slot modulo 2^b, one plane the
+half of the last slot, and the mask the half of the start. The masked register, initially 0, holds
+the open bumps. The NOR of the planes at which a number n has a 0 selects the bumps whose number is
+a submask of n: n itself, and smaller numbers. A bump with a smaller start or end is already open or
+closed, so no plane is ever inverted.
 """
 
 from __future__ import annotations
@@ -17,39 +17,41 @@ from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Twice as many planes as the slots of a half have bits, a half, and the masked pair."""
+    """Planes: the slot bits of start and last slot in a half, the half of the last slot, and the
+    masked pair."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
         raise GaveUp("too few slots for two halves, or too many for the registers")
     if machine.where_sources == 1:
         raise GaveUp("no register is left to gather the sources of WHERE")
-    kept = [demand.flag_kept for demand in problem.demands]
-    script = _Writer(bumps, bits, kept, Gates(machine)).script()
+    flag_kept = [demand.flag_kept for demand in problem.demands]
+    script = _Writer(bumps, bits, flag_kept, Gates(machine)).script()
     yield from walk(problem, machine, script, steps)
 
 
 class _Writer:
-    """Writes the gates of one frame down.
+    """Writes the gates of one frame.
 
-    `half` is a plane, `held` the masked register and `mask` its mask. In the first half, `half`
-    holds the bumps that end in the second one and `mask` those that are still to end; in the second
-    half, `half` holds the bumps that started in the first one. FLAG is `kept` for some demands.
+    `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
+    holds the bumps that end in the second half, and `mask` those that have not ended. In the second
+    half, `half` holds the bumps that started in the first half. `flag_kept` says for each demand
+    whether FLAG keeps its value until then.
     """
 
-    def __init__(self, bumps: Bumps, bits: int, kept: list[bool], gates: Gates) -> None:
-        self.bumps, self.bits, self.kept, self.gates = bumps, bits, kept, gates
-        self.half, self.mask, self.held = (f"p{2 * bits + k}" for k in range(3))
+    def __init__(self, bumps: Bumps, bits: int, flag_kept: list[bool], gates: Gates) -> None:
+        self.bumps, self.bits, self.flag_kept, self.gates = bumps, bits, flag_kept, gates
+        self.half, self.mask, self.masked = (f"p{2 * bits + k}" for k in range(3))
 
     def script(self) -> Script:
-        """All planes and gates."""
+        """The script of all planes and gates."""
         border = 1 << self.bits
-        # A shutter that never opens has its last slot before its start.
+        # A never-open shutter has its last slot before its start.
         start = np.where(self.bumps.never, 1, self.bumps.start)
         last = np.where(self.bumps.never, 0, self.bumps.stop - 1)
         halves = columns(np.stack([last >= border, start < border], axis=1))
@@ -63,7 +65,7 @@ class _Writer:
         before: dict[int, tuple[Segment, ...]] = {}
         for step, demand in self.bumps.groups():
             if step < border:
-                self._first_half(step, self.kept[demand])
+                self._first_half(step, self.flag_kept[demand])
             elif step == border:
                 self._border()
             elif (step - border) % 2:
@@ -76,63 +78,64 @@ class _Writer:
         return Script(name, planes, before=before, closing=(self.gates.take(),))
 
     def _starts(self, step: int) -> list[str]:
-        """Planes that are all 0 where the start is a submask of a step."""
+        """The planes whose NOR selects starts that are submasks of `step`."""
         return [f"p{i}" for i in range(self.bits) if not step >> i & 1]
 
     def _ends(self, step: int) -> list[str]:
-        """Planes that are all 0 where the last slot is a submask of the step before this one."""
+        """The planes whose NOR selects last slots that are submasks of `step` - 1."""
         return [f"p{self.bits + i}" for i in range(self.bits) if not step - 1 >> i & 1]
 
-    def _first_half(self, step: int, kept: bool) -> None:
-        gates, held, mask = self.gates, self.held, self.mask
-        if step and not kept:
-            gates.where([held], None)
+    def _first_half(self, step: int, flag_kept: bool) -> None:
+        gates, masked, mask = self.gates, self.masked, self.mask
+        if step and not flag_kept:
+            gates.load_flag([masked], None)
         if step:
-            gates.or_(held, [self.half, *self._ends(step)], mask)
-            gates.or_(mask, [held])
-        gates.nor(held, self._starts(step), mask)
+            gates.or_(masked, [self.half, *self._ends(step)], mask)
+            gates.or_(mask, [masked])
+        gates.nor(masked, self._starts(step), mask)
         if step:
-            gates.or_(held, [held, "FLAG"], mask)
-        gates.where([held], None)
+            gates.or_(masked, [masked, "FLAG"], mask)
+        gates.load_flag([masked], None)
 
     def _border(self) -> None:
-        """The first step of the second half: afterwards `mask` holds those that are waiting, to
-        start or for nothing because they ended in the first half."""
-        gates, held, mask, half = self.gates, self.held, self.mask, self.half
-        gates.where([mask], None)
+        """The first step of the second half. Afterwards `mask` holds the bumps that wait for their
+        start, or that ended in the first half."""
+        gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
+        gates.load_flag([mask], None)
         gates.nor(mask, [half])
-        gates.or_(held, [], mask)
+        gates.or_(masked, [], mask)
         gates.or_(half, [mask, "FLAG"])
         gates.nor(mask, [*self._starts(0), half])
-        gates.nor(held, [], mask)
-        gates.nor(mask, [held])
-        gates.where([held], None)
+        gates.nor(masked, [], mask)
+        gates.nor(mask, [masked])
+        gates.load_flag([masked], None)
 
     def _from_waiting(self, step: int) -> None:
-        """`mask` holds those that wait; afterwards it holds those that ended in this half."""
-        gates, held, mask = self.gates, self.held, self.mask
-        gates.where([mask], None)
-        gates.nor(held, [*self._starts(step), self.half], mask)
-        gates.or_(mask, [held])
-        gates.or_(held, self._ends(step), mask)
-        gates.nor(mask, ["FLAG", held])
-        gates.where([held], None)
+        """`mask` holds the waiting bumps before, and those that ended in this half after."""
+        gates, masked, mask = self.gates, self.masked, self.mask
+        gates.load_flag([mask], None)
+        gates.nor(masked, [*self._starts(step), self.half], mask)
+        gates.or_(mask, [masked])
+        gates.or_(masked, self._ends(step), mask)
+        gates.nor(mask, ["FLAG", masked])
+        gates.load_flag([masked], None)
 
     def _from_done(self, step: int) -> None:
-        """`mask` holds those that ended in this half; afterwards it holds those that wait."""
-        gates, held, mask = self.gates, self.held, self.mask
-        gates.where([mask, held], None)
+        """`mask` holds the bumps that ended in this half before, and the waiting ones after."""
+        gates, masked, mask = self.gates, self.masked, self.mask
+        gates.load_flag([mask, masked], None)
         gates.nor(mask, [*self._starts(step), self.half, "FLAG"])
-        gates.or_(mask, [mask, held])
-        gates.or_(held, self._ends(step), mask)
-        gates.nor(mask, ["FLAG", held])
-        gates.where([held], None)
+        gates.or_(mask, [mask, masked])
+        gates.or_(masked, self._ends(step), mask)
+        gates.nor(mask, ["FLAG", masked])
+        gates.load_flag([masked], None)
 
     def _restore(self, waiting: bool) -> None:
-        """At the end nobody waits for a start: who ended in the first half waits."""
-        gates, held, mask, half = self.gates, self.held, self.mask, self.half
-        gates.where([half], None)
-        gates.nor(half, [mask]) if waiting else gates.or_(half, [mask, held])
-        gates.or_(mask, [held])
-        gates.or_(held, [], mask)
+        """Restore the planes: at the end, bumps that ended in the first half are the waiting
+        ones."""
+        gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
+        gates.load_flag([half], None)
+        gates.nor(half, [mask]) if waiting else gates.or_(half, [mask, masked])
+        gates.or_(mask, [masked])
+        gates.or_(masked, [], mask)
         gates.or_(mask, ["FLAG"])

@@ -1,13 +1,14 @@
-"""Bumps in groups of two slots, written into the masked register.
+"""Bumps in groups of two slots, written to the masked register.
 
-Group and place of both ends are held in planes: the groups in a code in which one cube finds the
-bumps that start in a group and one cube those that end in it (`cube_tables`), the places in a plane
-each. The masked register, which is empty at first, holds the bumps that go on after the group.
+Planes hold group and place of both ends. The code of the groups lets one cube find the bumps that
+start in a group and one cube those that end in it (`cube_tables`); each place is one plane. The
+masked register, initially 0, holds the bumps that continue after the group.
 
-In the first slot of a group, it is these that are open and those that start there. In the second
-slot all that start in the group are open too, but for those whose last slot was the first one; so
-the mask is set where a bump is active in the group, and where it is, the masked register gets
-"does not end in this group, or ends in its second slot", and then "does not end in this group".
+In the first slot of a group, the open bumps are those continuing from before and those that start
+in the slot. In the second slot, all bumps that start in the group are open too, except those that
+ended in the first slot. So the mask is set where a bump is active in the group, and there the
+masked register gets "does not end in this group, or ends in its second slot", and then "does not
+end in this group".
 """
 
 from __future__ import annotations
@@ -23,12 +24,12 @@ from nscc.logic.cubes import Standing
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
 from nscc.logic.problem import Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
 
 class _Form(Enum):
-    """Where the bumps are that go on after a group."""
+    """Where the bumps that continue after a group are held."""
 
     MASKED = "masked writes"
     TIGHT = "masked writes, no scratch but the mask"
@@ -36,28 +37,26 @@ class _Form(Enum):
     FLAG = "state in FLAG"
 
 
-# Registers beside the planes of the groups' code: two places, the state, and what is computed in.
+# Registers besides the planes of the groups' code: two places, the state, and scratch.
 _BESIDE = {_Form.MASKED: 5, _Form.TIGHT: 4, _Form.REGISTER: 5, _Form.FLAG: 4}
 
 
 def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """The forms that suit the machine, where cubes of so many groups and planes are known."""
+    """Solutions in all forms that suit the machine, if tables have cubes for the groups and
+    planes."""
     bumps = two_ended(problem)
     forms = (_Form.MASKED, _Form.TIGHT) if machine.masked else (_Form.REGISTER, _Form.FLAG)
     for form in forms:
         cubes = BumpCubes.of(machine.registers - _BESIDE[form], -(-bumps.steps // 2))
-        # A second rise cube is written where a mask says, which takes a masked register.
+        # A second rise cube is a masked write, which needs a masked register.
         if cubes is not None and (machine.masked or all(len(rise) == 1 for rise in cubes.rises)):
             writer = _Writer(bumps, cubes, form, Gates(machine), problem.flag_lasts)
             yield from walk(problem, machine, writer.script(), steps)
 
 
 class _Writer:
-    """Writes the gates of one frame down.
-
-    `on` holds the bumps that go on after a group, `scratch` is what anything may be computed in.
-    Planes may move into it where it is kept (`lasts`) for as long as they are.
-    """
+    """Writes the gates of one frame. `on` holds the bumps that continue after a group; `scratch` is
+    for computation. If it keeps its content (`lasts`), planes may move into it."""
 
     def __init__(
         self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates, lasts: bool
@@ -72,13 +71,13 @@ class _Writer:
 
     @property
     def scratch(self) -> str:
-        """A register that holds nothing between the gates of a slot."""
+        """A register that is free between the gates of a slot."""
         return self.planes.free or self.spare
 
     def script(self) -> Script:
-        """All planes and gates."""
+        """The script of all planes and gates."""
         bumps, cubes = self.bumps, self.cubes
-        # A shutter that never opens has its last slot before its start.
+        # A never-open shutter has its last slot before its start.
         start = np.where(bumps.never, 1, bumps.start)
         last = np.where(bumps.never, 0, bumps.stop - 1)
         ends, number = np.unique(
@@ -100,14 +99,14 @@ class _Writer:
     def _slot(self, step: int) -> tuple[Segment, ...]:
         """The gates of one slot."""
         group, second = divmod(step, 2)
-        # There and back, so that no plane is inverted between the two slots.
+        # Alternating order, so that no plane is inverted between the two slots.
         rises = self.cubes.rises[group][:: -1 if second else 1]
         falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
         segments: list[Segment] = []
         place = [] if second else [self.start_place]
-        for more in rises[:-1]:
-            segments += self.planes.turn(more)
-            self.gates.nor("t0", [*self.planes.read_by(more), *place])
+        for rise in rises[:-1]:
+            segments += self.planes.turn(rise)
+            self.gates.nor("t0", [*self.planes.read_by(rise), *place])
             self.gates.nor(self.on, [], "t0")
         segments += self.planes.turn(rises[-1])
         self.gates.nor(self.scratch, [*self.planes.read_by(rises[-1]), *place])
@@ -120,17 +119,17 @@ class _Writer:
         return (*segments, self.gates.take())
 
     def _first(self, step: int) -> None:
-        """In the first slot of a group, what goes on and what starts in the slot is open."""
+        """The first slot of a group: open are continuing bumps and those that start in the slot."""
         gates = self.gates
-        gates.where([self.on, self.scratch] if step else [self.scratch], self.scratch)
+        gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
         if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
             if self.masked:
                 gates.nor("t0", [])
             gates.or_(self.on, [], "t0" if self.masked else None)
 
     def _start(self) -> None:
-        """Takes in what starts in the group: t0, where it is a mask, holds what is active in the
-        group, t1 or FLAG what is not."""
+        """Add the bumps that start in the group. If t0 is the mask, it holds the active ones, and
+        t1 or FLAG the others."""
         gates = self.gates
         match self.form:
             case _Form.MASKED:
@@ -142,19 +141,19 @@ class _Writer:
                 gates.nor("t1", [self.on, self.scratch])
             case _Form.FLAG:
                 gates.nor("t1", ["FLAG", self.scratch])
-                gates.where(["t1"], None)
+                gates.load_flag(["t1"], None)
 
     def _end(self, ends: list[str]) -> None:
-        """In the second slot, what is active is open unless it ended in the first; then it leaves
-        out what ends in the group."""
+        """The second slot: open are active bumps except those that ended in the first; then remove
+        those that end in the group."""
         gates, on, place, scratch = self.gates, self.on, self.last_place, self.scratch
         if self.masked:
             gates.or_(on, [*ends, place], "t0")
-            gates.where([on], None)
+            gates.load_flag([on], None)
             gates.or_(on, ends, "t0")
             return
         idle = "t1" if self.form is _Form.REGISTER else "FLAG"
         gates.nor(scratch, ends)
         gates.nor(on, [idle, scratch])
         gates.nor(scratch, [idle, *ends, place])
-        gates.where([on, scratch], scratch)
+        gates.load_flag([on, scratch], scratch)

@@ -1,6 +1,6 @@
-"""Sets of points as arrays of words, and all the cubes that one NOR of some planes can be.
+"""Sets of points as arrays of words, and all cubes that one NOR of planes can compute.
 
-A set is an array of uint64 words (.., W), bit i of word w being point 64 w + i.
+A set is an array of uint64 words (.., W); bit i of word w is point 64 w + i.
 """
 
 from __future__ import annotations
@@ -16,16 +16,14 @@ Indices = NDArray[np.int64]
 
 
 class Planes:
-    """Code planes and all the cubes that one NOR of them can be, by price.
-
-    `planes` (P, W) are sets of points, `everything` (W,) is that of all points; `groups` are
-    (words, cubes (M, W), masks (M,)).
-    """
+    """Code planes and all cubes that one NOR of them can compute, by price. `planes` (P, W) are
+    sets of points, `everything` (W,) is the set of all; `groups` are (words, cubes (M, W), masks
+    (M,))."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
         self.everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
-        # The union of every subset of the planes, doubled plane by plane: row m is that of mask m.
+        # The union of every subset of the planes, doubled for each plane: row m belongs to mask m.
         limit = machine.or_sources
         ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
         for plane in planes:
@@ -34,7 +32,7 @@ class Planes:
         size = np.bitwise_count(masks)
         order = np.lexsort((masks, size))[1:]
         cubes = self.everything & ~ors[order]
-        # Of equal cubes the one with the fewest planes; never the empty cube.
+        # Of equal cubes, keep the one with the fewest planes; drop the empty cube.
         _, first = np.unique(cubes, axis=0, return_index=True)
         first = np.sort(first[cubes[first].any(axis=1)])
         cubes, masks, size = cubes[first], masks[order][first], size[order][first]
@@ -55,24 +53,24 @@ def packed(bits: NDArray[np.bool_]) -> Points:
 
 
 def sizes(sets: Points) -> Indices:
-    """How many points are in each set of (.., W)."""
+    """The number of points in each set of (.., W)."""
     counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
     return counts
 
 
-def disjoint(some: Points, others: Points) -> NDArray[np.bool_]:
-    """Which sets of `some` (.., W) have no point of their counterpart in `others`."""
-    none: NDArray[np.bool_] = ~np.any(some & others, axis=-1)
+def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
+    """Whether each set of `first_sets` (.., W) is disjoint from its partner in `second_sets`."""
+    none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
     return none
 
 
 def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
-    """(n, M): how many points of `on` each cube decides, 0 if it holds one of `off`."""
+    """The number of points of `on` in each cube, 0 if it contains a point of `off`: (n, M)."""
     gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
-    wrong = np.zeros(gain.shape, dtype=np.bool_)
+    excluded = np.zeros(gain.shape, dtype=np.bool_)
     for word in range(cubes.shape[1]):
         row = cubes[:, word][None]
-        wrong |= (row & off[:, word, None]) != 0
+        excluded |= (row & off[:, word, None]) != 0
         gain += np.bitwise_count(row & on[:, word, None])
-    gain[wrong] = 0
+    gain[excluded] = 0
     return gain

@@ -1,12 +1,12 @@
-"""What a generator is asked for and what it answers: (predicates, machine) -> (program, encoding).
+"""The interface of generators: problems (demands, machine) and solutions (encoding, gates).
 
-A problem is a list of demands in time: before each one's analog words run, FLAG must hold its
-predicate. A solution says what every pixel's registers hold when a frame starts (the encoding;
-f runs on the host, so this may be anything) and which gates answer each demand. When the frame
-ends the registers hold what they held at its start.
+A problem is a list of demands in time order: FLAG must hold the predicate of a demand before its
+analog words run. A solution defines the content of every pixel's registers at the start of a frame
+(the encoding, which the host computes) and the gates for each demand. At the end of the frame the
+registers hold their initial content.
 
-Solutions name virtual registers: p0, p1, .. carry code, s0, .. carry state inside a frame, t0, ..
-are scratch. `nscc.lower.allocate` gives them places.
+Solutions name virtual registers: p0, p1, .. carry code, s0, .. state inside a frame, t0, .. are
+scratch. `nscc.lower.allocate` maps them to registers.
 """
 
 from __future__ import annotations
@@ -37,29 +37,27 @@ class Gate:
     mask: str | None = None
 
     def __str__(self) -> str:
-        where = f" where {self.mask}" if self.mask is not None else ""
-        return f"{self.destination} = {self.name}({', '.join(self.sources)}){where}"
+        mask_text = f" where {self.mask}" if self.mask is not None else ""
+        return f"{self.destination} = {self.name}({', '.join(self.sources)}){mask_text}"
 
     @property
     def words(self) -> int:
-        """How many ICWs the gate takes, before the masked register's rule.
-
-        A register cannot be read and written in one word: in place, the result waits on the bus.
-        """
+        """The words of the gate, without SET of a mask. A word cannot read and write the same
+        register: a gate in place is a pair of words that keeps the result on the bus."""
         return 2 if self.destination in self.sources else 1
 
 
 Segment = tuple[Gate, ...]
-"""Gates that run one after the other and are worth storing as one kernel."""
+"""Consecutive gates that are worth storing as one kernel."""
 
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """FLAG must equal `predicate`, neither nothing nor everything, at `boundary`.
+    """FLAG must equal `predicate`, which is neither empty nor everything, at `boundary`.
 
-    `edge` is "rise", "fall" or "open", `bucket` whose it is. `flag_kept`: FLAG still holds what the
-    demand before this one asked for. `scratch_kept`: no refresh in between, which only code and
-    states outlast.
+    `edge` is "rise", "fall" or "open", of bucket number `bucket`. `flag_kept`: FLAG still holds the
+    predicate of the previous demand. `scratch_kept`: no refresh since then, which only code and
+    states survive.
     """
 
     boundary: int
@@ -72,12 +70,12 @@ class Demand:
 
 @dataclass(frozen=True)
 class Problem:
-    """Demands in the order in which they come, over `shutters` distinct shutters.
+    """Demands in time order over `shutters` distinct shutters.
 
-    `opens[bucket][slot]` are the truth vectors of the open shutters; `flag_lasts`: FLAG does not
-    decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`).
-    `values` names each field of the code and, for every shutter, its value (shutters,) in one of
-    the codes that mean that shutter: predicates tend to be simple in them.
+    `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts`: FLAG does not
+    decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`). `values`
+    gives, for each field of the code, the value of every shutter (shutters,), taken from one of its
+    codes; predicates are often simple in them.
     """
 
     demands: tuple[Demand, ...]
@@ -92,18 +90,16 @@ class Problem:
         return (1 << self.shutters) - 1
 
     def answered(self, index: int) -> bool:
-        """Whether FLAG already holds what demand `index` asks for."""
+        """Whether FLAG already holds the predicate of demand `index`."""
         demand = self.demands[index]
         return demand.flag_kept and demand.predicate == self.demands[index - 1].predicate
 
 
 @dataclass(frozen=True)
 class Machine:
-    """What gates cost and may do: the digital half of a target.
-
-    `registers` is how many one-bit registers a pixel has; `masked` says that one of them (R12 on
-    SCAMP-5) takes a write only where another (R0) is 1. Masked gates need such a pair.
-    """
+    """The costs and limits of gates on a target. `registers` is the number of one-bit registers of
+    a pixel. `masked`: one of them (R12 on SCAMP-5) is written only where another (R0) is 1; masked
+    gates need this pair."""
 
     registers: int
     masked: bool
@@ -113,7 +109,7 @@ class Machine:
 
     @staticmethod
     def of(target: Target) -> Machine:
-        """The machine of a target."""
+        """The gate machine of a target."""
         return Machine(
             len(target.digital_registers),
             target.masked_register is not None,
@@ -125,13 +121,13 @@ class Machine:
 
 @dataclass(frozen=True)
 class Solution:
-    """Gates and encoding that meet a problem.
+    """Gates and encoding that solve a problem.
 
-    `planes` are the truth vectors of p0, p1, .. at the start of a frame, `holders` says in words
-    what each one carries. `answers` has one entry for each demand; `opening` runs at boundary 0
-    before any demand and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1
-    everywhere before the opening and keeps the solution's state until the frame ends: whoever
-    needs it for something else meanwhile puts it back, and may use t0 to do so.
+    `planes` are the truth vectors of p0, p1, .. at the start of a frame; `holders` describe them in
+    words. `answers` has one entry for each demand; `opening` runs at boundary 0 before any demand
+    and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1 before the opening
+    and keeps the solution's state until the end of the frame: other users of FLAG must restore it
+    and may use t0.
     """
 
     encoding: str
@@ -145,15 +141,12 @@ class Solution:
     state_in_flag: bool = False
 
     def segments(self) -> Sequence[Segment]:
-        """All segments in the order in which they run."""
+        """All segments in execution order."""
         return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
 
     def masked_pair(self) -> tuple[str, str] | None:
-        """The register that masked gates write and the register that masks it.
-
-        There is one such pair in a pixel. A solution with masked gates holds these two registers
-        in it; every write to the first one is a masked gate. None without masked gates.
-        """
+        """The register that masked gates write and its mask; None without masked gates. A pixel has
+        one such pair, and every write to the first one is a masked gate."""
         gates = chain.from_iterable(self.segments())
         return next(((g.destination, g.mask) for g in gates if g.mask is not None), None)
 
@@ -164,12 +157,10 @@ class Solution:
 
 
 def quietest(writes: Sequence[int]) -> int:
-    """The plane that gets the masked register where every register is needed.
-
-    `writes[i]` is how often a frame writes plane i: each write costs the mask and a word more.
-    """
+    """The plane to put in the masked register if all registers are needed. `writes[i]` is how often
+    a frame writes plane i: each write costs the mask and one more word."""
     return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 
 class GaveUp(Exception):
-    """A generator found no solution: the reason in words. It proves nothing."""
+    """A generator found no solution, for a reason in words; this proves nothing."""

@@ -1,7 +1,7 @@
-"""Whether a solution meets its problem: its gates on truth vectors, all shutters at once.
+"""Check a solution against its problem: run its gates on truth vectors of all shutters.
 
-Whatever no pass may rely on (scratch at the start, FLAG after other words, what a refresh leaves
-out) counts as unknown, and no gate may read it.
+Contents on which no pass may rely (scratch at the start, FLAG after other words, registers without
+refresh) are unknown, and no gate may read them.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ _SOURCES = {
     "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
     "SET": (0, 0), "CLR": (0, 0),
 }  # fmt: skip
-"""Fewest and most sources of each gate; None for as many as the machine allows."""
+"""Fewest and most sources of each gate; None for the machine's limit."""
 
 _INVERTED = ("NOR", "NOT", "SET")
 
 
 class _Wrong(Exception):
-    """What a solution does that it must not."""
+    """A violation by a solution."""
 
 
 def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
-    """Why `solution` does not meet `problem` on `machine`, in words; None where it does."""
+    """Why `solution` does not solve `problem` on `machine`, in words; None if it does."""
     try:
         _fits(problem, machine, solution)
         _Frame(problem, machine, solution).replay()
@@ -34,10 +34,10 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
 
 
 def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
-    """Raises _Wrong for a solution that names what is not there."""
+    """Raise _Wrong for a solution that names missing registers."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     pair = solution.masked_pair()
-    # Without masked gates, only a plane may live where a mask decides about writes.
+    # Without masked gates, only a plane may be in the masked register.
     room = machine.registers - (machine.masked and not planes and pair is None)
     if min(states, scratch) < 0 or planes + states + scratch > room:
         raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
@@ -62,12 +62,12 @@ def _names(kind: str, count: int) -> list[str]:
 def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
     if gate.name not in _SOURCES:
         return False
-    where = gate.name == "WHERE"
+    is_where = gate.name == "WHERE"
     least, most = _SOURCES[gate.name]
     if most is None:
-        most = (machine.where_sources if where else machine.or_sources) or len(registers) + 1
-    destinations = {"FLAG"} if where else registers
-    readable = registers if where and not machine.where_reads_flag else registers | {"FLAG"}
+        most = (machine.where_sources if is_where else machine.or_sources) or len(registers) + 1
+    destinations = {"FLAG"} if is_where else registers
+    readable = registers if is_where and not machine.where_reads_flag else registers | {"FLAG"}
     return (
         gate.destination in destinations
         and readable.issuperset(gate.sources)
@@ -76,10 +76,10 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
 
 
 def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> bool:
-    """Whether the gate is masked where its destination is the masked register, and nowhere else."""
+    """Whether the gate is masked exactly if its destination is the masked register."""
     if gate.mask is None:
         return pair is None or gate.destination != pair[0]
-    # A state is lost where a refresh sets the mask.
+    # A state is lost if a refresh sets the mask.
     return (
         machine.masked
         and (gate.destination, gate.mask) == pair
@@ -89,71 +89,74 @@ def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> 
 
 
 class _Frame:
-    """One frame of a solution; `held` is what each register holds, None where nobody knows."""
+    """One frame of a solution; `contents` maps registers to truth vectors, None if unknown."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
         self.problem = problem
         self.solution = solution
         self.scratch = _names("t", solution.scratch)
-        self.held: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
-        self.held |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
+        self.contents: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
+        self.contents |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
         self.masked = _masked(machine, solution)
         self._forget(self.scratch)
-        self.held["FLAG"] = problem.everything if solution.state_in_flag else None
+        self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
 
     def replay(self) -> None:
-        """Raises _Wrong at the first demand that is not met."""
+        """Run the frame; raises _Wrong at the first unmet demand."""
         solution, demands = self.solution, self.problem.demands
         self._run(solution.opening)
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
             self._wait(demand.flag_kept, demand.scratch_kept)
             self._run(answer)
-            if self.held["FLAG"] != demand.predicate:
+            if self.contents["FLAG"] != demand.predicate:
                 raise _Wrong(f"FLAG does not hold what demand {index} asks for")
         self._wait(flag_kept=False, scratch_kept=self.problem.flag_lasts)
         self._run(solution.closing)
         for name, plane in zip(_names("p", len(solution.planes)), solution.planes, strict=True):
-            if self.held[name] != plane:
+            if self.contents[name] != plane:
                 raise _Wrong(f"{name} does not hold its code when the frame ends")
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
-        """Other words and boundaries pass."""
+        """Forget what other words and boundaries overwrite."""
         if self.solution.state_in_flag:
-            self._forget(("t0",))  # where FLAG waits while analog words need it
+            self._forget(("t0",))  # where FLAG is saved while analog words need it
         elif not flag_kept:
             self._forget(("FLAG",))
         if not scratch_kept:
             self._forget(self.scratch)
 
     def _forget(self, registers: Sequence[str]) -> None:
-        self.held |= dict.fromkeys(registers)
+        self.contents |= dict.fromkeys(registers)
 
     def _known(self, name: str, gate: Gate) -> int:
-        content = self.held[name]
+        content = self.contents[name]
         if content is None:
             raise _Wrong(f"{gate} reads {name}, whose contents are unknown")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        held, everything, masked = self.held, self.problem.everything, self.masked
+        contents, everything, masked = self.contents, self.problem.everything, self.masked
         for segment in segments:
             for gate in segment:
-                some = 0
+                disjunction = 0
                 for name in gate.sources:
-                    some |= self._known(name, gate)
-                value = some ^ everything if gate.name in _INVERTED else some
+                    disjunction |= self._known(name, gate)
+                value = disjunction ^ everything if gate.name in _INVERTED else disjunction
                 if gate.mask is not None and (mask := self._known(gate.mask, gate)) != everything:
                     value = value & mask | self._known(gate.destination, gate) & ~mask
-                held[gate.destination] = value
+                contents[gate.destination] = value
                 if gate.destination == masked:
                     if not self.scratch:
                         raise _Wrong(f"{gate} writes the register that needs a free mask")
-                    held["t0"] = None
+                    contents["t0"] = None
 
 
 def _masked(machine: Machine, solution: Solution) -> str | None:
-    """The plane that `nscc.lower.allocate` gives the masked register where there are no masked
-    gates: where all registers are in use, the one that is written least. Its writes destroy t0."""
+    """The plane in the masked register of a solution without masked gates; None if it has none.
+
+    If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes there.
+    Each of these writes sets the mask, which overwrites t0.
+    """
     used = len(solution.planes) + solution.states + solution.scratch
     if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
         return None

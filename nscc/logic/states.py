@@ -1,9 +1,8 @@
-"""Levels from events: a register that remembers whether the shutter is open.
+"""Levels from events: a register holds whether the shutter is open.
 
-An open shutter is one that has risen and not yet fallen. Where shutters have few edges, their
-times are held in Gray code (`nscc.logic.encodings.gray_times`), and each equality sets or clears
-the state, so that every slot costs the same few words whatever the times are. The state is a
-register, or FLAG itself.
+For shutters with few edges, the times of the edges are stored in Gray code
+(`nscc.logic.encodings.gray_times`). Each equality test sets or clears the state, so that every slot
+costs the same few words. The state is a register, or FLAG itself.
 """
 
 from __future__ import annotations
@@ -21,12 +20,12 @@ from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Segment, 
 
 
 def state_register(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """The state of each bucket in a register of its own."""
+    """The state of each bucket in its own register."""
     return _solve(problem, machine, budget, in_flag=False)
 
 
 def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """The state in FLAG, for one bucket in a frame that FLAG outlasts."""
+    """The state of a single bucket in FLAG, which must retain it for the frame."""
     if not problem.flag_lasts or len(problem.opens) != 1:
         raise GaveUp("FLAG cannot keep the state")
     return _solve(problem, machine, budget, in_flag=True)
@@ -35,19 +34,19 @@ def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solutio
 def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool) -> Solution:
     if any(d.edge != "open" for d in problem.demands):
         raise GaveUp("the demands are events already")
-    # Where no shutter opens later than slot 0, all start open, the never-open ones too.
+    # If no shutter opens after slot 0, all start open, including never-open ones.
     from_open = [not any(b & ~a for a, b in pairwise(levels)) for levels in problem.opens]
     events, needed_before = _events(problem, from_open)
     inner = replace(problem, demands=tuple(events), flag_lasts=False)
     states = 0 if in_flag else len(problem.opens)
     encoding = _times(inner, machine, budget, machine.registers - 1 - states)
     planes = len(encoding.planes)
-    left = machine.registers - planes - states
-    if machine.masked and left > 1:
-        left -= 1  # every plane changes in the frame, so the masked register stays empty
-    if left < 1:
+    free_registers = machine.registers - planes - states
+    if machine.masked and free_registers > 1:
+        free_registers -= 1  # every plane changes in the frame, so the masked register stays empty
+    if free_registers < 1:
         raise GaveUp(f"{planes} planes and {states} states leave no register to compute with")
-    walker = _Walker(machine, planes, min(left, 2), in_flag)
+    walker = _Walker(machine, planes, min(free_registers, 2), in_flag)
     opening = walker.start(from_open)
     answers = []
     for demand, (first, end) in zip(problem.demands, pairwise((0, *needed_before)), strict=True):
@@ -65,7 +64,7 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
 
 
 def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Encoding:
-    """Events in planes of which there is `room` for: times, fields' values or shutter numbers."""
+    """Events in at most `room` planes: as times, fields' values or shutter numbers."""
     for encode in (gray_times, covered_fields):
         try:
             encoding = encode(problem, machine, budget)
@@ -77,11 +76,9 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
-    """Rises and falls in time order, and how many of them come before each demand.
-
-    The demand at boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n
-    come before it. A bucket starts open or closed in all pixels (`from_open`).
-    """
+    """Rises and falls in time order, and the number of them before each demand. The demand at
+    boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n come before it. A
+    bucket starts open or closed in all pixels (`from_open`)."""
     events: list[Demand] = []
     needed: list[int] = []
     boundary = 0
@@ -100,7 +97,7 @@ def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], 
 
 
 class _Walker:
-    """Emits the gates of events and of levels."""
+    """Emits the gates of events and levels."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int, in_flag: bool) -> None:
         self._machine = machine
@@ -110,7 +107,7 @@ class _Walker:
         self.scratch = scratch
 
     def start(self, from_open: Sequence[bool]) -> tuple[Segment, ...]:
-        """Segments that open or close every shutter."""
+        """Segments that set or clear the states of all buckets."""
         if self._in_flag:
             if from_open[0]:
                 return ()  # FLAG is 1 everywhere after the setup
@@ -119,7 +116,7 @@ class _Walker:
         return (tuple(Gate("SET" if o else "CLR", f"s{b}", ()) for b, o in closed_first),)
 
     def event(self, event: Demand, cubes: Sequence[Cube]) -> list[Segment]:
-        """Segments that let the shutters of one event rise or fall."""
+        """Segments that open or close the shutters of one event."""
         segments = []
         change = self._flag if self._in_flag else self._register
         for cube in cubes:
@@ -146,12 +143,12 @@ class _Walker:
         if event.edge == "rise":
             self._gates.nor("t0", equal)
             if self._machine.where_reads_flag:
-                self._gates.where(["FLAG", "t0"], "t0")
+                self._gates.load_flag(["FLAG", "t0"], "t0")
                 return
             self._gates.or_("t0", ["t0", "FLAG"])
         else:
             self._gates.nor("t0", ["FLAG"])
-            self._gates.where(["t0"], None)
+            self._gates.load_flag(["t0"], None)
             self._gates.nor("t0", equal)
             self._gates.nor("t0", ["t0", "FLAG"])
-        self._gates.where(["t0"], None)
+        self._gates.load_flag(["t0"], None)

@@ -1,10 +1,9 @@
-"""Windows: bumps of one length, which only the end of the frame may cut.
+"""Bumps of one length, which only the end of the frame may cut.
 
-Time is cut into groups as long as the bump, so that an open bump began in this group or in the one
-before, and a start is a group and an offset. In one of the two groups the shutter is open from
-its offset on, in the other up to it. The planes of the offset are stored inverted for every other
-group, so that both cases read them alike, and groups are in Gray code: the planes that two
-neighbours share pick out both at once.
+Time is divided into groups of the bump's length, so an open bump started in this group or in the
+previous one; a start is a group and an offset. In the one case the shutter is open from its offset
+on, in the other before it. The offset planes are inverted in every other group, so that both cases
+read the same plane. Groups are in Gray code: the planes in which two neighbours agree select both.
 """
 
 from __future__ import annotations
@@ -19,12 +18,12 @@ from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
 from nscc.logic.gray import cycle, gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import set_bits
 
 
 def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Offsets in mixed-radix thermometers, some planes held both ways round where there is room."""
+    """Offsets in mixed-radix thermometers, with both polarities of some planes if there is room."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     if length > _LONGEST:
@@ -33,20 +32,20 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     bits = max(1, (groups - 1).bit_length())
     codes = cycle(groups, bits)
     room = machine.registers - 1 - bits
-    tried = 0
+    solution_count = 0
     choices = radices_of(room + length.bit_length(), length)
     for chosen in sorted(choices, key=lambda r: (len(r), sum(r))):
-        held = sum(chosen) - len(chosen)
+        offset_planes = sum(chosen) - len(chosen)
         for doubled, low in product((False, True), range(bits, -1, -1)):
-            if held * (1 + doubled) + low > room:
+            if offset_planes * (1 + doubled) + low > room:
                 continue
             for turns in _Turns if low < bits else (_Turns.WITH,):
                 script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
                 for solution in walk(problem, machine, script, steps):
                     yield solution
-                    tried += 1
-            # A walk takes as long as the frame has steps.
-            if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
+                    solution_count += 1
+            # The time of a walk grows with the steps of a frame.
+            if solution_count >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
 
 
@@ -56,8 +55,8 @@ _MOST_TRIED = 48
 
 
 class _Turns(Enum):
-    """When the bit in which a group differs from the one before is turned over: it is not read
-    in that group, unless one of the two groups has to be told from the other."""
+    """When the bit in which a group differs from the previous one is inverted; it is not read in
+    that group unless one of the two groups must be distinguished from the other."""
 
     WITH = "with the group"
     AFTER = "with the next group"
@@ -65,8 +64,8 @@ class _Turns(Enum):
 
 
 def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Offsets in Gray code, few registers: every step turns the state of those that it hits over,
-    of those that began in this group as of those that began in the one before."""
+    """Offsets in Gray code, with few registers: every step toggles the state of the shutters whose
+    offset it equals, of this group and of the previous one."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     high = max(1, (-(-bumps.steps // length) - 1).bit_length())
@@ -91,11 +90,11 @@ def _toggle_script(
     standing = 0
     for step, i in bumps.groups():
         now, place = divmod(step, length)
-        wanted = gray(now) << low | gray(place)
-        flips = turned_over(set_bits(standing ^ wanted))
-        standing = wanted
-        # A NOR that leaves out the bit in which this group's code differs from the last one's holds
-        # for both groups: those that open now and those that opened one length ago.
+        target = gray(now) << low | gray(place)
+        flips = turned_over(set_bits(standing ^ target))
+        standing = target
+        # A NOR without the bit in which the codes of this and the previous group differ selects
+        # both groups: shutters that open now and those that opened one length ago.
         apart = (now & -now).bit_length() - 1 + low if now else -1
         hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
         turn = _turn_state(state, roomy) if now else _open_state(state)
@@ -116,11 +115,8 @@ def _open_state(state: str) -> Segment:
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:
-    """state := state XOR t0; `roomy`: with three scratch registers, else with two.
-
-    t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
-    XOR.
-    """
+    """state := state XOR t0, with three scratch registers if `roomy`, else two. t1 := neither; then
+    "t0 alone" and "state alone" are a NOR each with t1, and their OR is the XOR."""
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (
@@ -133,9 +129,9 @@ def _turn_state(state: str, roomy: bool) -> Segment:
 
 def _length(bumps: Bumps) -> int:
     length = bumps.length
-    # A bump that the end of the frame cuts is a whole one as far as the frame goes.
-    whole = np.minimum(bumps.start + length, bumps.steps)
-    if length < 2 or np.any((bumps.stop != whole) & ~bumps.never):
+    # A bump cut by the end of the frame is complete up to there.
+    expected_stop = np.minimum(bumps.start + length, bumps.steps)
+    if length < 2 or np.any((bumps.stop != expected_stop) & ~bumps.never):
         raise GaveUp("bumps of different lengths")
     if 2 * length > bumps.steps:
         raise GaveUp("bumps longer than half of the frame")
@@ -152,11 +148,11 @@ def _script(
     low: int,
     turns: _Turns,
 ) -> Script:
-    """`codes` are those of the groups. `doubled`: offset planes both ways round; so are the `low`
-    lowest bits of the group.
-    """
-    # At place m those of this group are open if offset <= m, those of the group before if not. One
-    # of the two groups is odd: with the planes of odd ones turned over, both read a plane alike.
+    """`codes` are those of the groups. With `doubled` both polarities of offset planes are stored;
+    also of the `low` lowest bits of the group."""
+    # At place m, shutters of this group are open if offset <= m, and those of the previous group if
+    # not. One of the two groups is odd, and its planes are inverted, so both read a plane in the
+    # same way.
     group = np.where(bumps.never, 0, bumps.start // length)
     everything = (1 << len(bumps.start)) - 1
     planes = [
@@ -176,9 +172,9 @@ def _script(
     standing = 0
     for now, i in bumps.groups(length)[1:]:
         behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and now % 2 == 1)
-        asked = codes[now - behind]
-        before[i] = turned_over(place[b] for b in set_bits(asked ^ standing) if b >= low)
-        standing = asked
+        code = codes[now - behind]
+        before[i] = turned_over(place[b] for b in set_bits(code ^ standing) if b >= low)
+        standing = code
     closing = turned_over(place[b] for b in set_bits(standing) if b >= low)
     radices = " x ".join(str(r) for r in chosen)
     name = f"groups of {length} in Gray code, offset in digits {radices}"

@@ -1,1 +1,1 @@
-"""Lowering programs whose pixels look at the light: from the machine to words in time."""
+"""Lowering of programs with senses: from the state machine to words."""

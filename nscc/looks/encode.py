@@ -1,7 +1,7 @@
-"""Encodings of what a pixel knows: how registers hold its behaviour and its states.
+"""Encodings of a pixel's knowledge: how registers hold its behaviour and states.
 
-f runs on the host, so any encoding will do that tells the values apart. Every state starts with all
-its registers at 0.
+The host loads the behaviour, so any injective encoding is possible. Every state starts with all its
+registers at 0.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ Rows = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
-class Held:
-    """The registers of a state, or of the behaviour: `bits` has a row for each of `values`."""
+class ValueBits:
+    """The register contents for a state or the behaviour: `bits` has a row for each of `values`."""
 
     name: str
     kind: str
@@ -30,51 +30,53 @@ class Held:
 
     @property
     def registers(self) -> int:
-        """How many there are."""
+        """The number of registers."""
         return int(self.bits.shape[1])
 
 
 @dataclass(frozen=True, eq=False)
-class Encoding:
-    """One choice for the behaviour and every state of a machine."""
+class LooksEncoding:
+    """One choice of bits for the behaviour and every state of a machine."""
 
-    code: Held
-    states: tuple[Held, ...]
+    code: ValueBits
+    states: tuple[ValueBits, ...]
 
     @property
     def name(self) -> str:
-        """In words, for reports."""
-        parts = [self.code] if self.code.registers else []
-        parts += [held for held in self.states if held.registers]
-        return ", ".join(f"{held.name} {held.kind}" for held in parts) or "nothing to hold"
+        """Description for reports."""
+        holders = [self.code] if self.code.registers else []
+        holders += [holder for holder in self.states if holder.registers]
+        return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"
 
 
-def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
-    """Encodings in at most so many registers, those of the fewest registers last."""
+def encodings(machine: Machine, registers: int) -> Iterator[LooksEncoding]:
+    """Encodings in at most `registers` registers, those with the fewest registers last."""
     behaviours = int(machine.behaviour.max()) + 1
-    every = tuple(range(behaviours))
-    codes = [Held("code", kind, every, bits) for kind, bits in _of_code(behaviours)]
+    behaviour_numbers = tuple(range(behaviours))
+    codes = [
+        ValueBits("code", kind, behaviour_numbers, bits) for kind, bits in _of_code(behaviours)
+    ]
     states = []
     for k, state in enumerate(machine.states):
         reached = sorted(set(machine.values[:, k].tolist()))
         values = tuple(dict.fromkeys([state.start, *reached]))
-        found = list(_of_state(len(values)))
+        bit_choices = list(_of_state(len(values)))
         if state.sense and not _outlasts(machine, k):
-            found = [("not held", np.zeros((len(values), 0), np.bool_))]
-        states.append([Held(state.name, kind, values, bits) for kind, bits in found])
+            bit_choices = [("not held", np.zeros((len(values), 0), np.bool_))]
+        states.append([ValueBits(state.name, kind, values, bits) for kind, bits in bit_choices])
     for code, *chosen in product(codes, *states):
-        if sum(held.registers for held in (code, *chosen)) <= registers:
-            yield Encoding(code, tuple(chosen))
+        if sum(value_bits.registers for value_bits in (code, *chosen)) <= registers:
+            yield LooksEncoding(code, tuple(chosen))
 
 
 def _outlasts(machine: Machine, k: int) -> bool:
-    """Whether anything after its own look hangs on an answer: where a rule reads it only at the
-    boundary at which it is given, no register need hold it."""
-    rest = np.delete(machine.values, k, axis=1)
+    """Whether a later stage depends on the answer `k`. An answer that rules read only at its own
+    boundary needs no register."""
+    other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
-        np.column_stack([machine.behaviour, rest]), axis=0, return_inverse=True
+        np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True
     )[1].reshape(-1)  # fmt: skip
-    # Nodes of the next stage that differ in the answer alone count as one; -1 stands for none.
+    # Nodes of the next stage that differ only in the answer count as one; -1 stands for none.
     after = np.where(machine.steps >= 0, alike[machine.steps], -1)
     for stage in range(machine.stages):
         span, begin = machine.nodes(stage), machine.starts(stage)
@@ -100,7 +102,7 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
-    """Encodings of so many values, the first of them all zeros."""
+    """Encodings of `count` values, the first value all zeros."""
     if count == 1:
         yield "constant", np.zeros((1, 0), np.bool_)
         return
@@ -119,7 +121,7 @@ def _binary(numbers: Sequence[int], width: int) -> Rows:
 
 
 def _few_ones(count: int) -> Rows:
-    """The codes with the fewest ones in as few registers as will do: a one costs a write."""
+    """Codes with the fewest ones in the fewest registers, since a one costs a write."""
     width = (count - 1).bit_length()
     codes = [ones for size in range(width + 1) for ones in combinations(range(width), size)]
     rows = np.zeros((count, width), np.bool_)

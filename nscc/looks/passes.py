@@ -1,4 +1,4 @@
-"""The passes of programs that look, as `nscc.pipeline` lists them."""
+"""The passes for programs with senses, as `nscc.pipeline` lists them."""
 
 from __future__ import annotations
 
@@ -7,25 +7,25 @@ from dataclasses import dataclass, replace
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.logic.problem import GaveUp
-from nscc.looks.encode import Encoding, encodings
-from nscc.looks.layout import lay_out_looks
-from nscc.looks.plan import LookingPlan, plan_looks
+from nscc.looks.encode import LooksEncoding, encodings
+from nscc.looks.looking_plan import LookingPlan, plan_looks
 from nscc.looks.solve import LookingSolution, solve
+from nscc.looks.word_layout import lay_out_looks
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
+from nscc.lower.exposure_plan import LoweringOption, Misfit, frame_time
 from nscc.lower.lowered import Lowered
-from nscc.lower.plan import LoweringOption, Misfit, frame_time
 from nscc.program.program import Program
 from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
 
 ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
-"""So many encodings are tried at each level, and so many until one fits."""
+"""For each level the number of encodings to try, and the number until one fits."""
 
 
 @dataclass(frozen=True)
 class LookingLowered(Lowered):
-    """A lowering whose container carries a machine."""
+    """A lowering whose container has a state machine."""
 
     looking: LookingSolution | None = None
 
@@ -33,7 +33,7 @@ class LookingLowered(Lowered):
 def plan_of(
     program: Program, lowering: LoweringOption
 ) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
-    """The plan, or NS0413 or NS0414."""
+    """The plan, or the errors NS0413 or NS0414."""
     assert program.machine is not None
     plan = plan_looks(program, program.machine)
     if isinstance(plan, Misfit):
@@ -49,15 +49,15 @@ def plan_of(
 def lowered_of(
     plan: LookingPlan, level: int, most_words: int | None
 ) -> tuple[list[LookingLowered], Sequence[Diagnostic]]:
-    """Lowerings with several encodings, the best first, or NS0502."""
+    """Lowerings with several encodings, best first, or the error NS0502."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)
-    found: list[LookingLowered] = []
+    lowerings: list[LookingLowered] = []
     reasons: dict[str, None] = {}
     enough, most = ENCODINGS[level]
-    for tried, encoding in enumerate(encodings(plan.machine, registers)):
-        if tried >= (enough if any(each.fits for each in found) else most):
+    for count, encoding in enumerate(encodings(plan.machine, registers)):
+        if count >= (enough if any(candidate.fits for candidate in lowerings) else most):
             break
         try:
             solution = solve(plan, encoding, program.target)
@@ -68,11 +68,13 @@ def lowered_of(
         if lowered is None:
             reasons[f"{encoding.name}: the mask would lose what its register holds"] = None
         else:
-            found.append(_with(lowered, solution))
-    found.sort(key=lambda each: (each.price, len(each.schedule.allocation.places)))
-    if not found:
+            lowerings.append(_with(lowered, solution))
+    lowerings.sort(
+        key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.places))
+    )
+    if not lowerings:
         return [], [fit.looking_fault(program, list(reasons)[:4], level=level)]
-    return found, []
+    return lowerings, []
 
 
 def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
@@ -83,7 +85,7 @@ def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
 
 
 def container_of(lowered: Lowered, level: int) -> Container:
-    """The container, with its machine and how registers hold its states."""
+    """The container, with its machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
     assert lowered.looking is not None
     machine = lowered.program.machine
@@ -95,14 +97,14 @@ def container_of(lowered: Lowered, level: int) -> Container:
     )
 
 
-def _state_planes(lowered: LookingLowered, encoding: Encoding) -> dict[str, StatePlanes]:
+def _state_planes(lowered: LookingLowered, encoding: LooksEncoding) -> dict[str, StatePlanes]:
     machine, places = lowered.program.machine, lowered.schedule.allocation.places
     assert machine is not None
     assert lowered.looking is not None
-    found = {}
-    held = zip(machine.states, encoding.states, lowered.looking.registers, strict=True)
-    for state, how, names in held:
-        if state.read or state.kept:
+    planes = {}
+    encoded_states = zip(machine.states, encoding.states, lowered.looking.registers, strict=True)
+    for state, how, names in encoded_states:
+        if state.read or state.is_kept:
             registers = tuple(places[name] for name in names)
-            found[state.name] = StatePlanes(registers, how.values, how.bits)
-    return found
+            planes[state.name] = StatePlanes(registers, how.values, how.bits)
+    return planes

@@ -1,9 +1,9 @@
-"""Places for virtual registers, and gates as words.
+"""Map virtual registers to registers, and gates to words.
 
-The masked register (R12 on SCAMP-5) takes a write only where its mask (R0) is 1. Masked gates name
-the two. Without such gates, the masked register is given to code that does not change inside the
-frame; where every register is needed, to the plane that changes least, and each of its writes is
-preceded by SET of the mask, which is scratch then.
+The masked register (R12 on SCAMP-5) is written only where its mask (R0) is 1. Masked gates name
+both. Without masked gates, the masked register gets code that does not change inside the frame. If
+every register is needed, it gets the plane that changes least; SET of the mask, which is then
+scratch, precedes each write.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nscc.operations import Op, op, pair
 
 @dataclass(frozen=True)
 class Allocation:
-    """Where every virtual register lives, and which of them are never written in a frame."""
+    """The register of every virtual register, and the registers that a frame never writes."""
 
     places: dict[str, str]
     holders: dict[str, str]
@@ -28,7 +28,7 @@ class Allocation:
 
 
 def allocate(solution: Solution, target: Target) -> Allocation:
-    """Registers of `target` for a solution that its generator sized for this target."""
+    """Map the virtual registers of a solution to registers of `target`."""
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
@@ -40,7 +40,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
-        free.remove(target.mask_register)  # code stays out of the mask while there is room
+        free.remove(target.mask_register)  # code avoids the mask while there are other registers
     places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
@@ -59,7 +59,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
 
 
 def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
-    """Which virtual registers live in the masked register and in its mask."""
+    """The virtual registers in the masked register and in its mask."""
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
@@ -74,15 +74,15 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
 
 
 def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
-    """Code registers in the order of loading: the masked one needs its mask at 1, so it goes first
-    and the mask's own code last."""
+    """Code registers in loading order: the masked one first, while its mask is 1, and the mask
+    last."""
     order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
     order |= {target.masked_register: -1, target.mask_register: len(order)}
     return tuple(sorted(registers, key=order.__getitem__))
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
-    """The ICWs of a segment."""
+    """The words of a segment."""
     out: list[Op] = []
     for gate in segment:
         writes_masked = allocation.places.get(gate.destination) == allocation.masked is not None
@@ -105,16 +105,14 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
 
 
 def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
-    """Words that write every register of `registers` back to itself.
-
-    FLAG is lost where both the masked register and its mask carry code.
-    """
+    """Words that rewrite the content of every one of `registers`. They overwrite FLAG if both the
+    masked register and its mask carry code."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]
     if masked in registers and mask is not None:
         if mask in allocation.code_registers:
-            # The mask's code waits in FLAG; moving it back refreshes it too.
+            # The mask's code is saved in FLAG; writing it back also refreshes it.
             out += [op("WHERE", (), (mask,)), op("SET", (mask,))]
             out += [*pair("REFRESH", masked, (masked,)), op("MOV", (mask,), ("FLAG",))]
             plain = [r for r in plain if r != mask]

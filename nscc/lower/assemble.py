@@ -13,14 +13,14 @@ from nscc.words.encoding import encode
 
 
 def assemble(lowered: Lowered, level: int) -> Container:
-    """The container of a lowered program, whole, for a device, the emulator or the proof."""
+    """The complete container of a lowered program."""
     program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
     target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)
     encoding = np.zeros((shutters, len(target.digital_registers)), dtype=np.bool_)
     places = schedule.allocation.places
-    held = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
-    encoding[:, held] = rows(list(planes), shutters)
+    code_columns = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
+    encoding[:, code_columns] = rows(list(planes), shutters)
     return Container(
         target=target,
         slot_us=program.frame.slot_us,

@@ -1,4 +1,4 @@
-"""What a plan asks of the gates, and the gates that answer it."""
+"""The gates' problem that follows from a plan, and their solution."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Problem, Solution
-from nscc.lower.plan import ExposurePlan, Opens, Step
+from nscc.lower.exposure_plan import ExposurePlan, Opens, PlanStep
 from nscc.lower.timeline import Timeline
 from nscc.operations import Effect
 from nscc.program.program import Program
@@ -18,20 +18,15 @@ from nscc.program.wide import whole_name
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]
-"""What a step needs done to FLAG before its words.
-
-"nothing": FLAG does not matter; "all": set it everywhere; "load": bring the step's predicate;
-"keep": FLAG still holds the last predicate that was loaded, or 1 everywhere if the step is for
-every pixel.
-"""
+"""How a step obtains FLAG before its words. "nothing": FLAG does not matter; "all": set it in every
+pixel; "load": load the step's predicate; "keep": FLAG still holds the last loaded predicate, or 1
+everywhere if the step is for every pixel."""
 
 
 @dataclass(frozen=True)
 class Decoding:
-    """A plan with the gates that compute its predicates.
-
-    `problem` is what the plan demands of them, `actions` what each of its steps does to FLAG.
-    """
+    """A plan with the gates that compute its predicates. `problem` is the plan's problem, `actions`
+    says what each step does to FLAG."""
 
     plan: ExposurePlan
     problem: Problem
@@ -42,16 +37,16 @@ class Decoding:
 def problem_of(
     program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
 ) -> tuple[Problem, tuple[Before, ...]]:
-    """What the gates must compute for a plan, and what every step does to FLAG."""
+    """The problem that gates must solve for a plan, and the action of every step on FLAG."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
         if step.predicate is not None:
-            kept = action == "keep" and bool(demands)
+            flag_kept = action == "keep" and bool(demands)
             last = demands[-1].boundary if demands else 0
             quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
             demands.append(
-                Demand(step.boundary, step.role, step.bucket, step.predicate, kept, quiet)
+                Demand(step.boundary, step.role, step.bucket, step.predicate, flag_kept, quiet)
             )
     lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     values = _field_values(program)
@@ -59,10 +54,8 @@ def problem_of(
 
 
 def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """Every field's value in one code of each shutter; free bits are fields of their own.
-
-    Of several codes one is taken whose values other shutters need anyway.
-    """
+    """The value of every field in one code of each shutter; free bits are separate fields. Of
+    several codes, one whose values other shutters also need is chosen."""
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):
@@ -90,9 +83,9 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """What each step of a plan needs."""
+    """How each step of a plan obtains FLAG: keep, load, set all, or nothing."""
     actions: list[Before] = []
-    held: Literal["unknown", "all", "predicate"] = "unknown"
+    flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None
     since_us = 0.0
     boundary = 0
@@ -100,23 +93,23 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
         now_us = time.boundary_us[step.boundary]
         crossed = any(boundary < n <= step.boundary for n in time.refresh_at or ())
         if crossed or now_us - since_us > time.keep_us:
-            held = "unknown"
+            flag_state = "unknown"
         boundary = step.boundary
         if step.predicate is not None:
-            actions.append("keep" if held == "predicate" else "load")
-            if held != "predicate" or step.predicate != loaded:
+            actions.append("keep" if flag_state == "predicate" else "load")
+            if flag_state != "predicate" or step.predicate != loaded:
                 since_us = now_us
-            held, loaded = "predicate", step.predicate
+            flag_state, loaded = "predicate", step.predicate
         elif not _needs_flag(step, target):
             actions.append("nothing")
-        elif held == "all":
+        elif flag_state == "all":
             actions.append("keep")
         else:
             actions.append("all")
-            held, since_us = "all", now_us
+            flag_state, since_us = "all", now_us
     return actions
 
 
-def _needs_flag(step: Step, target: Target) -> bool:
+def _needs_flag(step: PlanStep, target: Target) -> bool:
     heeding = {Effect.BUS} if target.reset_honours_flag == "no" else {Effect.BUS, Effect.RESET_PIX}
     return any(word.operation.effect in heeding for word in step.words)

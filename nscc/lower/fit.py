@@ -1,7 +1,7 @@
-"""What the user hears when a program does not fit, or when only a search can tell.
+"""Diagnostics for programs that do not fit, or for which only a search can tell.
 
-Proved and not proved are kept apart: a count that no encoding can beat is an error wherever it is
-seen; gates that this compiler did not find prove nothing, so `nscc check` only notes them.
+Proved and unproved facts are separate. A count that no encoding can beat is always an error. Gates
+that the search did not find prove nothing, so `nscc check` reports them as notes.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.lower.exposure_plan import Lowering, Misfit
 from nscc.lower.ledger import ledger
 from nscc.lower.lowered import Choice, Lowered
-from nscc.lower.plan import Lowering, Misfit
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
 from nscc.program.capacity import bits_needed, capacity_note
@@ -22,7 +22,7 @@ from nscc.source import Span
 
 
 def capacity_fault(program: Program) -> Diagnostic | None:
-    """NS0412: more shutters than the registers of a pixel have states. Certain."""
+    """NS0412: more shutters than states of a pixel's registers. Certain."""
     target = program.target
     shutters = len(program.table.shutters)
     available = len(target.digital_registers)
@@ -30,14 +30,14 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     if required <= available:
         return None
     if program.mode == "fixed":
-        what = f"{shutters} different shutters in use"
+        shutters_text = f"{shutters} different shutters in use"
     elif program.class_name == "e":
         free = f"{len(program.frame.slot_us)} slots"
         if len(program.buckets) > 1:
             free += f" in {len(program.buckets)} buckets"
-        what = f"{free}, each free: {shutters} shutters"
+        shutters_text = f"{free}, each free: {shutters} shutters"
     else:
-        what = f"{shutters} different shutters"
+        shutters_text = f"{shutters} different shutters"
     registers = (
         f"{available} one-bit registers a pixel "
         f"({target.digital_registers[0]}-{target.digital_registers[-1]})"
@@ -50,7 +50,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
         f"this shutter does not fit {target.name}: its codes need {required} bits per "
         f"pixel, but the chip has {available}",
         source=program.source,
-        label=Label(_field_span(program), what),
+        label=Label(_field_span(program), shutters_text),
         related=chip_label(program, registers),
         notes=(
             *chip_note(program, registers),
@@ -62,7 +62,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
 
 
 def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnostic:
-    """Why no plan at all could be made: NS0413 or NS0414. Certain."""
+    """NS0413 or NS0414: no plan exists. Certain."""
     reasons = _reasons(misfits)
     short = [m for m in misfits.values() if m.resource is not None]
     if len(short) < len(misfits):
@@ -130,25 +130,23 @@ def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
 
 
 def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
-    """Everything that keeps the best of `choice` from fitting; empty if it fits."""
+    """All errors of the best lowering of `choice`; empty if it fits."""
     lowered = choice.best
-    found = []
+    diagnostics = []
     if not lowered.retained:
-        found.append(retention_fault(lowered))
+        diagnostics.append(retention_fault(lowered))
     if lowered.late:
-        found.append(late_fault(choice, level))
+        diagnostics.append(late_fault(choice, level))
     if lowered.overfull:
-        found.append(overfull_fault(choice, level))
+        diagnostics.append(overfull_fault(choice, level))
     if not lowered.stored_ok:
-        found.append(_store(lowered, level))
-    return found
+        diagnostics.append(_store(lowered, level))
+    return diagnostics
 
 
 def has_ways_out(diagnostic: Diagnostic) -> bool:
-    """Whether nearby programs may have what this one lacks.
-
-    Where the words that read the light are too many already, there are none.
-    """
+    """Whether nearby programs may avoid this error. Not if the words that read the light already
+    take too long."""
     short_of = diagnostic.data.get("resource")
     if short_of in ("slot_us", "words_per_slot"):
         return only_search_can_tell(diagnostic)
@@ -156,12 +154,12 @@ def has_ways_out(diagnostic: Diagnostic) -> bool:
 
 
 def only_search_can_tell(diagnostic: Diagnostic) -> bool:
-    """Whether a fault is this compiler's and not the chip's."""
+    """Whether an error depends on this compiler's search, not on the chip."""
     return diagnostic.data.get("proved") is False
 
 
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
-    """What `nscc check` says instead of an unproved fault."""
+    """The note that `nscc check` shows for an unproved error."""
     message = f"only `nscc build` can decide whether this fits: {diagnostic.message}"
     return replace(
         diagnostic, code="NS0503", message=message, severity=Severity.NOTE, related=(), helps=()
@@ -193,7 +191,7 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
 
 
 def _fewer_codes(program: Program) -> str:
-    """How to have fewer codes: by compiling for those in use, where that is not so already."""
+    """The help to compile only the codes in use, if not done already."""
     if program.mode == "fixed":
         return "use fewer different codes, or shutters with fewer edges"
     if program.pixel_codes is None:
@@ -206,7 +204,7 @@ def _field_span(program: Program) -> Span:
 
 
 def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagnostic:
-    """NS0502: no encoding of what pixels know was found to fit. Not proved."""
+    """NS0502: no encoding of a pixel's knowledge was found to fit. Not proved."""
     available = len(program.target.digital_registers)
     machine = program.machine
     states = "" if machine is None else ", ".join(state.name for state in machine.states)

@@ -1,4 +1,4 @@
-"""Who holds which registers, in few words: one entry for all that differ in a number only."""
+"""Register usage in short form: one entry for holders that differ in a number only."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ _LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
 
 
 def ledger(holders: Mapping[str, str]) -> str:
-    """`R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch` of {register: what it holds}."""
+    """Format {register: holder} as `R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch`."""
     groups: dict[tuple[str, str], list[tuple[str, str | None]]] = {}
-    for register, what in holders.items():
-        found = _LAST_NUMBER.match(what)
-        key = (found[1], found[3]) if found else (what, "")
-        groups.setdefault(key, []).append((register, found[2] if found else None))
+    for register, holder in holders.items():
+        match = _LAST_NUMBER.match(holder)
+        key = (match[1], match[3]) if match else (holder, "")
+        groups.setdefault(key, []).append((register, match[2] if match else None))
     entries = []
     for (before, after), members in groups.items():
         registers = _shortened([register for register, _ in members])
@@ -24,7 +24,7 @@ def ledger(holders: Mapping[str, str]) -> str:
 
 
 def _shortened(names: Sequence[str]) -> str:
-    """`R0-R3, R7` or `4, 16, 64`: registers or numbers, runs of three and more shortened."""
+    """Join registers or numbers, with runs of three and more as `R0-R3, R7`."""
     runs: list[list[str]] = []
     for name in names:
         if runs and _follows(runs[-1][-1], name):
@@ -34,8 +34,8 @@ def _shortened(names: Sequence[str]) -> str:
     return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 2 else ", ".join(run) for run in runs)
 
 
-def _follows(one: str, other: str) -> bool:
-    a, b = _LAST_NUMBER.match(one), _LAST_NUMBER.match(other)
+def _follows(first: str, second: str) -> bool:
+    a, b = _LAST_NUMBER.match(first), _LAST_NUMBER.match(second)
     if a is None or b is None or a[3] or b[3]:
         return False
     return a[1] == b[1] and int(b[2]) == int(a[2]) + 1

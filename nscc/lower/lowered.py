@@ -1,4 +1,4 @@
-"""A program lowered in one way, laid out and priced; and the choice between several."""
+"""A lowered program with its costs, and the choice between several."""
 
 from __future__ import annotations
 
@@ -10,21 +10,19 @@ from numpy.typing import NDArray
 
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
-from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Step
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep
 from nscc.lower.schedule import Schedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
-# Times are sums of decimal fractions: a slot just as long as its words is long enough.
+# Relative tolerance for times, which are sums of decimal fractions.
 _ROUNDING = 1 + 1e-9
 
 
 @dataclass(frozen=True, repr=False)
 class Lowered:
-    """A plan, its gates and its words, priced against the program's target.
-
-    `most_words` is the most words that the user allows at a boundary, None for any number.
-    """
+    """A plan, its gates and its words, with costs on the program's target. `most_words` is the
+    user's limit on words at a boundary, None for none."""
 
     program: Program
     decoding: Decoding
@@ -37,17 +35,15 @@ class Lowered:
 
     @property
     def plan(self) -> ExposurePlan:
-        """The analog half."""
         return self.decoding.plan
 
     @property
     def solution(self) -> Solution:
-        """The gates and the encoding."""
         return self.decoding.solution
 
     @cached_property
     def words_per_boundary(self) -> list[int]:
-        """Words executed at each boundary 0..N."""
+        """Words at each boundary 0..N."""
         counts = [0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
             counts[boundary] += len(self.schedule.kernels[kernel])
@@ -55,8 +51,8 @@ class Lowered:
 
     @cached_property
     def busy_us(self) -> list[float]:
-        """Time of each boundary's words, with launches, the settling of IN, and the loop that
-        waited for it; at boundary 0 of those that run after the exposure has started."""
+        """Time of each boundary's words, with launches, settling of IN and the waiting loop; at
+        boundary 0 of the words after the start of the exposure."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
         busy = [0.0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
@@ -70,38 +66,38 @@ class Lowered:
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot that any boundary's words leave possible, were all slots equal."""
+        """The shortest equal slots for which all words fit."""
         return max(self.busy_us[: self.plan.slots])
 
     @property
     def shortest_slot_launches(self) -> int:
-        """Kernel launches whose overhead is part of `shortest_slot_us`."""
+        """Kernel launches included in `shortest_slot_us`."""
         boundary = self.busy_us.index(self.shortest_slot_us)
-        # The frame's first launch comes before the exposure starts.
+        # The first launch of the frame is before the start of the exposure.
         return sum(n == boundary for n, _ in self.schedule.launches[1:])
 
     @property
     def frame_us(self) -> float:
-        """Time from boundary 0's first word to boundary N's last."""
+        """Time from the first word of boundary 0 to the last word of boundary N."""
         return self.schedule.setup_us + self.time.boundary_us[-1] + self.busy_us[-1]
 
     @cached_property
     def late(self) -> list[int]:
-        """Slots that are shorter than the words at their start."""
+        """Slots shorter than the words at their start."""
         slots = self.program.frame.slot_us
         return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us * _ROUNDING]
 
     @cached_property
     def overfull(self) -> list[int]:
-        """Boundaries that have more words than the user allows."""
+        """Boundaries with more words than the user allows."""
         if self.most_words is None:
             return []
         return [n for n, words in enumerate(self.words_per_boundary) if words > self.most_words]
 
     @cached_property
     def overload(self) -> float:
-        """How many times what it may be the fullest boundary is, in words or in time; 0 if none
-        is too full."""
+        """The fullest boundary's words or time as a multiple of its limit; 0 if all are within
+        limits."""
         slots = self.program.frame.slot_us
         ratios = [self.busy_us[n] / slots[n] for n in self.late]
         ratios += [self.words_per_boundary[n] / (self.most_words or 1) for n in self.overfull]
@@ -119,23 +115,21 @@ class Lowered:
 
     @property
     def fits(self) -> bool:
-        """Whether store, slot time, retention and the user's limit all allow this program."""
+        """Whether store, slot time, retention and the user's limit are respected."""
         return self.stored_ok and self.retained and not self.late and not self.overfull
 
     @property
     def price(self) -> tuple[bool, float, int, int, int]:
-        """Sort key among solutions of one lowering: fits, how far from it a boundary is, words a
-        frame without refresh, which runs when the light is read, largest boundary, refresh."""
+        """Sort key among solutions of one lowering: fits, overload, words a frame without refresh,
+        largest boundary, refresh words."""
         refresh = self.schedule.words_refresh
-        rest = self.schedule.words_total - refresh
-        return not self.fits, self.overload, rest, max(self.words_per_boundary), refresh
+        words = self.schedule.words_total - refresh
+        return not self.fits, self.overload, words, max(self.words_per_boundary), refresh
 
     @property
     def headroom_e(self) -> float:
-        """Most electrons a frame, at constant light with the shutter always open, for every code.
-
-        Neither PIX between two resets nor a frame register may leave its range.
-        """
+        """The largest constant light that saturates no code, in electrons a frame of an always-open
+        shutter. The limits are PIX between two resets and the frame registers."""
         program, plan = self.program, self.plan
         target = program.target
         slot_us = np.array(program.frame.slot_us)
@@ -151,7 +145,7 @@ class Lowered:
         else:
             pix_share = float(share[: max(reads, default=0)].sum())
             if plan.lowering == "edges":
-                # A rising edge subtracts all the light before it.
+                # A rising edge subtracts all light before it.
                 last = max((s.boundary for s in plan.steps if s.role == "rise"), default=0)
                 register_share = max(register_share, float(share[:last].sum()))
         limits = [target.full_well_e / pix_share] if pix_share else []
@@ -162,38 +156,35 @@ class Lowered:
 
 @dataclass(frozen=True)
 class Choice:
-    """The lowerings that were laid out, best first, and why others are none.
+    """All lowerings, best first, and why others failed. `failed_generators` names the generators
+    that raised an exception."""
 
-    `failed_generators` names the generators that raised an exception.
-    """
-
-    tried: tuple[Lowered, ...]
+    lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]
     failed_generators: tuple[str, ...] = ()
 
     @property
     def best(self) -> Lowered:
-        """The best lowering, whether it fits or not."""
-        return self.tried[0]
+        return self.lowerings[0]
 
 
 def lay_out(
     program: Program, decoding: Decoding, time: Timeline, most_words: int | None
 ) -> Lowered:
-    """The words of a decoding over the frame's boundaries. `most_words` as in Lowered."""
+    """Lay out the words of a decoding over the frame's boundaries. `most_words` as in Lowered."""
     laid = schedule(decoding, time, program.target)
     return Lowered(program, decoding, laid, time, most_words)
 
 
-def _reads_pix(step: Step) -> bool:
+def _reads_pix(step: PlanStep) -> bool:
     return any("PIX" in word.sources for word in step.words)
 
 
 def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64]) -> float:
-    """The largest light between a rise and its fall, as a share of the frame's."""
+    """The largest light between a rise and its fall, as a share of the frame's light."""
     bump = np.zeros(shutters.shape[:2])
     longest = 0.0
-    for slot, part in enumerate(share):
-        bump = np.where(shutters[:, :, slot], bump + part, 0.0)
+    for slot, slot_share in enumerate(share):
+        bump = np.where(shutters[:, :, slot], bump + slot_share, 0.0)
         longest = max(longest, float(bump.max(initial=0.0)))
     return longest

@@ -1,4 +1,4 @@
-"""Parts of every error about a resource: where its limit comes from, what is needed, times."""
+"""Common parts of resource errors: the origin of the limit, the need, times."""
 
 from __future__ import annotations
 
@@ -9,30 +9,30 @@ from nscc.program.program import Program
 
 
 def chip_label(program: Program, text: str) -> tuple[Label, ...]:
-    """The second place of a resource error: where the program names its chip."""
+    """The second label of a resource error: the statement that names the chip."""
     return (Label(program.target_span, text),) if program.target_span is not None else ()
 
 
 def chip_note(program: Program, text: str) -> tuple[str, ...]:
-    """What `chip_label` says, for a program that does not name its chip."""
+    """The content of `chip_label` as a note, for a program that does not name its chip."""
     return () if program.target_span is not None else (f"{program.target.name}: {text}",)
 
 
 def resource(
     name: str, required: float, available: float, *, proved: bool
 ) -> dict[str, str | float | bool]:
-    """The data of an error about a resource."""
+    """The machine-readable data of a resource error."""
     return {"resource": name, "required": required, "available": available, "proved": proved}
 
 
 def at_least(us: float) -> str:
-    """A time rounded up, in words; never less than `us`."""
+    """Format a time, rounded up."""
     digit_us = 10.0 ** (floor(log10(us)) - 2)
     return time_text(ceil(us / digit_us - 1e-9) * digit_us)
 
 
 def time_text(us: float) -> str:
-    """A time in the unit that suits it."""
+    """Format a time with a suitable unit."""
     for unit, size in (("s", 1e6), ("ms", 1e3), ("us", 1.0)):
         if us >= size:
             return f"{us / size:.4g} {unit}"

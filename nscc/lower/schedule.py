@@ -1,8 +1,8 @@
-"""Words in time: what runs at each boundary, in which kernels, and what that costs.
+"""Words in time: the kernels, their boundaries, and their costs.
 
-A boundary's words come in segments. Kernels are recorded lists of words, stored once however often
-they are launched; every launch costs time. So a boundary's segments are one kernel while the store
-has room, and separate kernels, shared between boundaries, where it has not.
+The words of a boundary come in segments. A kernel is stored once however often it is launched, but
+every launch takes time. So the segments of a boundary are one kernel if the store has room, else
+separate kernels that boundaries share.
 """
 
 from __future__ import annotations
@@ -24,12 +24,11 @@ Words = tuple[Op, ...]
 
 @dataclass(frozen=True)
 class Schedule:
-    """A whole frame in words.
+    """All words of a frame.
 
-    `kernels` are distinct; `launches` are (boundary, kernel) in the order in which they run.
-    `setup_us` is the time of boundary 0's words before the exposure starts, with their launch.
-    `levels` has the steps of IN that each launch is made with, None where it may be anything; it is
-    empty where no launch sets it.
+    `kernels` are distinct; `launches` are (boundary, kernel) in execution order. `setup_us` is the
+    time of boundary 0's words before the exposure starts, including their launch. `levels` is the
+    value of IN of each launch in steps, None if it does not matter; empty if no launch sets IN.
     """
 
     allocation: Allocation
@@ -40,41 +39,41 @@ class Schedule:
     levels: tuple[int | None, ...] = ()
 
     def settles(self) -> list[int]:
-        """The boundaries at which IN is set anew, once for each time."""
-        found: list[int] = []
+        """The boundaries at which IN changes, once for each change."""
+        boundaries: list[int] = []
         last: int | None = None
         levels = self.levels or (None,) * len(self.launches)
         for (boundary, _), level in zip(self.launches, levels, strict=True):
             if level not in (None, last):
-                found.append(boundary)
+                boundaries.append(boundary)
                 last = level
-        return found
+        return boundaries
 
     @property
     def words_stored(self) -> int:
-        """Words in the store."""
+        """Stored words."""
         return sum(len(kernel) for kernel in self.kernels)
 
     @property
     def words_total(self) -> int:
-        """Words executed in a frame."""
+        """Executed words of a frame."""
         return sum(len(self.kernels[kernel]) for _, kernel in self.launches)
 
     @property
     def words_refresh(self) -> int:
-        """Words of a frame that only write registers back to themselves."""
+        """Words of a frame that only refresh registers."""
         of_kernel = [refresh_count(kernel) for kernel in self.kernels]
         return sum(of_kernel[kernel] for _, kernel in self.launches)
 
 
 def kernel_us(kernel: Sequence[Op], target: Target) -> float:
-    """Time that launching a kernel and its words take."""
+    """Time of a kernel's launch and words."""
     analog = sum(1 for word in kernel if word.analog)
     return words_us(analog, len(kernel) - analog, target) + target.launch_us
 
 
 def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
-    """Lays a solution's gates and a plan's analog words out over the boundaries."""
+    """Lay out the gates of a solution and the analog words of its plan over the boundaries."""
     plan = decoding.plan
     allocation = allocate(decoding.solution, target)
     boundaries = _segments(decoding, allocation)
@@ -85,17 +84,17 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
     setup_us = kernel_us(boundaries[0][0][: exposed + 1], target)
     apart: set[Words] = set()
     for n in time.refresh_at or ():
-        # A state that nobody has written yet in this frame is nobody's.
+        # A state that was not written yet in this frame needs no refresh.
         written = {register for run in boundaries[:n] for words_ in run for word in words_
                    for register in word.destinations}  # fmt: skip
-        held = (*refreshed, *(r for r in allocation.state_registers if r in written))
-        if held:
-            boundaries[n].insert(0, refresh_words(held, allocation))
+        to_refresh = (*refreshed, *(r for r in allocation.state_registers if r in written))
+        if to_refresh:
+            boundaries[n].insert(0, refresh_words(to_refresh, allocation))
             apart.add(boundaries[n][0])
     if refreshed:
         boundaries[plan.slots].append(refresh_words(refreshed, allocation))
-    # A refresh inside the frame comes at a few boundaries only, each unlike the others: launched
-    # by itself it is stored once and leaves them alike.
+    # Refreshes inside the frame differ at each boundary. As separate kernels they are stored once,
+    # and leave the other kernels of boundaries equal.
     for form in (_merged(boundaries, apart), boundaries):
         kernels, launches = _shared(form)
         result = Schedule(allocation, kernels, launches, setup_us, refreshed)
@@ -105,7 +104,7 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
 
 
 def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
-    """The words of every boundary, in segments; boundary 0's first one ends the setup."""
+    """The segments of every boundary; the first one of boundary 0 ends with the setup."""
     plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
@@ -148,11 +147,9 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
 def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
-    """The code registers that the frame's own words do not write often enough.
-
-    A write to the masked register counts only where SET of its mask comes before it: elsewhere some
-    pixels keep their old charge.
-    """
+    """The code registers that the frame's own words do not write often enough. A write to the
+    masked register counts only after SET of its mask, because it does not reach all pixels
+    otherwise."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     mask_is_set = False
     for n, segments in enumerate(boundaries):
@@ -166,13 +163,13 @@ def refreshed_registers(
 
 
 def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> list[list[Words]]:
-    """One segment for each boundary, but for segments that stay `apart`."""
+    """One segment for each boundary, except segments in `apart`."""
     merged: list[list[Words]] = []
     for segments in boundaries:
         run: list[Words] = []
         for alone, group in groupby(segments, key=apart.__contains__):
-            found = list(group)
-            run += found if alone else [tuple(chain.from_iterable(found))]
+            group_words = list(group)
+            run += group_words if alone else [tuple(chain.from_iterable(group_words))]
         merged.append(run)
     return merged
 

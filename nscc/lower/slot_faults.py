@@ -1,4 +1,4 @@
-"""Slots that are too short for their words, too full, or too long for memory."""
+"""Diagnostics for slots that are too short, too full, or longer than the memory's retention."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nscc.program.problems import counted
 
 
 def retention_fault(lowered: Lowered) -> Diagnostic:
-    """NS0602: a slot, or the readout, outlasts digital memory. Certain."""
+    """NS0602: a slot, or the readout, is longer than the retention of digital memory. Certain."""
     program = lowered.program
     longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
     slot_us = program.frame.slot_us[longest]
@@ -33,14 +33,14 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
 
 
 def late_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0601: words take longer than the slot at whose start they run.
-
-    Certain where, in every lowering, the analog words and one launch alone do.
-    """
+    """NS0601: words take longer than the slot at whose start they run. Certain if in every lowering
+    the analog words and one launch take too long."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
-    certain = _nothing_untried(choice) and all(_too_short(tried) for tried in choice.tried)
+    certain = _nothing_untried(choice) and all(
+        _too_short(candidate) for candidate in choice.lowerings
+    )
     if certain:
         worst = _too_short(lowered)[0]
         needed_us = _least_us(lowered, worst)
@@ -72,17 +72,16 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0603: more words at a boundary than `--max-words-per-slot` allows.
-
-    Certain where, in every lowering, the analog words of a boundary alone are more.
-    """
+    """NS0603: more words at a boundary than `--max-words-per-slot` allows. Certain if in every
+    lowering the analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
     words = lowered.words_per_boundary
     worst = max(lowered.overfull, key=lambda n: (words[n], -n))
     certain = _nothing_untried(choice) and all(
-        any(_analog_words(tried, n) > allowed for n in tried.overfull) for tried in choice.tried
+        any(_analog_words(candidate, n) > allowed for n in candidate.overfull)
+        for candidate in choice.lowerings
     )
     slots = len(program.frame.slot_us)
     over = counted(len(lowered.overfull), "boundary", "boundaries")
@@ -106,7 +105,7 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def _where_they_go(lowered: Lowered, boundary: int) -> str:
-    """The words of a boundary by purpose, and what launching them takes."""
+    """The words of a boundary by purpose, and the time of launches."""
     kernels, launch_us = lowered.schedule.kernels, lowered.program.target.launch_us
     launched = [kernels[kernel] for n, kernel in lowered.schedule.launches if n == boundary]
     words = [word for kernel in launched for word in kernel]
@@ -119,9 +118,9 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
         (analog - light, "to set up and reset"),
         (refresh, "to refresh registers"),
     )
-    said = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
+    purposes = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
     launches = counted(len(launched), "kernel")
-    return f"{said}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
+    return f"{purposes}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
 
 
 def _times(target: Target) -> str:
@@ -133,19 +132,19 @@ def _times(target: Target) -> str:
 
 
 def _nothing_untried(choice: Choice) -> bool:
-    """Whether every lowering was laid out, or cannot be."""
+    """Whether every lowering was laid out or is impossible."""
     return not any(misfit.searched for misfit in choice.misfits.values())
 
 
 def _too_short(lowered: Lowered) -> list[int]:
-    """Slots in which no gates at all would leave time enough; the worst one first."""
+    """Slots too short for analog words alone, worst first."""
     slots_us = lowered.program.frame.slot_us
     lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
     return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
-    """Time that no program can do without at a boundary: its analog words, one launch, the loop."""
+    """The minimum time at a boundary: its analog words, one launch, the loop."""
     target = lowered.program.target
     analog = _analog_words(lowered, boundary)
     loop_us = target.launch_us + (target.wait_us if boundary else 0.0)
@@ -153,6 +152,6 @@ def _least_us(lowered: Lowered, boundary: int) -> float:
 
 
 def _analog_words(lowered: Lowered, boundary: int) -> int:
-    """Words that move a boundary's light, whatever the gates."""
+    """Words that move a boundary's light, independent of gates."""
     steps = [s for s in lowered.plan.steps if s.boundary == boundary and s.bucket >= 0]
     return sum(len(step.words) for step in steps)

@@ -1,4 +1,4 @@
-"""When things happen in a frame, and how long digital memory keeps."""
+"""The times of a frame, and the retention of digital memory."""
 
 from __future__ import annotations
 
@@ -8,18 +8,16 @@ from itertools import accumulate, pairwise
 
 from nscc.chips.target import Target
 
-# Words take time, and the retention is a typical figure: nothing is left to age beyond this share.
+# Share of the retention time that may be used: words take time, and the retention is a typical
+# value.
 RETENTION_SHARE = 0.9
 
 
 @dataclass(frozen=True)
 class Timeline:
-    """The frame's time in microseconds.
-
-    `boundary_us[n]` is the time of boundary n; `between_us` lies between boundary N and the next
-    frame's boundary 0 (readout). `refresh_at` are the boundaries inside the frame at which
-    registers must be written again; None where even that cannot keep them.
-    """
+    """The frame's times in microseconds. `boundary_us[n]` is the time of boundary n; `between_us`
+    is from boundary N to the next frame's boundary 0 (readout). `refresh_at` are the boundaries
+    inside the frame at which registers must be refreshed; None if even that is not enough."""
 
     boundary_us: tuple[float, ...]
     between_us: float
@@ -39,7 +37,7 @@ def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeli
 def _refresh_boundaries(
     boundary_us: tuple[float, ...], between_us: float, keep_us: float
 ) -> tuple[int, ...] | None:
-    """As few boundaries as keep every gap within keep_us, from one frame's end to the next's."""
+    """The fewest boundaries that keep every gap, including the readout, within keep_us."""
     at: list[int] = []
     last = -between_us
     for n in range(1, len(boundary_us)):
@@ -52,7 +50,7 @@ def _refresh_boundaries(
 
 
 def fades(written_at: Collection[int], time: Timeline) -> bool:
-    """Whether a register written at these boundaries of every frame is ever left too long."""
+    """Whether a register written at these boundaries of every frame exceeds the retention time."""
     if not written_at:
         return True
     times = [time.boundary_us[n] for n in sorted(written_at)]

@@ -1,7 +1,7 @@
 """From the tree of a shutter program to a checked program with its decode table.
 
-The way in is `nscc.program.analyse.analyse`; `nscc.program.pixels.codes_from_file` lays a file of
-codes on a program that is compiled already; `nscc.program.printing.print_program` shows the result.
+`nscc.program.analyse.analyse` is the entry point. `nscc.program.pixel_codes.codes_from_file` reads
+other pixel codes for a compiled program. `nscc.program.printing.print_program` prints a program.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is allowed and yet worth saying: warnings and notes about a program without errors."""
+"""Warnings and notes about valid programs."""
 
 from __future__ import annotations
 
@@ -22,18 +22,21 @@ def judge_rules(
     basis: str,
     problems: Problems,
 ) -> None:
-    """Warns of rules that never open (NS0350) and, where there are fields, always do (NS0351).
+    """Warn of rules that never open (NS0350) and, if there are fields, of rules that always open
+    (NS0351).
 
-    Never is judged by the codes compiled for (`table`, `basis` in words): the frame would stay
-    dark. Always is judged by `survey`, all codes if they are few: pixels may well be open for long.
+    Never is judged by the compiled codes (`table`; `basis` describes them), since the frame would
+    stay dark. Always is judged by `survey`: all codes if there are few, since the pixels in use may
+    need long exposures.
+    A bucket that is always open beside coded ones is the ordinary exposure of the same moment.
     """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
         who = f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
         if not shutters.any():
-            when = f"false in every slot, {basis}" if has_fields else "false in every slot"
-            problems.warning("NS0350", f"{who} never opens", rule.rule.span, when)
-        elif has_fields and survey.shutters[:, k, :].all():
+            text = f"false in every slot, {basis}" if has_fields else "false in every slot"
+            problems.warning("NS0350", f"{who} never opens", rule.rule.span, text)
+        elif has_fields and survey.shutters.all():
             message = f"{who} is always open, whatever the code"
             camera = ("for an ordinary camera write `open when true` without fields",)
             helps = () if isinstance(rule, tree.Bucket) else camera
@@ -47,10 +50,8 @@ def judge_names(
     books: Books,
     problems: Problems,
 ) -> None:
-    """Warns of fields that no rule reads (NS0352); notes lets and books that nothing does (NS0355).
-
-    `rules` are all expressions that shutters depend on; a sense's level may be a field, too.
-    """
+    """Warn of fields that no rule reads (NS0352); note unused lets and codebooks (NS0355). `rules`
+    are all expressions that shutters depend on; a sense's level may also be a field."""
     read = _names_read(declared)
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
@@ -70,22 +71,22 @@ def judge_names(
             problems.note("NS0355", f"the codebook `{name}` is not used", place, "not used")
 
 
-def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
-    """Warns where bumps of one length are cut by the frame's edge (NS0354)."""
-    if found.name == "c" and found.cut:
+def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
+    """Warn of bumps of one length that the frame's edge cuts (NS0354)."""
+    if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",
-            f"{counted(found.cut, 'shutter has', 'shutters have')} a bump that the end of "
+            f"{counted(shape.cut, 'shutter has', 'shutters have')} a bump that the end of "
             "the frame cuts short",
             rule.rule.span,
             f"a frame has the slots 0..{table.shutters.shape[2] - 1}",
-            notes=(found.reason,),
+            notes=(shape.reason,),
             helps=("limit the starts to N - len: `code start : 0..N - len`",),
         )
 
 
 def _names_read(declared: Declarations) -> set[str]:
-    """Every name that an expression anywhere in the file reads."""
+    """Every name in the expressions of the file."""
     exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
     exprs += [r.condition for r in declared.requires]
     exprs += [r.rule for r in declared.rules]
@@ -107,18 +108,18 @@ def _names_read(declared: Declarations) -> set[str]:
 
 
 def _looked_at(declared: Declarations) -> Iterator[tree.Expr]:
-    """The expressions in statements of version 2."""
+    """The expressions in statements of language version 2."""
     for sense in declared.senses.values():
         yield sense.at
         levels = sense.level.items if isinstance(sense.level, tree.Levels) else (sense.level,)
-        yield from (each for each in levels if not isinstance(each, tree.Amount | tree.Levels))
+        yield from (level for level in levels if not isinstance(level, tree.Amount | tree.Levels))
     for state in declared.states.values():
         yield state.start
         if isinstance(state, tree.StateRange):
             yield from (state.low, state.high)
-    for each in declared.nexts.values():
-        yield each.value
-        if each.condition is not None:
-            yield each.condition
+    for step in declared.nexts.values():
+        yield step.value
+        if step.condition is not None:
+            yield step.condition
     if declared.reset is not None:
         yield declared.reset.condition

@@ -11,16 +11,17 @@ from nscc.program.books import make_books
 from nscc.program.complete import Completion
 from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Checked, Meaning, check
+from nscc.program.field_planes import make_planes
 from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
-from nscc.program.planes import make_planes
+from nscc.program.pictures import make_pictures
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
 from nscc.program.table import Rules
-from nscc.program.wide import parts_of
+from nscc.program.wide import chunks_of
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
@@ -50,16 +51,20 @@ def analyse(
     if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
+    pictures = make_pictures(declared, constants, chosen, base, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
     assert frame is not None
     assert chosen is not None
     sound = tuple(
-        part for field in fields.values() if field is not None for part in parts_of(field)
+        part for field in fields.values() if field is not None for part in chunks_of(field)
     )
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
-    return Completion(problems, declared, chosen, frame, known, planes, codes, looking).run()
+    completion = Completion(
+        problems, declared, chosen, frame, known, planes, codes, looking, pictures
+    )
+    return completion.run()
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
@@ -69,7 +74,7 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
     constants = resolve_constants(declared, target, problems)
     books = make_books(declared.books, constants["N"], base, problems)
     fields = make_fields(declared, constants_scope(declared, constants), books, problems)
-    sound = (part for each in fields.values() if each is not None for part in parts_of(each))
+    sound = (part for each in fields.values() if each is not None for part in chunks_of(each))
     return {part.name: (part.low, part.high) for part in sound}
 
 

@@ -1,8 +1,9 @@
-"""Values of nodes, their faults, and arithmetic on them: exact, for many places at once.
+"""Values of expression nodes, their faults, and exact arithmetic for many codes, slots or pixels at
+once.
 
-Integers never wrap: beyond 2^62 - 1 in magnitude an operation is a fault, as are division by zero
-and a shift count outside 0..61. `low` and `high` come from interval arithmetic in unbounded
-integers, so that places are searched for faults only where the intervals allow one.
+Integers never wrap: results beyond 2^62 - 1 in magnitude, division by zero and shift counts outside
+0..61 are faults. `low` and `high` come from interval arithmetic in unbounded integers; only if they
+allow a fault are the single values checked.
 """
 
 from __future__ import annotations
@@ -21,14 +22,12 @@ from nscc.syntax.tree import Binary
 MOST_SHIFT = 61
 
 Data = Any
-"""An int or a bool, or an int64 or bool array that broadcasts against the others."""
+"""An int or a bool, or an int64 or bool array that broadcasts with others."""
 
 
 class Fault(NamedTuple):
-    """Why an expression has no value: a code of nscc, one line of text, the place and its label.
-
-    These are what `Problems.error` takes.
-    """
+    """Why an expression has no value: an error code, a message, the place and its label. These are
+    the arguments of `Problems.error`."""
 
     code: str
     message: str
@@ -37,14 +36,12 @@ class Fault(NamedTuple):
 
 
 Faults = Fault | NDArray[np.bool_] | None
-"""No fault, one that holds everywhere, or the places where there is one."""
+"""No fault, a fault everywhere, or the places of the fault."""
 
 
 class Value:
-    """What one node is worth: integers lie in `low`..`high`; where `faults` hold, data is void.
-
-    One integer bounds itself: the bounds given with it are not used.
-    """
+    """The values of a node: integers in `low`..`high`; where `faults` hold, the data is undefined.
+    For a single integer, `low` and `high` are set to it."""
 
     __slots__ = ("data", "faults", "high", "low")
 
@@ -58,19 +55,19 @@ class Value:
 
 
 def scalar(number: int) -> Value:
-    """The value of one integer."""
+    """The value of a single integer."""
     return Value(number, number, number)
 
 
 def array(numbers: NDArray[np.int64]) -> Value:
-    """The value of an int64 array of numbers within the limit."""
+    """The value of an int64 array."""
     if numbers.size == 0:
         return Value(numbers, 0, 0)
     return Value(numbers, int(numbers.min()), int(numbers.max()))
 
 
 def either(a: Faults, b: Faults) -> Faults:
-    """The faults of a result that needs both."""
+    """The union of the faults of two operands."""
     if a is None or isinstance(b, Fault):
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):
@@ -78,8 +75,8 @@ def either(a: Faults, b: Faults) -> Faults:
     return a | b
 
 
-def where(condition: Data, faults: Faults) -> Faults:
-    """The faults that remain where only the places of `condition` are evaluated."""
+def faults_where(condition: Data, faults: Faults) -> Faults:
+    """The faults that remain if only the places of `condition` are evaluated."""
     if faults is None:
         return None
     if isinstance(condition, np.ndarray):
@@ -90,14 +87,14 @@ def where(condition: Data, faults: Faults) -> Faults:
 
 
 def guard(
-    wrong: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
+    at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
-    """`data` with the places that are `wrong` made `harmless`, and the faults they are."""
-    if isinstance(wrong, np.ndarray):
-        if not wrong.any():
+    """Replace `data` by `harmless` where it is `at_fault`, and add those places to the faults."""
+    if isinstance(at_fault, np.ndarray):
+        if not at_fault.any():
             return data, before
-        return np.where(wrong, harmless, data), either(before, wrong)
-    if not wrong:
+        return np.where(at_fault, harmless, data), either(before, at_fault)
+    if not at_fault:
         return data, before
     return harmless, either(before, fault())
 
@@ -106,7 +103,7 @@ def _bounded(
     node: Binary, a: Value, b: Value, low: int, high: int, faults: Faults,
     compute: Callable[[], Data], beyond: Callable[[], Data],
 ) -> Value:  # fmt: skip
-    """`compute` guarded against results beyond the limit; `beyond` finds the places."""
+    """`compute` with a guard against results beyond the limit, whose places `beyond` returns."""
 
     def fault() -> Fault:
         text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
@@ -132,7 +129,7 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
     faults = either(a.faults, b.faults)
     return _bounded(
         node, a, b, low, high, faults, compute, lambda: np.abs(compute()) > LIMIT
-    )  # two values within the limit sum to less than 2^63: compute() itself never wraps
+    )  # two values within the limit sum to less than 2^63, so compute() does not wrap
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:
@@ -151,8 +148,8 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
     faults = either(a.faults, b.faults)
     if not b.low <= 0 <= b.high:
         return b.data, faults
-    what = "division by zero" if node.op == "/" else "remainder of a division by zero"
-    fault = Fault("NS0302", what, node.right.span, "this is 0")
+    message = "division by zero" if node.op == "/" else "remainder of a division by zero"
+    fault = Fault("NS0302", message, node.right.span, "this is 0")
     return guard(b.data == 0, b.data, 1, lambda: fault, faults)
 
 
@@ -182,8 +179,8 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
             message = f"invalid shift by {count}"
             return Fault("NS0304", message, place, f"the count is {count}")
 
-        wrong = (b.data < 0) | (b.data > MOST_SHIFT)
-        data, faults = guard(wrong, b.data, 0, fault, faults)
+        out_of_range = (b.data < 0) | (b.data > MOST_SHIFT)
+        data, faults = guard(out_of_range, b.data, 0, fault, faults)
         low, high = max(b.low, 0), min(max(b.high, 0), MOST_SHIFT)
         count = Value(data, min(low, high), high, faults)
         if data is not b.data:

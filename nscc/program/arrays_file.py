@@ -1,7 +1,7 @@
-"""Reading integer arrays from .npz files that anyone may have made: nothing in them is trusted.
+"""Reading integer arrays from untrusted .npz files.
 
-An array's size is checked as declared, before it is unpacked; objects (pickles) are refused; every
-failure is a `Rejected` (status 2) that knows no place in a program.
+Declared sizes are checked before unpacking, pickled objects are refused, and every failure is a
+`Rejected` (status 2) without a place in a program.
 """
 
 from __future__ import annotations
@@ -25,17 +25,15 @@ if TYPE_CHECKING:
     from zipfile import ZipFile
 
 MOST_FILE_BYTES = 2**27
-"""Largest file that is read at all: twice the largest codebook, unpacked."""
+"""Largest file to read: twice the largest codebook, unpacked."""
 
 _MOST_KEYS = 4096
 _MOST_HEADER_BYTES = 2**16
 
 
 class ArraysFile:
-    """An .npz file, opened: `keys` in the order stored, `sha256` of the whole file in hexadecimal.
-
-    `shown` is the path as the user wrote it.
-    """
+    """An open .npz file: its `keys` in stored order, and the `sha256` of the file in hexadecimal.
+    `shown` is the path as the user wrote it."""
 
     def __init__(self, path: Path, shown: str) -> None:
         self.shown = clipped(shown, 80)
@@ -48,32 +46,32 @@ class ArraysFile:
 
     @property
     def sha256(self) -> str:
-        """Digest of the bytes that were read."""
+        """Digest of the file's bytes."""
         from hashlib import sha256
 
         return sha256(self._data).hexdigest()
 
-    def require_sha256(self, wanted: str) -> None:
-        """Raises Rejected (NS0315) unless the file has the digest that the program states."""
-        if len(wanted) != 64 or not all(c in "0123456789abcdefABCDEF" for c in wanted):
+    def require_sha256(self, stated_sha256: str) -> None:
+        """Raise Rejected (NS0315) if the digest differs from the one that the program states."""
+        if len(stated_sha256) != 64 or not all(
+            c in "0123456789abcdefABCDEF" for c in stated_sha256
+        ):
             message = (
-                f'"{clipped(wanted)}" is not a SHA-256 digest: a digest has 64 hexadecimal digits'
+                f'"{clipped(stated_sha256)}" is not a SHA-256 digest: a digest has 64 hexadecimal '
+                "digits"
             )
             raise rejected("NS0315", message, helps=(f'the file has sha256 "{self.sha256}"',))
-        if wanted.lower() != self.sha256:
+        if stated_sha256.lower() != self.sha256:
             message = (
                 f'the contents of "{self.shown}" differ from the file that the program was '
                 "written for"
             )
-            notes = (f"expected {wanted.lower()}", f"found    {self.sha256}")
+            notes = (f"expected {stated_sha256.lower()}", f"found    {self.sha256}")
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
-        """The array `key`, of an integer dtype (or bool, with `bools`), of at most `most` values.
-
-        Raises Rejected: NS0313 where the file is broken, NS0314 where the array is missing or is
-        no such array.
-        """
+        """The array `key` with an integer dtype (or bool, with `bools`) and at most `most` values.
+        Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array."""
         if key not in self.keys:
             raise self._missing(key)
         from zipfile import BadZipFile
@@ -134,8 +132,8 @@ class ArraysFile:
             message = f'"{self.shown}" is not an .npz file'
             raise rejected("NS0313", message, helps=(help_text,)) from error
 
-    def _broken(self, what: str) -> Rejected:
-        return rejected("NS0313", f'"{self.shown}" is damaged: {what}')
+    def _broken(self, reason: str) -> Rejected:
+        return rejected("NS0313", f'"{self.shown}" is damaged: {reason}')
 
     def _too_large(self, key: str, most: int) -> Rejected:
         message = f'the array `{clipped(key)}` of "{self.shown}" has more than {most} values'

@@ -1,7 +1,6 @@
-"""What no compiler can do: counts of shutters that a pixel's registers cannot tell apart.
+"""Limits for every compiler: numbers of shutters that a pixel's registers can distinguish.
 
-Nothing here is a property of nscc's gates: these bounds hold for any encoding of codes that are
-held in digital registers.
+They hold for any encoding of codes in digital registers.
 """
 
 from __future__ import annotations
@@ -13,11 +12,11 @@ from nscc.chips.target import Target
 from nscc.program.limits import MOST_SLOTS
 
 Count = Callable[[int], int]
-"""How many different shutters a class has at a size; it never falls as the size grows."""
+"""The number of different shutters of a class as a non-decreasing function of its size."""
 
 
 def bits_needed(shutters: int) -> int:
-    """The fewest one-bit registers that tell so many shutters apart."""
+    """The fewest one-bit registers that distinguish this number of shutters."""
     return max(0, (shutters - 1).bit_length())
 
 
@@ -30,13 +29,13 @@ def capacity_note(shutters: int) -> str:
 
 
 def largest_with(count: Count, most: int, least: int, ceiling: int) -> int:
-    """The largest size in `least`..`ceiling` that has at most `most` shutters; least - 1 if none
-    has."""
+    """The largest size in `least`..`ceiling` with at most `most` shutters; least - 1 if there is
+    none."""
     return least - 1 + bisect_right(range(least, ceiling + 1), most, key=count)
 
 
 def impossible_from(count: Count, target: Target) -> int | None:
-    """The smallest size whose shutters the registers of `target` cannot tell apart; None if every
-    size up to the longest frame passes."""
+    """The smallest size whose shutters the registers of `target` cannot distinguish; None if all
+    sizes up to the longest frame are possible."""
     fits = largest_with(count, 1 << len(target.digital_registers), 1, MOST_SLOTS)
     return fits + 1 if fits < MOST_SLOTS else None

@@ -1,7 +1,7 @@
-"""Which of the paper's classes the shutters are: a name for the report, and why.
+"""The shutter class of a program (as in the paper), and the reason.
 
-Bumps and always-open shutters are recognised from the shutters themselves, however the rule is
-written. A codebook and free bits (class e) are how a rule is written, so the rule is asked.
+Always-open shutters and bumps are recognised from the decode table, independent of the rule's form.
+Codebooks and free bits (class e) are recognised from the rule.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from nscc.words.container import DecodeTable
 
 
 class Recognised(NamedTuple):
-    """`name` a, b, c, d, e, codebook or general; `reason` a sentence; `cut` counts the shutters
-    whose bump is shorter than the class's because the frame ends."""
+    """Class `name` (a, b, c, d, e, codebook or general) with a `reason` sentence; `cut` is the
+    number of shutters whose bump the end of the frame shortens."""
 
     name: str
     reason: str
@@ -31,30 +31,31 @@ class Recognised(NamedTuple):
 
 
 def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: str) -> Recognised:
-    """The class of a program; several buckets are of a class if each one is, else general.
-
-    `basis` says in words which codes `table` holds.
-    """
-    found = [
-        _one(rules, rule, table.shutters[:, k, :], basis) for k, rule in enumerate(rules.rules)
+    """The class of a program; several buckets must all be of one class, else it is general. `basis`
+    describes the codes in `table`."""
+    recognised = [
+        _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
+        for k, rule in enumerate(rules.rules)
     ]
-    if len(found) == 1:
-        return found[0]
-    cut = sum(f.cut for f in found)
-    names = {f.name for f in found}
-    parts = ", ".join(
-        f"{bucket} {_class_text(f.name)}" for bucket, f in zip(buckets, found, strict=True)
+    if len(recognised) == 1:
+        return recognised[0]
+    cut = sum(f.cut for f in recognised)
+    names = {f.name for f in recognised}
+    class_texts = ", ".join(
+        f"{bucket} {_class_text(f.name)}" for bucket, f in zip(buckets, recognised, strict=True)
     )
     if len(names) == 1:
-        return Recognised(found[0].name, f"by bucket: {parts}", cut)
-    return Recognised("general", f"buckets of different classes: {parts}", cut)
+        return Recognised(recognised[0].name, f"by bucket: {class_texts}", cut)
+    return Recognised("general", f"buckets of different classes: {class_texts}", cut)
 
 
 def _class_text(name: str) -> str:
     return f"class {name}" if len(name) == 1 else name
 
 
-def _one(rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str) -> Recognised:
+def _recognise_rule(
+    rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str
+) -> Recognised:
     if len(rules.rules) > 1:
         packed, _ = distinct_rows(np.packbits(shutters, axis=1))
         shutters = np.unpackbits(packed, axis=1, count=rules.slots).view(np.bool_)
@@ -85,7 +86,7 @@ def _codebook_reason(rules: Rules, node: Index, by_shape: Recognised) -> str:
 
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
-    """Is the rule `bits[I]` with an index that names another bit in every slot?"""
+    """Whether the rule is `bits[I]` with a different bit in every slot."""
     if isinstance(node.index, Name) and node.index.text == "n":
         return True
     fields = {field.name for field in rules.fields}
@@ -95,12 +96,14 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
     if read & fields or not read <= {"n", *rule.constants}:
         return False
     slots = array(np.arange(rules.slots, dtype=np.int64))
-    found = evaluate(index, {"n": slots}, {})
-    return found.faults is None and len(set(np.ravel(found.data).tolist())) == rules.slots
+    bit_numbers = evaluate(index, {"n": slots}, {})
+    return (
+        bit_numbers.faults is None and len(set(np.ravel(bit_numbers.data).tolist())) == rules.slots
+    )
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
-    """Class a, b, c or d by where the distinct `shutters` (K, N) open and close, else general."""
+    """Class a, b, c or d from the distinct `shutters` (K, N), else general."""
     slots = shutters.shape[1]
     length = np.count_nonzero(shutters, axis=1)
     opens = length > 0
@@ -122,14 +125,14 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
             "b", f"every shutter is open from slot 0 up to a stop of its own{also}, {basis}"
         )
     longest = int(length.max())
-    whole = length == longest
-    short = opens & ~whole
+    full_length = length == longest
+    short = opens & ~full_length
     at_an_edge = (start == 0) | (stop == slots)
     slots_text = counted(longest, "slot")
     if not short.any():
         return Recognised("c", f"every shutter is one bump of {slots_text}{also}, {basis}")
-    # Two whole bumps show that one length is meant; a single one may be the longest of many.
-    if np.count_nonzero(whole) > 1 and bool(at_an_edge[short].all()):
+    # Two complete bumps show a common length; a single one may be the longest of many.
+    if np.count_nonzero(full_length) > 1 and bool(at_an_edge[short].all()):
         cut = int(np.count_nonzero(short))
         return Recognised(
             "c",

@@ -11,10 +11,11 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
+from nscc.program.field_planes import Plane, first_place, pixel_text
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
 from nscc.program.looking_advice import (
-    Part,
+    Excess,
     judge_looked_names,
     judge_looking,
     largest_part,
@@ -24,8 +25,7 @@ from nscc.program.looking_advice import (
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
-from nscc.program.pixels import codes_in_use, rows_of
-from nscc.program.planes import Plane, first_place, pixel_text
+from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
 from nscc.program.program import BucketRule, Codes, Frame, Program
 from nscc.program.table import (
@@ -43,6 +43,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
 from nscc.words.machine import Machine
+from nscc.words.pictures import Pictures
 
 
 @dataclass(eq=False, repr=False)
@@ -60,6 +61,7 @@ class Completion:
     planes: dict[str, Plane]
     codes: Codes
     looking: Looking | None = None
+    pictures: Pictures | None = None
 
     def __post_init__(self) -> None:
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
@@ -140,6 +142,7 @@ class Completion:
             class_reason=found.reason,
             messages=self.problems.sorted(),
             machine=machine,
+            pictures=self.pictures,
         )
 
     def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:
@@ -270,7 +273,7 @@ class Completion:
             data=_proved(problem),
         )
 
-    def _too_much_looked(self, problem: TooMuch, part: Part) -> Rejected:
+    def _too_much_looked(self, problem: TooMuch, part: Excess) -> Rejected:
         """NS0450 at what makes the machine large."""
         self.problems.error(
             "NS0450",

@@ -1,5 +1,4 @@
-"""What is known before any code, slot or pixel: lets and N, in the order in which they need each
-other, which need not be the order written."""
+"""Compile-time constants: lets and N, evaluated in the order of their dependencies."""
 
 from __future__ import annotations
 
@@ -18,9 +17,9 @@ from nscc.syntax.tree import EqualSlots, Expr, ListedSlots
 _MOST_CYCLES = 20
 
 
-def constant(expr: Expr, scope: Scope, problems: Problems, what: str) -> int | None:
-    """The value of a compile-time integer, or None after reporting why it has none."""
-    checked = check(expr, "integer", scope, problems, what)
+def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
+    """The value of a compile-time integer, or None after reporting an error."""
+    checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None
     value = evaluate(checked, {}, {})
@@ -33,10 +32,8 @@ def constant(expr: Expr, scope: Scope, problems: Problems, what: str) -> int | N
 def resolve_constants(
     declared: Declarations, target: Target | None, problems: Problems
 ) -> dict[str, Meaning]:
-    """The meaning of N, rows, cols and every let; those that failed are `failed`.
-
-    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308).
-    """
+    """The meaning of N, rows, cols and every let; those with errors are `failed`. Reports cycles
+    (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 
@@ -55,8 +52,8 @@ class _Resolver:
             self.exprs["N"] = (declared.frame.count, declared.frame.count.span)
 
     def run(self) -> dict[str, Meaning]:
-        """Resolves everything that does not need itself, then breaks and reports one cycle, until
-        nothing is left or enough cycles are reported."""
+        """Resolve everything that does not depend on itself; then report cycles one by one, up to a
+        limit."""
         self.scope = constants_scope(self.declared, self.known)
         if isinstance(self.declared.frame, ListedSlots):
             self._slots(len(self.declared.frame.lengths), self.declared.frame.span)
@@ -104,8 +101,8 @@ class _Resolver:
 
     def _resolve(self, name: str) -> None:
         expr, place = self.exprs[name]
-        what = "the number of slots" if name == "N" else "a let"
-        value = constant(expr, self.scope, self.problems, what)
+        role = "the number of slots" if name == "N" else "a let"
+        value = constant(expr, self.scope, self.problems, role)
         if value is None:
             self._learn(name, FAILED)
         elif name == "N":
@@ -127,7 +124,7 @@ class _Resolver:
             self.scope[name] = meaning
 
     def _cycle(self, start: str) -> list[str]:
-        """A cycle among the names that are not done, found by following what each one needs."""
+        """A dependency cycle among the unresolved names, starting the search at `start`."""
         path: dict[str, None] = {}
         name = start
         while name not in path:
@@ -139,14 +136,15 @@ class _Resolver:
     def _report(self, cycle: list[str]) -> None:
         shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
         chain = " -> ".join(shown)
-        first, *others = cycle
+        first, *following = cycle
         self.problems.error(
             "NS0203",
             f"`{first}` is defined by itself: {chain}",
             self.exprs[first][1],
             "depends on its own value",
             related=tuple(
-                Label(self.exprs[name][1], f"`{name}` is part of the circle") for name in others[:8]
+                Label(self.exprs[name][1], f"`{name}` is part of the circle")
+                for name in following[:8]
             ),
             helps=("give one of them a number",),
         )

@@ -22,13 +22,13 @@ from nscc.program.arithmetic import (
     Faults,
     Value,
     either,
+    faults_where,
     guard,
     scalar,
-    where,
 )
 from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
-from nscc.program.wide import PART_BITS, part_name
+from nscc.program.wide import CHUNK_BITS, chunk_name
 from nscc.syntax import tree
 
 Bindings = Mapping[str, Value]
@@ -101,6 +101,8 @@ def _value(
             return _bit(node, given[0], bindings[node.base.text], bindings)
         case tree.Call():
             return _extreme(node.function.text, given)
+        case tree.Place() | tree.Amount():
+            raise AssertionError("`check` refuses levels and bits of neighbours")
     assert_never(node)
 
 
@@ -112,7 +114,7 @@ def _pick(condition: Data, then: Data, other: Data) -> Data:
 
 def _chosen(condition: Value, then: Value, other: Value) -> Value:
     branches = either(
-        where(condition.data, then.faults), where(condition.data ^ True, other.faults)
+        faults_where(condition.data, then.faults), faults_where(condition.data ^ True, other.faults)
     )
     return Value(
         _pick(condition.data, then.data, other.data),
@@ -125,7 +127,7 @@ def _chosen(condition: Value, then: Value, other: Value) -> Value:
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
-    return Value(data, 0, 1, either(a.faults, where(undecided, b.faults)))
+    return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
 
 
 def _chain(node: tree.Compare, given: list[Value]) -> Value:
@@ -171,21 +173,21 @@ def _position(node: tree.Index, index: Value, size: int, what: str) -> tuple[Dat
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
     bits = bindings[bit_count(node.base.text)].low
     position, faults = _position(node, index, bits, f"{bits} bits")
-    if bits <= PART_BITS:
+    if bits <= CHUNK_BITS:
         return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
-    parts = [bindings[part_name(node.base.text, k)].data for k in range(-(-bits // PART_BITS))]
+    parts = [bindings[chunk_name(node.base.text, k)].data for k in range(-(-bits // CHUNK_BITS))]
     return Value(_bit_of_parts(parts, position), 0, 1, either(field.faults, faults))
 
 
 def _bit_of_parts(parts: list[Data], position: Data) -> Data:
     """The bit at `position` of fields kept as several numbers; both broadcast."""
     if isinstance(position, int):
-        return parts[position // PART_BITS] >> position % PART_BITS & 1 != 0
+        return parts[position // CHUNK_BITS] >> position % CHUNK_BITS & 1 != 0
     shape = np.broadcast_shapes(np.shape(parts[0]), position.shape)
     found = np.zeros(shape, np.bool_)
-    for k in np.unique(position // PART_BITS).tolist():
-        here = np.broadcast_to(position // PART_BITS == k, shape)
-        shifted = parts[k] >> np.where(here, position % PART_BITS, 0)
+    for k in np.unique(position // CHUNK_BITS).tolist():
+        here = np.broadcast_to(position // CHUNK_BITS == k, shape)
+        shifted = parts[k] >> np.where(here, position % CHUNK_BITS, 0)
         found |= here & (shifted & 1 != 0)
     return found
 

@@ -76,6 +76,10 @@ def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
             return (node.index,)
         case tree.Call():
             return node.arguments
+        case tree.Place():
+            return (node.right, node.down)
+        case tree.Amount():
+            return ()
     assert_never(node)
 
 
@@ -168,6 +172,10 @@ class _Checker:
                 return "boolean"
             case tree.Call():
                 return self._call(node, given)
+            case tree.Place() | tree.Amount():
+                text = "a level" if isinstance(node, tree.Amount) else "a bit of a neighbour"
+                self._error("NS0531", f"{text} is no integer", node.span, text)
+                return None
         assert_never(node)
 
     def _name(self, node: tree.Name) -> Type | None:

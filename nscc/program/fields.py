@@ -1,4 +1,4 @@
-"""The fields of the pixel code: what values each may have."""
+"""The fields of the pixel code and their value ranges."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nscc.program.limits import MOST_BITS
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.program.program import Field
-from nscc.program.wide import PART_BITS
+from nscc.program.wide import CHUNK_BITS
 from nscc.source import Span
 from nscc.syntax.tree import CodeBits, CodeRange, CodeRow, Name
 
@@ -26,19 +26,16 @@ def make_fields(
     books: Mapping[str, NDArray[np.bool_] | None],
     problems: Problems,
 ) -> dict[str, Field | None]:
-    """Every declared field, None where an error was reported, here or about its book. Tells
-    `declared` which bit fields are longer than a number.
-
-    Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row of` what is
-    no codebook (NS0209, NS0214).
-    """
+    """Every declared field, None after an error in it or its codebook. Sets the long bit fields in
+    `declared`. Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row
+    of` something other than a codebook (NS0209, NS0214)."""
     maker = _Maker(declared, scope, books, problems)
     return {name: maker.make(statement) for name, statement in declared.codes.items()}
 
 
 @dataclass(eq=False, repr=False)
 class _Maker:
-    """What codes' fields are made from."""
+    """The inputs for making fields."""
 
     declared: Declarations
     scope: Scope
@@ -78,13 +75,13 @@ class _Maker:
             text = f"a bit field has 1 to {MOST_BITS} bits"
             self.problems.error("NS0307", message, statement.count.span, text)
             return None
-        if count > PART_BITS:
+        if count > CHUNK_BITS:
             self.declared.wide.add(statement.name.text)
         place = self._bits_place(statement)
         return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
 
     def _bits_place(self, statement: CodeBits) -> Span:
-        """The place of `bit[K]`: the tree has K alone."""
+        """The place of `bit[K]`; the tree only has the place of K."""
         start = self.problems.source.text.rfind(
             "bit", statement.name.span.end, statement.count.span.start
         )
@@ -105,10 +102,10 @@ class _Maker:
         name = book.text
         if name in self.declared.refused:
             return
-        what = dict(self.declared.declared()).get(name)
-        if what is None:
+        declared_as = dict(self.declared.declared()).get(name)
+        if declared_as is None:
             self.problems.unknown("a codebook", name, book.span, self.declared.books)
             return
         helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
-        message = f"`{name}` is {what}, not a codebook"
-        self.problems.error("NS0209", message, book.span, what, helps=helps)
+        message = f"`{name}` is {declared_as}, not a codebook"
+        self.problems.error("NS0209", message, book.span, declared_as, helps=helps)

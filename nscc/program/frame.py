@@ -1,4 +1,4 @@
-"""The time grid of the one frame."""
+"""The frame: the lengths of its slots."""
 
 from __future__ import annotations
 
@@ -17,17 +17,15 @@ LONGEST_US = Fraction(10**12)
 def make_frame(
     statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
 ) -> Frame | None:
-    """The frame, or None after reporting a slot without a usable length (NS0309).
-
-    `slots` is what N means; where that failed there is no frame, and no further report.
-    """
+    """The frame, or None after reporting invalid slot lengths (NS0309). `slots` is the meaning of
+    N; if it failed there is no frame and no further report."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
-    bad = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
-    for time in bad[:8]:
+    invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
+    for time in invalid[:8]:
         text = "zero or negative" if time.us <= 0 else "too short" if time.us < 1 else "too long"
         notes = ("a slot must be between 1 ps and 10^6 s long",)
         problems.error("NS0309", "slot length out of range", time.span, text, notes=notes)
-    if bad or slots.kind != "constant":
+    if invalid or slots.kind != "constant":
         return None
     if isinstance(statement, EqualSlots):
         lengths = (float(statement.length.us),) * slots.value

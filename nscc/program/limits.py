@@ -1,4 +1,4 @@
-"""How much the compiler enumerates, counted before it does: beyond that it refuses with numbers."""
+"""Limits on enumeration, checked before it starts."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from nscc.program.expressions import Checked, operands
 from nscc.syntax.tree import Index, Name
 
 PROOF_LIMIT = 2**26
-"""Most codes x buckets x slots. Every one is evaluated, held as a byte while words are replayed
-against it, and proved: 67 million take under 100 MB and about a second."""
+"""Most codes x buckets x slots. Each is evaluated, stored as a byte for the replay, and proved: 67
+million take under 100 MB and about a second."""
 
 COMBINATION_LIMIT = 2**22
-"""Most combinations of field values tried for `require` when every legal code is compiled."""
+"""Most combinations of field values to test against `require` when every legal code is compiled."""
 
 TABLE_LIMIT = 2**23
-"""Most codes x fields: the field values of the codes are kept as 8 bytes each, 64 MB."""
+"""Most codes x fields, stored as 8 bytes each: 64 MB."""
 
 WORK_LIMIT = 2**32
-"""Most operations on single values that evaluating one expression may take: some ten seconds."""
+"""Most operations to evaluate one expression: some ten seconds."""
 
 SURVEY_LIMIT = 2**20
-"""Most codes x buckets x slots looked at for naming the class where only the codes in use are
-compiled: milliseconds, so that `nscc check` stays quick."""
+"""Most codes x buckets x slots to determine the class if only the codes in use are compiled, so
+that `nscc check` stays fast."""
 
 MOST_SLOTS = 65536
 """Most slots in a frame: 16 times the longest frame in the literature, and a table of 1024 codes
@@ -36,10 +36,8 @@ MOST_BITS = MOST_SLOTS
 
 
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
-    """Operations that evaluating `expr` takes, an operand that varies costing one for each value.
-
-    `sizes` gives the axis (0 or 1) and the length for every variable.
-    """
+    """Operations to evaluate `expr`; each varying operand counts once for each of its values.
+    `sizes` gives the axis (0 or 1) and the length of every variable."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))

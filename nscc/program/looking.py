@@ -1,4 +1,4 @@
-"""The statements of version 2, checked: what a pixel senses, remembers, resets and reads out."""
+"""Checked statements of language version 2: senses, states, resets and readouts."""
 
 from __future__ import annotations
 
@@ -21,13 +21,10 @@ from nscc.words import machine
 
 
 @dataclass(frozen=True, eq=False)
-class Sense:
-    """What is compared: `signal` as of `machine.Comparison`, at the boundaries `at`.
-
-    The answer is whether the signal is above its level, or below where not `above`. `steps` has the
-    level in steps of IN, one for each boundary of `at`; None where the `field` of the code gives
-    it, in codes of the ADC.
-    """
+class CheckedSense:
+    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`. The answer is
+    whether the signal is above its level, or below if not `above`. `steps` is the level in steps of
+    IN for each boundary of `at`; None if the `field` of the code gives it, in codes of the ADC."""
 
     name: str
     signal: int
@@ -39,8 +36,8 @@ class Sense:
 
 
 @dataclass(frozen=True, eq=False)
-class Next:
-    """The value that a state takes at a look, and when; None: always."""
+class CheckedNext:
+    """The next value of a state at a look, and its condition (None: always)."""
 
     value: Checked
     condition: Checked | None
@@ -49,11 +46,11 @@ class Next:
 
 @dataclass(frozen=True, eq=False)
 class Looking:
-    """All that shutters depend on beside code and slot."""
+    """Everything besides code and slot that shutters depend on."""
 
-    senses: tuple[Sense, ...]
+    senses: tuple[CheckedSense, ...]
     states: tuple[machine.State, ...]
-    nexts: Mapping[str, Next]
+    nexts: Mapping[str, CheckedNext]
     reset: Checked | None
 
     @property
@@ -63,11 +60,11 @@ class Looking:
 
     @property
     def expressions(self) -> list[Checked]:
-        """What `next` and `reset when` ask."""
-        found = [] if self.reset is None else [self.reset]
-        for each in self.nexts.values():
-            found += [each.value] if each.condition is None else [each.value, each.condition]
-        return found
+        """The expressions of `next` and `reset when`."""
+        expressions = [] if self.reset is None else [self.reset]
+        for step in self.nexts.values():
+            expressions += [step.value] if step.condition is None else [step.value, step.condition]
+        return expressions
 
 
 def make_looking(
@@ -76,19 +73,19 @@ def make_looking(
     target: Target | None,
     problems: Problems,
 ) -> Looking | None:
-    """The statements of version 2; None where there are none, or after reporting what is wrong.
+    """The checked statements of version 2; None if there are none, or after reporting errors.
 
-    Reports names that are no state (NS0209, NS0214), levels that cannot be told from the well or
-    that IN cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their
-    range (NS0311) and signals that cannot be compared (NS0323).
+    Reports names that are not states (NS0209, NS0214), levels that the well or IN cannot represent
+    (NS0320, NS0321), senses that never look (NS0322), starts outside their range (NS0311) and
+    signals that cannot be compared (NS0323).
     """
     if not declared.looking:
         return None
     maker = _Maker(declared, constants, target, problems)
     senses = [maker.sense(sense) for sense in declared.senses.values()]
     states = [maker.state(name, state) for name, state in declared.states.items()]
-    nexts = {name: maker.next(each) for name, each in declared.nexts.items()}
-    for name in declared.reads.values():
+    nexts = {name: maker.next(statement) for name, statement in declared.nexts.items()}
+    for name in () if declared.pictures else declared.reads.values():
         maker.known_state(name)
     reset = None
     if declared.reset is not None:
@@ -98,9 +95,9 @@ def make_looking(
     if problems.has_errors():
         return None
     return Looking(
-        tuple(each for each in senses if each is not None),
-        tuple(each for each in states if each is not None),
-        {name: each for name, each in nexts.items() if each is not None},
+        tuple(sense for sense in senses if sense is not None),
+        tuple(state for state in states if state is not None),
+        {name: step for name, step in nexts.items() if step is not None},
         reset,
     )
 
@@ -126,8 +123,7 @@ class _Maker:
             if isinstance(rule, tree.Bucket)
         }
 
-    def sense(self, sense: tree.Sense) -> Sense | None:
-        """One sense."""
+    def sense(self, sense: tree.Sense) -> CheckedSense | None:
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
@@ -141,11 +137,11 @@ class _Maker:
         name, above = sense.name.text, sense.comparison == ">"
         field = self._field(sense.level)
         if field is not None:
-            return Sense(name, signal, above, at, None, field, sense.span)
+            return CheckedSense(name, signal, above, at, None, field, sense.span)
         steps = self._levels(sense, len(at), self.target)
         if steps is None:
             return None
-        return Sense(name, signal, above, at, steps, None, sense.span)
+        return CheckedSense(name, signal, above, at, steps, None, sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
         if isinstance(signal, tree.Light):
@@ -165,24 +161,24 @@ class _Maker:
         return number
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
-        """The boundaries 1..N of a sense."""
-        asked = check(
+        """The boundaries 1..N of a sense, or None after reporting an error."""
+        checked = check(
             sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
         )
-        if asked is None or not self.slots:
+        if checked is None or not self.slots:
             return None
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)
-        found = evaluate(asked, {"n": array(numbers)}, {})
-        if isinstance(found.faults, Fault):
-            self.problems.error(*found.faults)
+        evaluated = evaluate(checked, {"n": array(numbers)}, {})
+        if isinstance(evaluated.faults, Fault):
+            self.problems.error(*evaluated.faults)
             return None
-        if found.faults is not None:
-            where = int(numbers[np.broadcast_to(found.faults, numbers.shape)][0])
-            text = f"for n = {where}"
+        if evaluated.faults is not None:
+            boundary = int(numbers[np.broadcast_to(evaluated.faults, numbers.shape)][0])
+            text = f"for n = {boundary}"
             message = "the boundaries of this sense cannot be computed"
             self.problems.error("NS0322", message, sense.at.span, text)
             return None
-        at = numbers[np.broadcast_to(np.asarray(found.data, np.bool_), numbers.shape)]
+        at = numbers[np.broadcast_to(np.asarray(evaluated.data, np.bool_), numbers.shape)]
         if not at.size:
             self.problems.error(
                 "NS0322", f"the sense `{sense.name.text}` never looks", sense.at.span,
@@ -254,17 +250,19 @@ class _Maker:
         return level_steps(float(value), unit, target)
 
     def state(self, name: str, state: State) -> machine.State | None:
-        """One state."""
         boolean = isinstance(state, tree.StateBit)
         low, high = 0, 1
         if isinstance(state, tree.StateRange):
-            given = [
-                constant(each, self.constants, self.problems, what)
-                for each, what in ((state.low, "the start of a range"), (state.high, "its end"))
+            bounds = [
+                constant(expression, self.constants, self.problems, role)
+                for expression, role in (
+                    (state.low, "the start of a range"),
+                    (state.high, "its end"),
+                )
             ]
-            if given[0] is None or given[1] is None:
+            if bounds[0] is None or bounds[1] is None:
                 return None
-            low, high = given[0], given[1]
+            low, high = bounds[0], bounds[1]
             if low > high:
                 span = state.low.span.to(state.high.span)
                 message = f"the range {low}..{high} is empty"
@@ -283,37 +281,40 @@ class _Maker:
         return machine.State(name, low, high, start, state.kept, read, boolean)
 
     def _start(self, state: State) -> int | None:
-        """START; a bit may start with true and false, too."""
+        """The start value; a bit may also start with true or false."""
         if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
             return int(state.start.value)
         return constant(state.start, self.constants, self.problems, "the start of a state")
 
-    def next(self, each: tree.Next) -> Next | None:
-        """One `next`."""
-        if not self.known_state(each.name):
+    def next(self, statement: tree.Next) -> CheckedNext | None:
+        if not self.known_state(statement.name):
             return None
-        boolean = isinstance(self.declared.states[each.name.text], tree.StateBit)
+        boolean = isinstance(self.declared.states[statement.name.text], tree.StateBit)
         value = check(
-            each.value, "boolean" if boolean else "integer", self.scope, self.problems,
+            statement.value, "boolean" if boolean else "integer", self.scope, self.problems,
             "the next value of a bit" if boolean else "the next value",
         )  # fmt: skip
         condition = None
-        if each.condition is not None:
+        if statement.condition is not None:
             condition = check(
-                each.condition, "boolean", self.scope, self.problems, "the condition of a `next`"
+                statement.condition,
+                "boolean",
+                self.scope,
+                self.problems,
+                "the condition of a `next`",
             )
             if condition is None:
                 return None
-        return None if value is None else Next(value, condition, each.span)
+        return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
-        """Whether this is a state; says so if it is not."""
+        """Whether the name is a state; reports an error if not."""
         if name.text in self.declared.states:
             return True
         if name.text in self.declared.refused:
             return False
-        what = dict(self.declared.declared()).get(name.text)
-        if what is None:
+        declared_as = dict(self.declared.declared()).get(name.text)
+        if declared_as is None:
             self.problems.unknown("a state", name.text, name.span, self.declared.states)
             return False
         helps = ("`next` and `read` need a state: declare `state NAME : LO..HI = START`",)
@@ -322,29 +323,29 @@ class _Maker:
                 "store its answer in a state: `state seen : bit = false`, `next seen = "
                 f"{name.text}`, `read seen`",
             )
-        message = f"`{name.text}` is {what}, not a state"
-        self.problems.error("NS0209", message, name.span, what, helps=helps)
+        message = f"`{name.text}` is {declared_as}, not a state"
+        self.problems.error("NS0209", message, name.span, declared_as, helps=helps)
         return False
 
 
 def level_e(value: float, unit: str, target: Target) -> float:
-    """A level in electrons."""
+    """Convert a level to electrons."""
     size = {"%": target.full_well_e / 100, "e": 1.0, "lsb": target.electrons_per_lsb}[unit]
     return value * size
 
 
 def level_steps(value: float, unit: str, target: Target) -> int:
-    """A level in steps of IN, rounded."""
+    """Convert a level to steps of IN, rounded."""
     return round(level_e(value, unit, target) / target.electrons_per_step)
 
 
 def can_tell(value: float, unit: str, target: Target) -> bool:
-    """Whether pixels can hold less than a level and more: IN reaches it, and neither PIX nor a
-    register is full below it."""
+    """Whether the signal can be below and above a level: IN can represent it, and neither PIX nor a
+    register saturates below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
     return reached and level_e(value, unit, target) < _full_e(target)
 
 
 def _full_e(target: Target) -> float:
-    """Electrons at which a pixel is full, where it is read or where that is held."""
+    """Electrons at which PIX or a register saturates."""
     return min(target.full_well_e, target.register_max_e)

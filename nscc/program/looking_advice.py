@@ -1,5 +1,4 @@
-"""What a target or a readout does not allow of a program that looks, what makes its machine too
-large, and what is worth saying."""
+"""Errors, warnings and notes about programs with senses: target limits, readouts, machine size."""
 
 from __future__ import annotations
 
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.program.expressions import Checked
-from nscc.program.looking import Looking, Next
+from nscc.program.looking import CheckedNext, Looking
 from nscc.program.names import LOOKS, Declarations
 from nscc.program.open_time import Untold
 from nscc.program.problems import Problems, counted, printable
@@ -30,11 +29,8 @@ def judge_looking(
     target: Target,
     problems: Problems,
 ) -> None:
-    """Reports a readout that does not tell how long pixels were open (NS0324), a reset that the
-    target does not have (NS0415), and rules that never open (NS0350).
-
-    `untold` as of `nscc.program.open_time.with_open_times`.
-    """
+    """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
+    rules that never open (NS0350). `untold` as of `nscc.program.open_time.with_open_times`."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -64,12 +60,12 @@ def judge_looked_names(
     machine: Machine,
     problems: Problems,
 ) -> None:
-    """Notes senses and states that nothing reads, and states that keep their start (NS0355).
-
-    A sense that nothing reads is in use where it alone makes a look, if a `next` steps there or
-    `looks` is read. `rules` say when shutters are open.
-    """
-    read = frozenset[str]().union(*(each.variables for each in [*rules, *looking.expressions]))
+    """Note unused senses and states, and states that never change (NS0355). An unread sense is used
+    if it alone causes a look at which a `next` steps or which `looks` counts. `rules` are the rules
+    of shutters."""
+    read = frozenset[str]().union(
+        *(checked.variables for checked in [*rules, *looking.expressions])
+    )
     steps = bool(looking.nexts) or LOOKS in read
     used = {n for sense in looking.senses if sense.name in read for n in sense.at}
     for sense in looking.senses:
@@ -84,30 +80,33 @@ def judge_looked_names(
         if state.sense:
             continue
         name, place = state.name, declared.states[state.name].name.span
-        without_its_own = [*rules, *replace(looking, nexts=_others(looking, name)).expressions]
+        without_its_own = [
+            *rules,
+            *replace(looking, nexts=_nexts_of_other_states(looking, name)).expressions,
+        ]
         if name not in declared.nexts:
             problems.note(
                 "NS0355", f"`{name}` always keeps its start value", place, "no `next` changes it"
             )
-        elif not state.kept and (machine.values[:, k] == state.start).all():
+        elif not state.is_kept and (machine.values[:, k] == state.start).all():
             text = "its `next` never changes it"
             problems.note("NS0355", f"`{name}` always keeps its start value", place, text)
-        elif not state.read and not any(name in each.variables for each in without_its_own):
+        elif not state.read and not any(name in checked.variables for checked in without_its_own):
             problems.note("NS0355", f"the state `{name}` is not used", place, "not used")
 
 
-def _others(looking: Looking, name: str) -> dict[str, Next]:
-    return {other: each for other, each in looking.nexts.items() if other != name}
+def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, CheckedNext]:
+    return {state: step for state, step in looking.nexts.items() if state != name}
 
 
 def _judge_resets(
     statement: tree.Reset, machine: Machine, target: Target, problems: Problems
 ) -> None:
-    """Where the reset is global, all pixels that can be at a boundary must agree on it."""
+    """With a global reset, all pixels at a boundary must agree on it."""
     for stage in range(machine.stages):
         slots = slice(machine.starts(stage), machine.ends(stage))
-        here = machine.resets[machine.nodes(stage), slots]
-        differ = (here != here[:1]).any(axis=0)
+        stage_resets = machine.resets[machine.nodes(stage), slots]
+        differ = (stage_resets != stage_resets[:1]).any(axis=0)
         if differ.any():
             boundary = slots.start + int(differ.argmax())
             problems.error(
@@ -124,19 +123,19 @@ def _judge_resets(
 
 
 def shutters_in_the_dark(machine: Machine) -> NDArray[np.bool_]:
-    """The shutters (behaviours, buckets, N) of pixels whose signals are never above a level."""
+    """The shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
     nodes = machine.start_nodes()
-    found = machine.opens[nodes].copy()
+    shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
         nodes = machine.steps[nodes, 0]
         slots = slice(machine.starts(stage), machine.ends(stage))
-        found[:, :, slots] = machine.opens[nodes][:, :, slots]
-    return found
+        shutters[:, :, slots] = machine.opens[nodes][:, :, slots]
+    return shutters
 
 
 @dataclass(frozen=True)
-class Part:
-    """What there is too much of: its place, None for the fields; a label; what would help."""
+class Excess:
+    """The largest factor of a machine's size: its place (None for fields), a label, and helps."""
 
     place: Span | None
     text: str
@@ -145,41 +144,41 @@ class Part:
 
 def largest_part(
     declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
-) -> Part:
-    """What multiplies the transitions most: codes, states, or the levels of one boundary.
-
-    `codes` (codes, fields) are compiled for, in the order of `fields`. How to have fewer codes is
-    not among the helps.
-    """
+) -> Excess:
+    """The largest factor of the number of transitions: codes, states, or the levels of one
+    boundary. `codes` (codes, fields) are the compiled ones, in the order of `fields`. The helps do
+    not include how to have fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
-    boundary, asked = _busiest(looking, values)
-    levels = sum(asked.values())
-    states = _held(looking, levels * len(looking.looks))
-    helps = _helps(looking, most_senses=len(asked), states=states)
+    boundary, levels_of_sense = _busiest(looking, values)
+    levels = sum(levels_of_sense.values())
+    states = _state_combinations(looking, levels * len(looking.looks))
+    helps = _helps(looking, most_senses=len(levels_of_sense), states=states)
     if len(codes) > max(states, 1 << levels):
-        return Part(None, f"{counted(len(codes), 'code')} in all", helps)
+        return Excess(None, f"{counted(len(codes), 'code')} in all", helps)
     if states > 1 << levels:
         widest = max(looking.states, key=lambda state: state.high - state.low)
         place = declared.states[widest.name].name.span
-        return Part(place, f"states can hold {printable(states)} different values", helps)
-    most = max(asked, key=lambda name: asked[name])
+        return Excess(place, f"states can hold {printable(states)} different values", helps)
+    most = max(levels_of_sense, key=lambda name: levels_of_sense[name])
     text = f"{counted(levels, 'level')} to compare at n = {boundary}: 2^{levels} answers"
-    return Part(declared.senses[most].name.span, text, helps)
+    return Excess(declared.senses[most].name.span, text, helps)
 
 
-def most_looks(declared: Declarations, looking: Looking) -> Part:
-    """The sense that looks most often: what multiplies the times that pixels can be open."""
-    sense = max(looking.senses, key=lambda each: len(each.at))
+def most_looks(declared: Declarations, looking: Looking) -> Excess:
+    """The sense with most looks, as the largest factor of the number of open times."""
+    sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["use fewer looks, or a state that keeps a shutter closed"]
-    return Part(declared.senses[sense.name].at.span, text, helps)
+    return Excess(declared.senses[sense.name].at.span, text, helps)
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
     helps = []
     if most_senses > 1:
         helps.append("use fewer senses at one boundary: each sense doubles the number of answers")
-    by_field = dict.fromkeys(f"`{each.field}`" for each in looking.senses if each.field is not None)
+    by_field = dict.fromkeys(
+        f"`{sense.field}`" for sense in looking.senses if sense.field is not None
+    )
     if by_field:
         helps.append(
             f"use fewer values of {', '.join(by_field)}: each value is one more level to compare"
@@ -191,21 +190,21 @@ def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
     return helps
 
 
-def _held(looking: Looking, answers: int) -> int:
-    """The most values that states hold together: kept ones begin a frame with any of theirs, the
-    others reach one for each of 2^`answers` histories, and no more than they have."""
-    kept, reached = (
-        prod(state.high - state.low + 1 for state in looking.states if state.kept == which)
-        for which in (True, False)
+def _state_combinations(looking: Looking, answers: int) -> int:
+    """An upper bound on the combined values of states: kept states start with any value; others
+    have one value for each of 2^`answers` histories, at most their range."""
+    kept_values, reached = (
+        prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
+        for is_kept in (True, False)
     )
-    return kept * min(reached, 1 << answers)
+    return kept_values * min(reached, 1 << answers)
 
 
 def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
-    """The boundary where most levels are compared, and how many are by its senses."""
+    """The boundary with most levels to compare, and the number of levels of each of its senses."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
-    asked = Counter[int]()
+    level_counts = Counter[int]()
     for sense in looking.senses:
-        asked.update(dict.fromkeys(sense.at, levels[sense.name]))
-    busiest = max(asked, key=lambda n: (asked[n], -n), default=0)
+        level_counts.update(dict.fromkeys(sense.at, levels[sense.name]))
+    busiest = max(level_counts, key=lambda n: (level_counts[n], -n), default=0)
     return busiest, {s.name: levels[s.name] for s in looking.senses if busiest in s.at}

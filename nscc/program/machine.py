@@ -1,7 +1,7 @@
-"""The finite machine of a program that looks: its text, played through every code and answer.
+"""The finite state machine of a program with senses, built by running it for every code and answer.
 
-One stage after the other: the nodes that can be reached, what the rules say in them until the next
-look, and where each outcome of that look leads.
+For each stage: the reachable nodes, the shutters and resets in them until the next look, and the
+next node for each outcome of that look.
 """
 
 from __future__ import annotations
@@ -17,27 +17,27 @@ from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, Value, array, scalar
 from nscc.program.evaluate import bit_count, evaluate, fault_at
 from nscc.program.expressions import Checked
-from nscc.program.looking import Looking, Sense, can_tell, level_e, level_steps
+from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
-from nscc.program.table import CodeArray, Finding, NoValue, Rules, TooMuch, code_text
+from nscc.program.table import CodeArray, MissingValue, NoValue, Rules, TooMuch, code_text
 from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, Machine, State
 
 MOST_TRANSITIONS = 10**7
-"""Most codes x states x outcomes that are played through, and replayed by the proof."""
+"""Most codes x states x outcomes, which the proof also replays."""
 MOST_CELLS = 1 << 29
-"""Most nodes x slots, of all stages and rules together: a byte each."""
+"""Most nodes x slots of all stages and rules together, a byte each."""
 MOST_HISTORIES = 1 << 16
-"""Most different times that a pixel may have been open in one node, while they are counted."""
+"""Most different open times of one node."""
 
 Nodes = NDArray[np.int64]
-"""(nodes, 1 + states + held senses): the row of the code, the states' values, the answers."""
+"""(nodes, 1 + states + remembered senses): the row of the code, the states' values, the answers."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """The nodes between two looks, what they do, and where the look at the end leads them."""
+    """The nodes between two looks, their shutters and resets, and their next nodes."""
 
     nodes: Nodes
     opens: NDArray[np.bool_]
@@ -48,11 +48,8 @@ class Stage:
 def build_machine(
     rules: Rules, looking: Looking, codes: CodeArray, target: Target
 ) -> tuple[Machine, NDArray[np.int32]]:
-    """The machine, and the behaviour of every code (codes,).
-
-    Raises NoValue where an expression has none for something that can happen, or a state leaves
-    its range; TooMuch beyond MOST_TRANSITIONS.
-    """
+    """The machine, and the behaviour of every code (codes,). Raises NoValue if an expression has no
+    value in a reachable node or a state leaves its range, and TooMuch beyond MOST_TRANSITIONS."""
     return _Builder(rules, looking, codes, target).build()
 
 
@@ -60,18 +57,18 @@ class _Builder:
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
         self.rules, self.looking, self.codes, self.target = rules, looking, codes, target
         self.looks = looking.looks
-        asked = [*rules.rules, *([looking.reset] if looking.reset else [])]
-        in_rules = {name for each in asked for name in each.variables}
-        for each in looking.nexts.values():
-            used = each.value.variables | (each.condition.variables if each.condition else set())
-            # A `next` at a look of other senses reads the latest answer, too.
+        expressions = [*rules.rules, *([looking.reset] if looking.reset else [])]
+        in_rules = {name for expression in expressions for name in expression.variables}
+        for step in looking.nexts.values():
+            used = step.value.variables | (step.condition.variables if step.condition else set())
+            # A `next` at a look of other senses also reads the latest answer.
             in_rules |= {s.name for s in looking.senses if s.name in used and self._stale(s)}
-        self.held = [sense for sense in looking.senses if sense.name in in_rules]
+        self.remembered = [sense for sense in looking.senses if sense.name in in_rules]
         self.width = 1 + len(looking.states)
         self.transitions = 0
         self.cells = 0
 
-    def _stale(self, sense: Sense) -> bool:
+    def _stale(self, sense: CheckedSense) -> bool:
         return set(self.looks) != set(sense.at)
 
     def build(self) -> tuple[Machine, NDArray[np.int32]]:
@@ -85,26 +82,28 @@ class _Builder:
             steps = np.full((len(nodes), 1), -1, np.int64)
             following = nodes
             if number < len(self.looks):
-                asked, of_sense = self._comparisons(end)
-                comparisons += asked
-                steps, following = self._look(nodes, end, number + 1, len(asked), of_sense)
+                stage_comparisons, of_sense = self._comparisons(end)
+                comparisons += stage_comparisons
+                steps, following = self._look(
+                    nodes, end, number + 1, len(stage_comparisons), of_sense
+                )
             stages.append(Stage(nodes, opens, resets, steps))
             nodes, begin = following, end
         return self._joined(stages, tuple(comparisons))
 
     def _start(self) -> Nodes:
-        """Every code, with every value that kept states may have."""
-        kept = [(s.low, s.high) if s.kept else (s.start, s.start) for s in self.looking.states]
-        size = len(self.codes) * math.prod(high - low + 1 for low, high in kept)
+        """Every code with every possible value of its kept states."""
+        ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
+        size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
         self._limit(size)
-        values = [np.arange(low, high + 1) for low, high in kept]
+        values = [np.arange(low, high + 1) for low, high in ranges]
         grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
         columns = [grid.reshape(-1) for grid in grids]
-        columns += [np.zeros(size, np.int64)] * len(self.held)
+        columns += [np.zeros(size, np.int64)] * len(self.remembered)
         return np.stack(columns, axis=1).astype(np.int64)
 
-    def _limit(self, more: int) -> None:
-        self.transitions += more
+    def _limit(self, added: int) -> None:
+        self.transitions += added
         if self.transitions > MOST_TRANSITIONS:
             message = (
                 f"{counted(len(self.codes), 'code')} with their states and answers have at "
@@ -113,31 +112,31 @@ class _Builder:
             raise TooMuch(message, self.transitions, MOST_TRANSITIONS)
 
     def _bindings(self, nodes: Nodes, looks: int) -> dict[str, Value]:
-        """Fields, states and latest answers as columns (nodes, 1), and the looks so far."""
-        found: dict[str, Value] = {LOOKS: scalar(looks)}
+        """Fields, states and latest answers as columns (nodes, 1), and the number of looks."""
+        bindings: dict[str, Value] = {LOOKS: scalar(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
-            found[field.name] = Value(column, field.low, field.high)
+            bindings[field.name] = Value(column, field.low, field.high)
             if field.bits is not None:
-                found[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
+                bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
         for k, state in enumerate(self.looking.states, 1):
             column = nodes[:, k : k + 1]
-            found[state.name] = Value(
+            bindings[state.name] = Value(
                 column != 0 if state.boolean else column, state.low, state.high
             )
         for sense in self.looking.senses:
-            found[sense.name] = Value(np.zeros((len(nodes), 1), np.bool_), 0, 1)
-        for k, sense in enumerate(self.held, self.width):
-            found[sense.name] = Value(nodes[:, k : k + 1] != 0, 0, 1)
-        return found
+            bindings[sense.name] = Value(np.zeros((len(nodes), 1), np.bool_), 0, 1)
+        for k, sense in enumerate(self.remembered, self.width):
+            bindings[sense.name] = Value(nodes[:, k : k + 1] != 0, 0, 1)
+        return bindings
 
     def _rules(
         self, nodes: Nodes, begin: int, end: int, looks: int
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Where shutters are open (nodes, buckets, N) and PIX is reset (nodes, N)."""
+        """Open shutters (nodes, buckets, N) and resets of PIX (nodes, N)."""
         slots = self.rules.slots
         self._limit(len(nodes))
-        # Every stage keeps what its nodes open and reset in all slots of the frame.
+        # Every stage stores opens and resets for all slots of the frame.
         self.cells += len(nodes) * (len(self.rules.rules) + 1) * slots
         if self.cells > MOST_CELLS:
             message = (
@@ -164,34 +163,37 @@ class _Builder:
         shape: tuple[int, int],
         nodes: Nodes,
         begin: int,
-        where: NDArray[np.bool_] | None = None,
+        needed: NDArray[np.bool_] | None = None,
     ) -> NDArray[np.int64]:
-        """The value of an expression everywhere; raises NoValue where it has none and is needed."""
-        found = evaluate(expr, bindings, self.rules.books)
-        data = np.broadcast_to(np.asarray(found.data), shape)
-        if found.faults is None:
+        """The values of an expression; raises NoValue if a `needed` one does not exist."""
+        evaluated = evaluate(expr, bindings, self.rules.books)
+        data = np.broadcast_to(np.asarray(evaluated.data), shape)
+        if evaluated.faults is None:
             return data
-        if isinstance(found.faults, np.ndarray):
-            places = np.broadcast_to(found.faults, shape)
+        if isinstance(evaluated.faults, np.ndarray):
+            places = np.broadcast_to(evaluated.faults, shape)
         else:
             places = np.ones(shape, np.bool_)
-        if where is not None:
-            places = places & where
+        if needed is not None:
+            places = places & needed
         if not places.any():
             return data
         row, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
         fault = fault_at(expr, bindings, self.rules.books, shape, (row, slot))
-        raise NoValue([Finding(fault, self._place(nodes[row], begin + slot), int(places.sum()))])
+        raise NoValue(
+            [MissingValue(fault, self._place(nodes[row], begin + slot), int(places.sum()))]
+        )
 
     def _place(self, node: Nodes, boundary: int) -> str:
-        """A node in words."""
-        parts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
-        parts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
-        return f"for {', '.join(parts)}, at n = {boundary}" if parts else f"at n = {boundary}"
+        """Describe a node at a boundary in words."""
+        texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
+        texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
+        return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
 
     def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:
-        """The comparisons of a look, and the number of that of each sense by code (codes,)."""
-        asked: list[Comparison] = []
+        """The comparisons of a look, and for each sense the comparison number of every code
+        (codes,)."""
+        comparisons: list[Comparison] = []
         of_sense: dict[str, NDArray[np.int64]] = {}
         for sense in self.looking.senses:
             if boundary not in sense.at:
@@ -206,13 +208,13 @@ class _Builder:
             numbers = []
             for level in levels.tolist():
                 comparison = Comparison(boundary, sense.signal, level)
-                if comparison not in asked:
-                    asked.append(comparison)
-                numbers.append(asked.index(comparison))
+                if comparison not in comparisons:
+                    comparisons.append(comparison)
+                numbers.append(comparisons.index(comparison))
             of_sense[sense.name] = np.broadcast_to(np.array(numbers), (len(self.codes),))
-        return asked, of_sense
+        return comparisons, of_sense
 
-    def _field_step(self, sense: Sense, value: int) -> int:
+    def _field_step(self, sense: CheckedSense, value: int) -> int:
         target = self.target
         step = level_steps(value, "lsb", target)
         if not can_tell(value, "lsb", target):
@@ -224,7 +226,7 @@ class _Builder:
             held_e = level_e(value, "lsb", target)
             message = f"the level {value} of `{sense.field}` is {step} steps of IN, {held_e:g} e"
             fault = Fault("NS0321", message, sense.span, text)
-            raise NoValue([Finding(fault, f"for {sense.field} = {value}", 1)])
+            raise NoValue([MissingValue(fault, f"for {sense.field} = {value}", 1)])
         return step
 
     def _look(
@@ -232,11 +234,11 @@ class _Builder:
         nodes: Nodes,
         boundary: int,
         looks: int,
-        asked: int,
+        comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """Where each outcome leads (nodes, outcomes), as rows of the nodes that follow."""
-        outcomes = 1 << asked
+        """The next node of each outcome (nodes, outcomes), as rows of the returned nodes."""
+        outcomes = 1 << comparison_count
         self._limit(len(nodes) * outcomes)
         rows = np.repeat(nodes, outcomes, axis=0)
         outcome = np.tile(np.arange(outcomes), len(nodes))
@@ -250,22 +252,24 @@ class _Builder:
         after = rows.copy()
         shape = (len(rows), 1)
         for k, state in enumerate(self.looking.states, 1):
-            given = self.looking.nexts.get(state.name)
-            if given is None:
+            step = self.looking.nexts.get(state.name)
+            if step is None:
                 continue
-            where = np.ones(shape, np.bool_)
-            if given.condition is not None:
-                where = self._value(given.condition, bindings, shape, rows, boundary) != 0
-            value = self._value(given.value, bindings, shape, rows, boundary, where)
-            beyond = where & ((value < state.low) | (value > state.high))
+            changes = np.ones(shape, np.bool_)
+            if step.condition is not None:
+                changes = self._value(step.condition, bindings, shape, rows, boundary) != 0
+            value = self._value(step.value, bindings, shape, rows, boundary, changes)
+            beyond = changes & ((value < state.low) | (value > state.high))
             if beyond.any():
                 row = int(beyond[:, 0].argmax())
                 message = f"`{state.name}` gets the value {int(value[row, 0])}, outside its range"
                 text = f"`{state.name}` has the values {state.low}..{state.high}"
-                fault = Fault("NS0311", message, given.span, text)
-                raise NoValue([Finding(fault, self._place(rows[row], boundary), int(beyond.sum()))])
-            after[:, k] = np.where(where, value, rows[:, k : k + 1])[:, 0]
-        for k, sense in enumerate(self.held, self.width):
+                fault = Fault("NS0311", message, step.span, text)
+                raise NoValue(
+                    [MissingValue(fault, self._place(rows[row], boundary), int(beyond.sum()))]
+                )
+            after[:, k] = np.where(changes, value, rows[:, k : k + 1])[:, 0]
+        for k, sense in enumerate(self.remembered, self.width):
             after[:, k] = np.broadcast_to(bindings[sense.name].data, shape)[:, 0]
         following, inverse = np.unique(after, axis=0, return_inverse=True)
         return inverse.reshape(len(nodes), outcomes), following
@@ -273,23 +277,25 @@ class _Builder:
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[Machine, NDArray[np.int32]]:
-        """One machine of what is different in the codes."""
+        """Join the stages, with one copy of codes that behave equally."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
-        kept = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]
-        first = np.cumsum([0, *map(len, kept)])
+        stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]
+        first = np.cumsum([0, *map(len, stage_rows)])
         steps = np.full((int(first[-1]), most), -1, np.int64)
-        for number, (stage, rows) in enumerate(zip(stages[:-1], kept[:-1], strict=True)):
+        for number, (stage, rows) in enumerate(zip(stages[:-1], stage_rows[:-1], strict=True)):
             place = np.full(len(stages[number + 1].nodes), -1, np.int64)
-            place[kept[number + 1]] = first[number + 1] + np.arange(len(kept[number + 1]))
+            place[stage_rows[number + 1]] = first[number + 1] + np.arange(
+                len(stage_rows[number + 1])
+            )
             steps[first[number] : first[number + 1], : stage.steps.shape[1]] = place[
                 stage.steps[rows]
             ]
-        pairs = [*zip(stages, kept, strict=True)]
+        pairs = [*zip(stages, stage_rows, strict=True)]
         nodes = np.concatenate([stage.nodes[rows] for stage, rows in pairs])
         opens = np.concatenate([stage.opens[rows] for stage, rows in pairs])
         behaviour = behaviour_of_code[nodes[:, 0]]
-        answers = [State(s.name, 0, 1, 0, boolean=True, sense=True) for s in self.held]
+        answers = [State(s.name, 0, 1, 0, boolean=True, sense=True) for s in self.remembered]
         machine = Machine(
             states=(*self.looking.states, *answers),
             comparisons=comparisons,
@@ -306,25 +312,25 @@ class _Builder:
         return machine, behaviour_of_code
 
     def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        """The behaviour of every code, and the first code of each; alike codes do the same."""
-        seen: dict[bytes, int] = {}
-        found = np.empty(len(self.codes), np.int32)
+        """The behaviour of every code, and the first code of each behaviour."""
+        behaviour_of_key: dict[bytes, int] = {}
+        behaviour_of_code = np.empty(len(self.codes), np.int32)
         chosen: list[int] = []
         bounds = [
             np.searchsorted(stage.nodes[:, 0], np.arange(len(self.codes) + 1)) for stage in stages
         ]
         for code in range(len(self.codes)):
-            parts: list[bytes] = []
+            stage_bytes: list[bytes] = []
             for number, stage in enumerate(stages):
                 rows = slice(bounds[number][code], bounds[number][code + 1])
                 steps = stage.steps[rows]
                 if number + 1 < len(stages):
                     steps = steps - bounds[number + 1][code]
                 tables = stage.nodes[rows, 1:], stage.opens[rows], stage.resets[rows], steps
-                parts += [np.ascontiguousarray(each).tobytes() for each in tables]
-            key = b"|".join(parts)
-            if key not in seen:
-                seen[key] = len(chosen)
+                stage_bytes += [np.ascontiguousarray(table).tobytes() for table in tables]
+            key = b"|".join(stage_bytes)
+            if key not in behaviour_of_key:
+                behaviour_of_key[key] = len(chosen)
                 chosen.append(code)
-            found[code] = seen[key]
-        return found, np.array(chosen, np.int64)
+            behaviour_of_code[code] = behaviour_of_key[key]
+        return behaviour_of_code, np.array(chosen, np.int64)

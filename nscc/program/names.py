@@ -56,11 +56,17 @@ class Declarations:
         self.nexts: dict[str, tree.Next] = {}
         self.reset: tree.Reset | None = None
         self.reads: dict[str, tree.Name] = {}
+        self.kernels: dict[str, tree.Kernel | tree.KernelFromFile] = {}
+        self.pictures: list[tree.Image | tree.Plane] = []
+        self.outside: tree.Outside | None = None
+        self.assumes: list[tree.Assume] = []
+        self.reports: list[tree.Report] = []
 
     @property
     def looking(self) -> bool:
         """Whether the shutters depend on more than the code and the slot."""
-        return bool(self.senses or self.states or self.nexts or self.reads or self.reset)
+        reads = () if self.pictures or self.reports else self.reads
+        return bool(self.senses or self.states or self.nexts or reads or self.reset)
 
     @property
     def has_pixels(self) -> bool:
@@ -79,6 +85,10 @@ class Declarations:
             yield name, "a sense"
         for name in self.states:
             yield name, "a state"
+        for name in self.kernels:
+            yield name, "a kernel"
+        for picture in self.pictures:
+            yield picture.name.text, "an image" if isinstance(picture, tree.Image) else "a plane"
 
 
 def gather(file: tree.File, problems: Problems) -> Declarations:
@@ -142,6 +152,19 @@ class _Gatherer:
             case tree.Read():
                 for each in statement.names:
                     found.reads.setdefault(each.text, each)
+            case tree.Kernel() | tree.KernelFromFile():
+                if self._new(statement.name):
+                    found.kernels[statement.name.text] = statement
+            case tree.Image() | tree.Plane():
+                if self._new(statement.name):
+                    found.pictures.append(statement)
+            case tree.Outside():
+                if self._once("outside", found.outside, statement):
+                    found.outside = statement
+            case tree.Assume():
+                found.assumes.append(statement)
+            case tree.Report():
+                found.reports.append(statement)
             case tree.PixelsExpr() | tree.PixelsTile():
                 self._pixels(statement)
             case tree.PixelsFromFile():
@@ -226,7 +249,12 @@ class _Gatherer:
         elif isinstance(rule, tree.Open):
             if self._once("open when", rules[0] if rules else None, rule):
                 rules.append(rule)
-        # Buckets have names of their own (the key cannot be a name): no expression reads them.
+        elif self.found.version > 2 and not self._unused(
+            rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
+        ):
+            return
+        # Buckets have names of their own (the key cannot be a name): until version 3, no expression
+        # reads them.
         elif self._unused(
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"
         ):

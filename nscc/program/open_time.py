@@ -1,4 +1,4 @@
-"""How long every pixel was open, as the readout tells it: from its code and the states read."""
+"""The open time of every pixel, determined by its code and the states that are read out."""
 
 from __future__ import annotations
 
@@ -14,26 +14,22 @@ from nscc.program.table import TooMuch
 from nscc.words.machine import Machine
 
 Times = tuple[tuple[int, float], ...]
-"""By bucket: open slots, and the microseconds that they last."""
+"""For each bucket: the number of open slots, and their total length in microseconds."""
 
 
 @dataclass(frozen=True)
 class Untold:
-    """A readout that does not tell how long pixels were open.
-
-    `bucket` is the first whose time differs between pixels of one code and readout. `states` are
-    the fewest to `read` beside those that are, that would tell it: () if no state does.
-    """
+    """A readout that does not determine open times. `bucket` is the first whose time differs
+    between pixels of equal code and readout. `states` are the fewest additional states to `read`
+    that would determine it, () if no states do."""
 
     bucket: int
     states: tuple[str, ...]
 
 
 def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine, Untold | None]:
-    """The machine with `open_us` and `open_slots`; or what the readout does not tell.
-
-    Raises TooMuch where there are too many different times to count.
-    """
+    """The machine with `open_us` and `open_slots`, or an Untold. Raises TooMuch for too many
+    different times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
@@ -48,33 +44,34 @@ def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine
 
 
 def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
-    """By node the times that a pixel can have been open when its stage ends."""
+    """For each node, the possible open times at the end of its stage."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
-    found: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
+    times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
     slots = machine.opens.sum(axis=2).tolist()
     us = (machine.opens @ slot_us).tolist()
     for node in range(len(machine.behaviour)):
-        # Sums of decimal fractions in another order: the picosecond is beyond a slot's own figures.
-        found[node] = {
+        # Rounded because sums of decimal fractions depend on the order; slot lengths are multiples
+        # of 1 ps.
+        times[node] = {
             tuple(
                 (n + slots[node][b], round(t + us[node][b], 6)) for b, (n, t) in enumerate(before)
             )
-            for before in found[node]
+            for before in times[node]
         }
         for following in {step for step in machine.steps[node].tolist() if step >= 0}:
-            found.setdefault(following, set()).update(found[node])
-            if len(found[following]) > MOST_HISTORIES:
-                count = len(found[following])
+            times.setdefault(following, set()).update(times[node])
+            if len(times[following]) > MOST_HISTORIES:
+                count = len(times[following])
                 message = f"a pixel can be open for {count} or more different times"
                 raise TooMuch(message, count, MOST_HISTORIES)
-    return found
+    return times
 
 
 def _differing(
     machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
-    """The first bucket whose time code and these states do not tell; None if they tell all."""
+    """The first bucket whose time is not determined by code and these states; None if all are."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()
@@ -82,9 +79,9 @@ def _differing(
         by_readout.setdefault(key, set()).update(times[node])
     differing = [
         bucket
-        for each in by_readout.values()
-        if len(each) > 1
-        for bucket, of_bucket in enumerate(zip(*each, strict=True))
+        for readout_times in by_readout.values()
+        if len(readout_times) > 1
+        for bucket, of_bucket in enumerate(zip(*readout_times, strict=True))
         if len(set(of_bucket)) > 1
     ]
     return min(differing, default=None)
@@ -93,10 +90,10 @@ def _differing(
 def _missing(
     machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> tuple[str, ...]:
-    others = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
-    for more in _choices(others):
-        if _differing(machine, last, times, [*read, *more]) is None:
-            return tuple(machine.states[k].name for k in more)
+    unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
+    for added in _choices(unread):
+        if _differing(machine, last, times, [*read, *added]) is None:
+            return tuple(machine.states[k].name for k in added)
     return ()
 
 

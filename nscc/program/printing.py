@@ -10,11 +10,8 @@ _MOST_SLOTS = 256
 
 
 def print_program(program: Program) -> str:
-    """Fields, frame, class and the decode table of `program`; the same program, the same text.
-
-    Shutters stand as rows of 0 and 1, slot 0 first, with the number of codes that open each; long
-    tables and rows are cut, and say so.
-    """
+    """Fields, frame, class and decode table of `program` as text. Shutters are rows of 0 and 1,
+    slot 0 first, with the number of their codes; long tables and rows are shortened."""
     table = program.table
     data = "no data"
     if program.pixel_codes is not None:
@@ -41,8 +38,8 @@ def _frame_text(frame: Frame) -> str:
     if frame.equal:
         return f"{slots} of {frame.slot_us[0]:g} us, {total}"
     shown = ", ".join(f"{us:g}" for us in frame.slot_us[:16])
-    more = ", ..." if len(frame.slot_us) > 16 else ""
-    return f"{slots} of {shown}{more} us, {total}"
+    ellipsis = ", ..." if len(frame.slot_us) > 16 else ""
+    return f"{slots} of {shown}{ellipsis} us, {total}"
 
 
 def _field_text(field: Field) -> str:

@@ -1,4 +1,4 @@
-"""The collector of what is wrong with a program: everything is reported, and reported once."""
+"""Collects diagnostics about a program and avoids duplicates."""
 
 from __future__ import annotations
 
@@ -24,39 +24,42 @@ class Problems:
         self._unknown: set[str] = set()
 
     def add(
-        self, severity: Severity, code: str, message: str, span: Span, text: str = "", **more: Any
+        self,
+        severity: Severity,
+        code: str,
+        message: str,
+        span: Span,
+        text: str = "",
+        **members: Any,
     ) -> None:
-        """Adds a diagnostic at `span`; `more` are further members of `Diagnostic`."""
+        """Adds a diagnostic at `span`; `members` are further fields of `Diagnostic`."""
         place = Label(span, text)
-        self._found.append(Diagnostic(code, message, severity, self.source, place, **more))
+        self._found.append(Diagnostic(code, message, severity, self.source, place, **members))
 
     error = partialmethod(add, Severity.ERROR)
     warning = partialmethod(add, Severity.WARNING)
     note = partialmethod(add, Severity.NOTE)
 
-    def unknown(self, what: str, name: str, span: Span, known: Iterable[str]) -> None:
-        """Adds the error for a name that is not known, with the nearest of `known`.
-
-        A name is reported where it first stands; to look for a near one costs time that grows with
-        the names there are, so the first few unknown names get it.
-        """
+    def unknown(self, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
+        """Add the error for an unknown name, with the closest of `known`. A name is reported once.
+        Only the first few get a suggestion, because the search is slow."""
         if name in self._unknown:
             return
         self._unknown.add(name)
         if len(self._unknown) > _MOST_SUGGESTIONS:
             known = ()
         candidates = sorted(set(known))
-        near = closest(name, candidates)
+        nearest = closest(name, candidates)
         shown = ", ".join(f"`{c}`" for c in candidates[:12])
-        others = f"names that can be used here: {shown}" if shown else ""
-        help_text = did_you_mean(near) if near else others
+        alternatives = f"names that can be used here: {shown}" if shown else ""
+        help_text = did_you_mean(nearest) if nearest else alternatives
         helps = (help_text,) if help_text else ()
-        fixes = (Fix(f"write `{near}`", span, near, sure=False),) if near else ()
-        message = f"`{clipped(name)}` is not the name of {what}"
+        fixes = (Fix(f"write `{nearest}`", span, nearest, sure=False),) if nearest else ()
+        message = f"`{clipped(name)}` is not the name of {kind}"
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 
     def adopt(self, rejected: Rejected, span: Span) -> None:
-        """Takes over the diagnostics of a part that knows no source, placing them at `span`."""
+        """Add diagnostics that have no source, with the place `span`."""
         for diagnostic in rejected.diagnostics:
             if diagnostic.source is None:
                 diagnostic = replace(diagnostic, source=self.source, label=Label(span))
@@ -67,10 +70,8 @@ class Problems:
         return any(d.severity is Severity.ERROR for d in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:
-        """What was found, by place in the text; equal places keep the order found.
-
-        Of errors the first MOST_ERRORS, and NS0190 with the number of the rest at the end.
-        """
+        """All diagnostics by place in the text. Errors beyond MOST_ERRORS are replaced by NS0190
+        with their number."""
         errors = 0
         shown: list[Diagnostic] = []
         for diagnostic in sorted(self._found, key=_place):
@@ -82,7 +83,7 @@ class Problems:
         return tuple(shown)
 
     def stop_on_errors(self) -> None:
-        """Raises Rejected with what was found if any of it is an error."""
+        """Raise Rejected if there are errors."""
         if self.has_errors():
             raise Rejected(self.sorted())
 
@@ -94,7 +95,7 @@ def _place(diagnostic: Diagnostic) -> tuple[int, int]:
 
 
 def clipped(text: object, most: int = 60) -> str:
-    """`text` for a message, cut in the middle where it is longer than `most` characters."""
+    """`text` shortened in the middle to `most` characters."""
     shown = printable(text)
     if len(shown) <= most:
         return shown
@@ -103,7 +104,7 @@ def clipped(text: object, most: int = 60) -> str:
 
 
 def printable(text: object) -> str:
-    """`text` as a string; an integer too long to print is described instead."""
+    """`text` as a string; a description for an integer that is too long to print."""
     if isinstance(text, int) and not isinstance(text, bool) and text.bit_length() > 256:
         sign = "negative " if text < 0 else ""
         return f"a {sign}number of {text.bit_length()} bits"
@@ -111,5 +112,5 @@ def printable(text: object) -> str:
 
 
 def counted(number: int, noun: str, plural: str | None = None) -> str:
-    """`1 slot`, `2 slots`: a number with its noun."""
+    """A number with its noun: `1 slot`, `2 slots`."""
     return f"{number} {noun if number == 1 else plural or noun + 's'}"

@@ -13,6 +13,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
 from nscc.words.machine import Machine
+from nscc.words.pictures import Pictures
 
 Codes = Literal["fixed", "open"]
 """Specialised to the codes that the pixels use, or compiled for every legal code."""
@@ -84,6 +85,7 @@ class Program:
     class_reason: str
     messages: tuple[Diagnostic, ...]
     machine: Machine | None = None
+    pictures: Pictures | None = None
 
     def __repr__(self) -> str:
         return f"Program({self.source.name!r}, class {self.class_name}, {self.table!r})"

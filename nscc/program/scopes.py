@@ -1,4 +1,4 @@
-"""Which names mean what in each place of a program: constants, pixels, conditions, rules."""
+"""The names that are visible in each part of a program, and their meanings."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _BOOK = "only rules may use the digits of a codebook"
 
 
 def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For `let`, ranges, counts and tiles: `constants` alone, the other names explained."""
+    """For `let`, ranges, counts and tiles: constants; other names have explanations."""
     scope = {
         "n": Meaning("misplaced", note=_SLOT),
         "x": Meaning("misplaced", note=_PLACE),
@@ -55,7 +55,7 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
 
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For rules: constants, fields, codebooks, the slot n, and what the pixel has found."""
+    """For rules: constants, fields, codebooks, the slot n, states and answers."""
     scope = next_scope(declared, constants)
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
     return _without_refused(scope, declared)

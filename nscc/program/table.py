@@ -1,4 +1,4 @@
-"""The decode table: the rules evaluated for every code and slot, shutters made distinct."""
+"""The decode table: rules evaluated for every code and slot, with distinct shutters."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from nscc.words.container import DecodeTable
 CodeArray = NDArray[np.int64]
 
 _BLOCK = 2**18
-"""Codes x slots evaluated at once: 2 MB of integers, which stay in the cache."""
+"""Codes x slots evaluated at once: 2 MB of integers, which fit the cache."""
 
 
 class TooMuch(Exception):
-    """More codes, slots or operations than a stated limit: the numbers in words."""
+    """Codes, slots or operations exceed a limit."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
         super().__init__(message)
@@ -41,35 +41,34 @@ class TooMuch(Exception):
 
 
 @dataclass(eq=False, repr=False)
-class Finding:
-    """One expression without a value: why, for which code and slot first, and for how many."""
+class MissingValue:
+    """An expression without a value: the reason, the first code and slot, and the number of
+    cases."""
 
     fault: Fault
-    where: str
+    place: str
     count: int
 
     @property
     def text(self) -> str:
-        """Where it happens, in words."""
+        """The places, in words."""
         if self.count == 1:
-            return self.where
-        return f"first {self.where}; {self.count} times in all"
+            return self.place
+        return f"first {self.place}; {self.count} times in all"
 
 
 class NoValue(Exception):
-    """Expressions that have no value for some code: one finding for each."""
+    """Expressions without a value, one entry for each."""
 
-    def __init__(self, findings: Sequence[Finding]) -> None:
+    def __init__(self, findings: Sequence[MissingValue]) -> None:
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 
 
 @dataclass(eq=False, repr=False)
 class Rules:
-    """What decides which codes exist and what they mean, all names and types right.
-
-    `rules` has one boolean expression for each bucket; `slots` is N.
-    """
+    """The checked rules that define codes and shutters. `rules` has one boolean expression for each
+    bucket; `slots` is N."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -79,75 +78,68 @@ class Rules:
 
     @property
     def combinations(self) -> int:
-        """How many combinations the fields' ranges name, whether `require` allows them or not."""
+        """The number of combinations in the fields' ranges, ignoring `require`."""
         return prod(field.high - field.low + 1 for field in self.fields)
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
-    """Which of `codes` (codes, fields) satisfy every `require`.
-
-    The conditions are tried in the order written, each on the codes that the ones before allow.
-    Raises NoValue where one has no value, TooMuch beyond the work limit.
-    """
+    """Which of `codes` (codes, fields) satisfy every `require`. Conditions are evaluated in order,
+    each for the codes that satisfy the previous ones. Raises NoValue if a condition has no value,
+    TooMuch beyond the work limit."""
     _limit_work(rules.requires, rules, len(codes), 1)
-    left = np.ones(len(codes), dtype=bool)
+    satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
-        rows = np.flatnonzero(left)
+        rows = np.flatnonzero(satisfied)
         for block in _blocks(len(rows), 1):
-            part = rows[block]
-            bindings = _bindings(rules, codes[part])
-            found = evaluate(condition, bindings, rules.books)
-            if found.faults is not None:
-                places = _everywhere(found, (len(part), 1))
+            block_rows = rows[block]
+            bindings = _bindings(rules, codes[block_rows])
+            evaluated = evaluate(condition, bindings, rules.books)
+            if evaluated.faults is not None:
+                places = _everywhere(evaluated, (len(block_rows), 1))
                 code = int(places.argmax())
-                fault = fault_at(condition, bindings, rules.books, (len(part), 1), (code, 0))
-                where = f"for {code_text(rules, codes[part[code]])}"
-                raise NoValue([Finding(fault, where, int(places.sum()))])
-            left[part] = np.broadcast_to(found.data, (len(part), 1))[:, 0]
-    return left
+                fault = fault_at(condition, bindings, rules.books, (len(block_rows), 1), (code, 0))
+                place = f"for {code_text(rules, codes[block_rows[code]])}"
+                raise NoValue([MissingValue(fault, place, int(places.sum()))])
+            satisfied[block_rows] = np.broadcast_to(evaluated.data, (len(block_rows), 1))[:, 0]
+    return satisfied
 
 
 def legal_codes(rules: Rules) -> CodeArray:
-    """Every code that fields and `require` allow, sorted by field values.
-
-    Raises TooMuch before it enumerates more combinations, or keeps more codes, than the limits
-    say; NoValue where a condition has no value for some combination.
-    """
+    """Every code that fields and `require` allow, sorted by field values. Raises TooMuch if limits
+    on combinations or codes are exceeded; NoValue if a condition has no value."""
     sizes = [field.high - field.low + 1 for field in rules.fields]
     total = rules.combinations
     if not rules.requires:
         _limit_codes(rules, total)
     elif total > COMBINATION_LIMIT:
-        tried = f"at most {COMBINATION_LIMIT} combinations are tested against `require`"
-        message = f"the fields have {printable(total)} combinations, and {tried}"
+        limit_text = f"at most {COMBINATION_LIMIT} combinations are tested against `require`"
+        message = f"the fields have {printable(total)} combinations, and {limit_text}"
         raise TooMuch(message, min(total, UNCOUNTED), COMBINATION_LIMIT)
     _limit_work(rules.requires, rules, total, 1)
-    kept: list[CodeArray] = []
+    kept_codes: list[CodeArray] = []
     count = 0
     for block in _blocks(total, 1):
-        rest = np.arange(block.start, block.stop, dtype=np.int64)
-        codes = np.empty((len(rest), len(sizes)), dtype=np.int64)
+        number = np.arange(block.start, block.stop, dtype=np.int64)
+        codes = np.empty((len(number), len(sizes)), dtype=np.int64)
         for k in range(len(sizes) - 1, -1, -1):
-            rest, codes[:, k] = np.divmod(rest, sizes[k])
+            number, codes[:, k] = np.divmod(number, sizes[k])
             codes[:, k] += rules.fields[k].low
-        part = codes[allowed(rules, codes)] if rules.requires else codes
-        count += len(part)
+        block_codes = codes[allowed(rules, codes)] if rules.requires else codes
+        count += len(block_codes)
         _limit_codes(rules, count)
-        kept.append(part)
-    return np.concatenate(kept)
+        kept_codes.append(block_codes)
+    return np.concatenate(kept_codes)
 
 
 def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
-    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal.
-
-    The shutters are sorted as rows of bits: the first bucket's slot 0 counts most, closed before
-    open. Raises TooMuch beyond the limits before evaluating, NoValue where a rule has no value.
-    """
+    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal. Shutters
+    are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises TooMuch
+    beyond the limits, before evaluation; NoValue if a rule has no value."""
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
     packed = np.empty((len(codes), -(-buckets * slots // 8)), dtype=np.uint8)
-    trouble: dict[int, Finding] = {}
+    trouble: dict[int, MissingValue] = {}
     for block in _blocks(len(codes), slots * buckets):
         opens = np.empty((block.stop - block.start, buckets, slots), dtype=bool)
         for k, rule in enumerate(rules.rules):
@@ -170,23 +162,23 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
-) -> tuple[NDArray[np.bool_], Finding | None]:
-    """Open or closed (codes, slots), and what has no value."""
+) -> tuple[NDArray[np.bool_], MissingValue | None]:
+    """Whether open, (codes, slots), and the first missing value."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = array(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
-    found = evaluate(rule, bindings, rules.books)
-    opens = np.broadcast_to(np.asarray(found.data, dtype=bool), shape)
-    if found.faults is None:
+    evaluated = evaluate(rule, bindings, rules.books)
+    opens = np.broadcast_to(np.asarray(evaluated.data, dtype=bool), shape)
+    if evaluated.faults is None:
         return opens, None
-    places = _everywhere(found, shape)
+    places = _everywhere(evaluated, shape)
     code, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
     fault = fault_at(rule, bindings, rules.books, shape, (code, slot))
     count = int(places.sum())
     if not rules.fields:
-        return opens, Finding(fault, f"in slot {slot}", count)
-    where = f"for {code_text(rules, codes[code])}, in slot {slot}"
-    return opens, Finding(fault, where, count)
+        return opens, MissingValue(fault, f"in slot {slot}", count)
+    place = f"for {code_text(rules, codes[code])}, in slot {slot}"
+    return opens, MissingValue(fault, place, count)
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
@@ -196,32 +188,32 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
         bindings[field.name] = Value(column, field.low, field.high)
         if field.bits is not None:
-            # Of a long field's parts the last one has the highest bit.
+            # The last chunk of a long field has the highest bit.
             bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
     return bindings
 
 
-def _everywhere(found: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    if isinstance(found.faults, np.ndarray):
-        return np.broadcast_to(found.faults, shape)
+def _everywhere(evaluated: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
+    if isinstance(evaluated.faults, np.ndarray):
+        return np.broadcast_to(evaluated.faults, shape)
     return np.ones(shape, dtype=bool)
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
-    """One code (fields,) for messages: `start = 3, stop = 7`."""
-    parts = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
-    return ", ".join(parts[:6]) + (", ..." if len(parts) > 6 else "")
+    """Format one code (fields,) for messages: `start = 3, stop = 7`."""
+    assignments = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
+    return ", ".join(assignments[:6]) + (", ..." if len(assignments) > 6 else "")
 
 
 def _blocks(count: int, width: int) -> Iterator[slice]:
-    """Consecutive slices of `count` rows, each of `width` values or less than _BLOCK of them."""
+    """Slices of `count` rows with at most _BLOCK values of `width` a row."""
     step = max(1, _BLOCK // max(width, 1))
     for start in range(0, count, step):
         yield slice(start, min(start + step, count))
 
 
 UNCOUNTED = 2**72
-"""More codes than this are told by a power of two: nobody reads so many digits."""
+"""More codes than this are printed as a power of two."""
 
 
 def _limit_codes(rules: Rules, codes: int) -> None:
@@ -237,11 +229,11 @@ def _limit_codes(rules: Rules, codes: int) -> None:
         size = f"{of_codes} x {in_buckets}{counted(rules.slots, 'slot')}"
         message = f"{size} are {values} to prove, and the limit is {PROOF_LIMIT}"
         raise TooMuch(message, min(needed, UNCOUNTED), PROOF_LIMIT)
-    kept = codes * len(rules.fields)
-    if kept > TABLE_LIMIT:
+    stored_values = codes * len(rules.fields)
+    if stored_values > TABLE_LIMIT:
         size = f"{counted(codes, 'code')} of {counted(len(rules.fields), 'field')}"
-        message = f"{size} are {kept} values to keep, and the limit is {TABLE_LIMIT}"
-        raise TooMuch(message, kept, TABLE_LIMIT)
+        message = f"{size} are {stored_values} values to keep, and the limit is {TABLE_LIMIT}"
+        raise TooMuch(message, stored_values, TABLE_LIMIT)
 
 
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:
@@ -255,7 +247,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
-    """The distinct rows in the order of their bits, and which of them every row is."""
+    """The distinct rows in bit order, and the index of every row among them."""
     width = packed.shape[1]
     if width <= 8:
         wide = np.zeros((len(packed), 8), dtype=np.uint8)

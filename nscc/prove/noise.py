@@ -1,5 +1,5 @@
-"""Numbers that look random and are the same everywhere: a counter through the SplitMix64 mixer
-(Steele, Lea, Flood, OOPSLA 2014). Importing numpy.random would cost more than most proofs."""
+"""Pseudo-random numbers that are equal on all machines: a counter and the SplitMix64 mixer (Steele,
+Lea, Flood, OOPSLA 2014). Importing numpy.random would take longer than most proofs."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 
 
 class Noise:
-    """A stream of numbers from a seed."""
+    """A pseudo-random stream from a seed."""
 
     def __init__(self, seed: int) -> None:
         self._next = seed << 32
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
-        """Values between 1/4 and 1, none like another: (rows, columns)."""
+        """Distinct values between 1/4 and 1: (rows, columns)."""
         end = self._next + rows * columns
         x = np.arange(self._next, end, dtype=np.uint64)
         self._next = end

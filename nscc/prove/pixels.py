@@ -133,7 +133,10 @@ class Pixels:
                 self.run(word)
 
     def end_frame(self) -> None:
-        """Ends a frame, the readout included."""
+        """Ends a frame, the readout included; images and planes may use all but code registers."""
+        if self.container.pictures is not None:
+            for name in self.bits.keys() - {*self.container.code_registers}:
+                self.write(name, UNKNOWN)
         self._boundary = self.container.slots
         self._now_us = self._start_us + float(self._boundary_us[-1])
         self._now_us += self.target.readout_us * len(self.container.readouts)

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.operations import Op
-from nscc.prove.looks import Looks
+from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import Wrong
 from nscc.prove.readout import readout_fault
@@ -81,10 +81,17 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
         except Wrong as wrong:
             failure = Failure(wrong.what, frame, wrong.bucket, wrong.shutter, tuple(replay.doubts))
             break
-    return Proof(codes, slots, FRAMES, failure or _readout(container), replay.transitions)
+    return Proof(codes, slots, FRAMES, failure or _after_frame(container), replay.transitions)
 
 
-def _readout(container: Container) -> Failure | None:
+def _after_frame(container: Container) -> Failure | None:
     """What is wrong with the words between frame and readout."""
     fault = readout_fault(container)
-    return Failure(fault[1], FRAMES, fault[0]) if fault else None
+    if fault is not None:
+        return Failure(fault[1], FRAMES, fault[0])
+    if container.pictures is None:
+        return None
+    from nscc.prove.pictures import pictures_fault
+
+    found = pictures_fault(container)
+    return Failure(found, FRAMES) if found else None

@@ -1,4 +1,4 @@
-"""The proof of the words before readout: they leave in registers what codes stand for."""
+"""The proof of the words before readout: registers then hold what the codes mean."""
 
 from __future__ import annotations
 
@@ -13,27 +13,29 @@ _TOLERANCE = 1e-9
 
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
-    """The bucket whose register is not read out as the target promises, and what is wrong; None
-    where all are.
-
-    Random values stand for all exposures, as words on them are linear.
-    """
+    """The first bucket whose register is not read out as the target specifies, and the error; None
+    if all are. Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
     buckets = {readout.register: readout.bucket for readout in container.readouts}
     for word in preparation.words:
         fault = target_fault(word, container.target)
         if fault is not None:
             return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
-    found = _left(container, preparation)
-    for register, (before, after) in found.items():
-        if not abs(after - _wanted(container, before)) <= _TOLERANCE * container.target.full_well_e:
-            what = "the converted value does not match the meaning of its codes"
-            return buckets[register], what
+    contents = _contents_around_readout(container, preparation)
+    for register, (before, after) in contents.items():
+        if (
+            not abs(after - _converter_input_e(container, before))
+            <= _TOLERANCE * container.target.full_well_e
+        ):
+            message = "the converted value does not match the meaning of its codes"
+            return buckets[register], message
     return None
 
 
-def _left(container: Container, preparation: Preparation) -> dict[str, tuple[float, float]]:
-    """What is in each register that is read out, before the words and after them, in electrons."""
+def _contents_around_readout(
+    container: Container, preparation: Preparation
+) -> dict[str, tuple[float, float]]:
+    """The content in electrons of each read-out register, before and after the words."""
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
     registers = [readout.register for readout in container.readouts]
@@ -44,9 +46,9 @@ def _left(container: Container, preparation: Preparation) -> dict[str, tuple[flo
     return {name: (before[name], float(replay.analog[name][0, 0])) for name in registers}
 
 
-def _wanted(container: Container, exposure_e: float) -> float:
-    """What the converter, whose codes are symmetric around a register that holds nothing, has to
-    be given so that the code says `exposure_e`."""
+def _converter_input_e(container: Container, exposure_e: float) -> float:
+    """The converter input, in electrons, for which the code means `exposure_e`; the converter's
+    codes are symmetric around an empty register."""
     target = converter_of(container)
     own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
     middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0

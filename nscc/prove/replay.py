@@ -1,4 +1,4 @@
-"""Replays the words of fixed shutters: a lane is a row of the container's encoding."""
+"""Replay of programs with fixed shutters; each lane is a row of the container's encoding."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.words.container import Container
 
 
 class Replay(Pixels):
-    """The pixels of all codes."""
+    """The simulated pixels of all codes."""
 
     def __init__(
         self, container: Container, kernels: Sequence[Sequence[Op]], *, lights: int = 1,
@@ -23,10 +23,8 @@ class Replay(Pixels):
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Runs one frame; `light` (N, lights) is in electrons a slot.
-
-        Returns, by bucket, the exposure in electrons (lanes, lights).
-        """
+        """Run one frame in `light` (N, lights), in electrons a slot. Returns the exposure in
+        electrons (lanes, lights) of each bucket."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -41,47 +39,45 @@ class Replay(Pixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Runs one frame in `light` (N,); raises Wrong where it is not the decode table's."""
+        """Run one frame in `light` (N,); raises Wrong if it differs from the decode table."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
             if bucket not in measured:
                 raise Wrong("no register is read out", bucket)
             expected = _sums(table.shutters[:, index, :], light)
-            wrong = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
-            if wrong.any():
-                raise Wrong(WRONG_EXPOSURE, bucket, int(np.flatnonzero(wrong)[0]))
+            differs = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
+            if differs.any():
+                raise Wrong(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
         if any(self.read(name) != bits for name, bits in self.code.items()):
             raise Wrong(WRONG_CODE)
 
 
 def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:
-    """shutters @ light, a few rows at a time: as float64 a whole table may not fit in memory."""
+    """shutters @ light in blocks of rows, since a whole table as float64 may not fit in memory."""
     rows = max(1, (1 << 20) // max(1, shutters.shape[1]))
     blocks = [shutters[i : i + rows] @ light for i in range(0, len(shutters), rows)]
     return np.concatenate(blocks)
 
 
-# Slots whose light is told apart in one float64: powers of four from 1 to 4^23, so that weights of
-# -1, 0, 1 and 2 a slot are exact.
+# Number of slots whose light one float64 can distinguish: powers of four from 1 to 4^23, so that
+# weights of -1, 0, 1 and 2 a slot are exact.
 _SLOTS_A_LIGHT = 24
 
 
 def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
     """S[n] of every lane, (lanes, buckets, slots), found by replaying the words with light in one
-    slot at a time; None where a slot's weight in an exposure is neither 0 nor 1.
-
-    Lanes are the rows of `container.encoding`.
-    """
+    slot at a time; None if the weight of a slot is neither 0 nor 1. Lanes are the rows of
+    `container.encoding`."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))
     numbers = np.arange(slots)
     light[numbers, numbers // _SLOTS_A_LIGHT] = 4.0 ** (numbers % _SLOTS_A_LIGHT)
-    # A reset level of zero keeps the sums exact; that programs subtract it is the proof's business.
+    # A reset level of zero keeps the sums exact; the proof checks that programs subtract it.
     replay = Replay(container, kernels, lights=lights, quiet=True)
     measured = replay.exposures(light)
-    found = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)
+    opened = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)
     for index, bucket in enumerate(container.buckets):
         value = measured[bucket]
         if not np.isfinite(value).all():
@@ -91,8 +87,8 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
             if not np.isin(weight, (0, 1)).all():
                 return None
             columns_ = slice(digit, None, _SLOTS_A_LIGHT)
-            found[:, index, columns_] = weight[:, : len(range(*columns_.indices(slots)))] == 1
+            opened[:, index, columns_] = weight[:, : len(range(*columns_.indices(slots)))] == 1
             value = (value - weight) / 4
         if np.any(value != 0):
             return None
-    return found
+    return opened

@@ -1,4 +1,4 @@
-"""What the words of a container open: its shutters, found by replay and not read from its table."""
+"""The shutters of a container, from a replay of its words instead of its decode table."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.prove.replay import shutters
-from nscc.prove.stream import prove_stream
+from nscc.prove.stream_proof import prove_stream
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 
 
 def refuse_looking(container: Container, name: str = "this program") -> None:
-    """Raises Rejected: NS0444 (status 1) for programs whose shutters the light decides."""
+    """Raise Rejected (NS0444, status 1) for programs whose shutters depend on the light."""
     if container.machine is not None:
         raise rejected(
             "NS0444",
@@ -30,16 +30,14 @@ def refuse_looking(container: Container, name: str = "this program") -> None:
 
 
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
-    """The distinct shutters bool (shutters, buckets, N) as the words open them.
-
-    Raises Rejected: NS0442 (status 1) where light counts half or twice; `name` is what the message
-    calls the container.
-    """
+    """The distinct shutters bool (shutters, buckets, N) that the words open. Raises Rejected
+    (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the container
+    `name`."""
     if container.target.streamed:
         return _sent(container, name)
     refuse_looking(container, name)
-    found = shutters(container, decoded(container))
-    if found is None:
+    opened = shutters(container, decoded(container))
+    if opened is None:
         raise rejected(
             "NS0442",
             f"the words of {name} do not implement shutters: the light of some slot has a "
@@ -47,11 +45,11 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
             helps=("`nscc prove` shows the error in the words",),
             status=1,
         )
-    return found
+    return opened
 
 
 def _sent(container: Container, name: str) -> NDArray[np.bool_]:
-    """The shutters that planes open: those of the table, where the planes prove to do so."""
+    """The shutters that bit planes open: those of the decode table, after a proof."""
     proof = prove_stream(container)
     if proof.failure is None:
         return container.table.shutters
@@ -64,11 +62,9 @@ def _sent(container: Container, name: str) -> NDArray[np.bool_]:
 
 
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
-    """The shutters and codes of all pixels: `shutter`, `shutter_shape`, `codes_FIELD`.
-
-    As in a frame file. A program of one code needs no pixel data. Raises Rejected: NS0441 (status
-    1) where pixels have no codes, NS0442 as `replayed`.
-    """
+    """The shutters and codes of all pixels: `shutter`, `shutter_shape`, `codes_FIELD`, as in a
+    frame file. A program with one code needs no pixel data. Raises Rejected: NS0441 (status 1) if
+    pixels have no codes, NS0442 as `replayed`."""
     pixels, sent = container.pixel_codes, container.stream
     if sent is not None:
         opened = sent.shutters(len(container.buckets), container.target.cols)

@@ -1,1 +1,1 @@
-"""Programs for chips without logic: which tap takes whose light, when planes load, what is sent."""
+"""Compilation for chips without logic: routes of light to taps, bit planes, and their schedule."""

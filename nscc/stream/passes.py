@@ -1,4 +1,4 @@
-"""The passes of programs for chips without logic, as `nscc.pipeline` lists them."""
+"""The passes for chips without logic, as `nscc.pipeline` lists them."""
 
 from __future__ import annotations
 
@@ -16,28 +16,26 @@ from nscc.words.container import Container, Readout
 Found = Sequence[Diagnostic]
 
 
-def plan_of(program: Program, asked: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
-    """The way of the light, or why there is none (NS0509).
-
-    `asked` are options that say how words are to be found: there are none here (NS0510).
-    """
-    if asked:
-        return NoRoute("", ""), [_no_words(program, asked)]
+def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
+    """The route of the light, or why there is none (NS0509). `word_options` names options that
+    concern words, which such a chip does not have (NS0510)."""
+    if word_options:
+        return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)
-    found = route(program.table.shutters, names, program.target)
-    if isinstance(found, NoRoute):
-        return found, [no_route(found, program.target.name, program)]
-    return Sending(program, found), []
+    chosen_route = route(program.table.shutters, names, program.target)
+    if isinstance(chosen_route, NoRoute):
+        return chosen_route, [no_route(chosen_route, program.target.name, program)]
+    return Sending(program, chosen_route), []
 
 
 def timed(sending: Sending) -> tuple[Sending, Found]:
-    """The same, where every plane can be loaded in time (NS0508)."""
+    """The same plan if every plane can be loaded in time, else NS0508."""
     fault = late_fault(sending)
     return sending, [fault] if fault else []
 
 
 def container_of(sending: Sending) -> Container:
-    """The container: no words, and planes where pixels have codes."""
+    """The container: no words, and bit planes if pixels have codes."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
     used = len(names)
@@ -61,8 +59,8 @@ def container_of(sending: Sending) -> Container:
     return laid(container, sending.route)
 
 
-def _no_words(program: Program, asked: Sequence[str]) -> Diagnostic:
-    options = " and ".join(asked)
+def _no_words(program: Program, word_options: Sequence[str]) -> Diagnostic:
+    options = " and ".join(word_options)
     return Diagnostic(
         "NS0510",
         f"{options} does not apply: the pixels of {program.target.name} have no logic and "

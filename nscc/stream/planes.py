@@ -1,4 +1,4 @@
-"""The planes of bits that a chip without logic is sent for the codes of its pixels."""
+"""The bit planes of a chip without logic for the codes of its pixels."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nscc.words.stream import Stream
 
 
 def laid(container: Container, way: Route) -> Container:
-    """The container with the planes of its pixels' codes; without pixels it has none."""
+    """Add the bit planes of the pixel codes on a route; none without pixels."""
     pixels = container.pixel_codes
     if pixels is None:
         return replace(container, stream=None)
@@ -28,30 +28,28 @@ def laid(container: Container, way: Route) -> Container:
 
 
 def with_planes(container: Container) -> Container:
-    """The container of a chip without logic with planes for the codes that its pixels have now.
-
-    Raises Rejected (NS0509) where the light of its shutters has no way.
-    """
-    found = route(container.table.shutters, container.buckets, container.target)
-    if isinstance(found, NoRoute):
-        raise Rejected(no_route(found, container.target.name))
-    return laid(container, found)
+    """Add the bit planes of the current pixel codes to a container of a chip without logic. Raises
+    Rejected (NS0509) if there is no route for the light of its shutters."""
+    chosen_route = route(container.table.shutters, container.buckets, container.target)
+    if isinstance(chosen_route, NoRoute):
+        raise Rejected(no_route(chosen_route, container.target.name))
+    return laid(container, chosen_route)
 
 
-def no_route(found: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
-    """NS0509: light cannot be sorted as the program wants. Certain."""
-    said = f"the pixels of {chip} cannot route light like this: {found.reason}"
-    help_text = (found.help,)
+def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
+    """NS0509: the chip cannot route the light as the program requires. Certain."""
+    message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
+    help_text = (missing_route.help,)
     if program is None:
-        return Diagnostic("NS0509", said, helps=help_text, data={"slot": found.slot})
+        return Diagnostic("NS0509", message, helps=help_text, data={"slot": missing_route.slot})
     taps = ", ".join(program.target.taps)
     return Diagnostic(
         "NS0509",
-        said,
+        message,
         source=program.source,
-        label=Label(program.buckets[found.bucket].span),
+        label=Label(program.buckets[missing_route.bucket].span),
         related=chip_label(program, f"taps: {taps}" + "; a drain" * program.target.drain),
         notes=("certain: in each slot all pixels choose between the same two destinations",),
         helps=help_text,
-        data={"slot": found.slot},
+        data={"slot": missing_route.slot},
     )

@@ -1,7 +1,7 @@
-"""Where the light of every pixel goes in every slot of a chip without logic.
+"""The route of the light of every pixel and slot on a chip without logic.
 
-A bit chooses between two places, and which two they are is the same for all pixels of a slot. What
-asks for more does not fit, and that is certain: no encoding changes it.
+A bit chooses between two destinations, which are the same for all pixels of a slot. A program that
+needs more does not fit, whatever the encoding.
 """
 
 from __future__ import annotations
@@ -17,10 +17,8 @@ from nscc.words.stream import DRAIN
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """The two places of each slot and the bits that choose between them.
-
-    `ones`, `zeros` int8 (N,): a tap's number, or DRAIN. `bits` bool (shutters, N).
-    """
+    """The two destinations of each slot, and the bits that choose between them. `ones`, `zeros`
+    int8 (N,): a tap's number, or DRAIN. `bits` bool (shutters, N)."""
 
     ones: NDArray[np.int8]
     zeros: NDArray[np.int8]
@@ -29,10 +27,8 @@ class Route:
 
 @dataclass(frozen=True)
 class NoRoute:
-    """Why there is none: `reason`, half a sentence, and what to do; `slot` is the first at fault.
-
-    `bucket` is the number of the bucket to point at.
-    """
+    """Why there is no route: `reason` as half a sentence, a help, and the first such `slot`.
+    `bucket` is the number of the bucket to point at."""
 
     reason: str
     help: str
@@ -41,10 +37,8 @@ class NoRoute:
 
 
 def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
-    """The way of the light of `shutters` (shutters, buckets, N): bucket b is tap b.
-
-    Light that no bucket wants goes to the drain, or to a tap that no bucket has.
-    """
+    """The route of the light of `shutters` (shutters, buckets, N): bucket b is tap b. Light that no
+    bucket collects goes to the drain, or to a tap without a bucket."""
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"
@@ -70,16 +64,16 @@ _NOWHERE = 127
 def _chosen(
     open_in: NDArray[np.int8], away: int | None, buckets: tuple[str, ...], target: Target
 ) -> Route | NoRoute:
-    """The two places of each slot; `open_in` (shutters, N) is the bucket, or _NOWHERE."""
+    """The two destinations of each slot; `open_in` (shutters, N) is the bucket, or _NOWHERE."""
     slots = open_in.shape[1]
     ones, zeros = np.zeros(slots, np.int8), np.zeros(slots, np.int8)
     for slot in range(slots):
         places = np.unique(open_in[:, slot]).tolist()
         if len(places) > 2:
             names = [f"`{buckets[p]}`" if p != _NOWHERE else "no bucket" for p in places]
-            said = f"{', '.join(names[:-1])} and {names[-1]}"
+            listed = f"{', '.join(names[:-1])} and {names[-1]}"
             return NoRoute(
-                f"in slot {slot} light has {len(places)} destinations ({said}), but a bit "
+                f"in slot {slot} light has {len(places)} destinations ({listed}), but a bit "
                 "chooses between two",
                 "use at most two destinations in every slot: two buckets, or one bucket and "
                     "the drain", slot,
@@ -95,6 +89,6 @@ def _chosen(
             )  # fmt: skip
         named = [place for place in places if place != _NOWHERE]
         ones[slot] = named[0] if named else 0
-        other = [place for place in range(len(buckets)) if place != ones[slot]]
-        zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other[0]
+        other_buckets = [place for place in range(len(buckets)) if place != ones[slot]]
+        zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other_buckets[0]
     return Route(ones, zeros, open_in == ones)

@@ -1,4 +1,4 @@
-"""When planes of bits are sent, and whether there is time for it."""
+"""The schedule of bit planes, and whether there is time to load them."""
 
 from __future__ import annotations
 
@@ -14,54 +14,54 @@ from nscc.words.stream import Loading, schedule
 
 @dataclass(frozen=True, eq=False)
 class Sending:
-    """A program's route through a chip without logic, and the time that its planes take."""
+    """A program's route through a chip without logic, and the times of its planes."""
 
     program: Program
     route: Route
 
     @property
     def loadings(self) -> tuple[Loading, ...]:
-        """When the plane of each slot is sent, and when it acts."""
+        """When the plane of each slot is sent and when it acts."""
         return tuple(schedule(self.program.target, self.program.frame.slot_us))
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot in which a plane can be loaded."""
+        """The shortest slot that allows loading a plane."""
         return self.program.target.plane_load_us
 
     @property
     def bits_a_frame(self) -> int:
-        """How many bits are sent for a frame."""
+        """Bits sent for a frame."""
         target = self.program.target
         return len(self.program.frame.slot_us) * target.rows * target.cols
 
     @property
     def bits_per_us(self) -> float:
-        """How fast they are sent while a plane loads: a row at a time, each bit by its column."""
+        """Data rate while a plane loads, row by row."""
         return self.program.target.cols / self.program.target.row_load_us
 
     @property
     def frame_us(self) -> float:
-        """A frame from its first slot's begin to its last one's end."""
+        """Time from the start of the first slot to the end of the last."""
         return sum(self.program.frame.slot_us)
 
 
 def late_fault(sending: Sending) -> Diagnostic | None:
-    """NS0508: a slot is shorter than loading a plane takes. Certain."""
+    """NS0508: a slot is shorter than the load time of a plane. Certain."""
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
-    # Where light waits for the plane, a slot that the loading fills would have none.
+    # If light waits for the plane, a slot as short as the load time has no light.
     late = [n for n, us in enumerate(slots_us) if _too_short(us, needed_us, target.pipelined)]
     if not late:
         return None
     worst = min(late, key=slots_us.__getitem__)
     takes = f"{target.rows} rows x {time_text(target.row_load_us)}"
-    more = "or longer" if target.pipelined else "and more"
+    longer_text = "or longer" if target.pipelined else "and more"
     rows = int(slots_us[worst] / target.row_load_us)
     fewer: tuple[str, ...] = ()
     if rows:
-        said = f"a target of at most {counted(rows, 'row')} fits slots of "
-        fewer = (f"{said}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
+        fits_text = f"a target of at most {counted(rows, 'row')} fits slots of "
+        fewer = (f"{fits_text}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
     return Diagnostic(
         "NS0508",
         f"slot {worst} is shorter than the loading of its bits: it lasts "
@@ -74,7 +74,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
             "certain: every slot needs its own plane, which is sent row by row",
         ),
         helps=(
-            f"slots of {at_least(needed_us)} {more} are long enough"
+            f"slots of {at_least(needed_us)} {longer_text} are long enough"
             + _fewer_slots(slots_us, needed_us),
             *fewer,
         ),
@@ -83,11 +83,11 @@ def late_fault(sending: Sending) -> Diagnostic | None:
 
 
 def _too_short(slot_us: float, needed_us: float, pipelined: bool) -> bool:
-    """Times are decimals of a text: what differs by rounding is the same."""
+    """Compare decimal times with a tolerance for rounding."""
     return slot_us < needed_us * (1 - 1e-9) or (not pipelined and slot_us <= needed_us)
 
 
 def _fewer_slots(slots_us: tuple[float, ...], needed_us: float) -> str:
-    """How many slots fit into the same frame, where they may be equal."""
+    """A help: the number of equal slots that fits the frame."""
     count = int(sum(slots_us) / needed_us)
     return f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""

@@ -68,12 +68,29 @@ def _compare(span: Span, first: tree.Expr, *rest: Any) -> tree.Compare:
     return tree.Compare(span, first, rest[::2], rest[1::2])
 
 
-def _book_from_file(
-    span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
-) -> tree.BookFromFile:
-    key = next((option for option in options if isinstance(option, tree.Name)), None)
-    sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
-    return tree.BookFromFile(span, name, path, key, sha256)
+def _from_file(make: Callable[..., Any]) -> Callable[..., Any]:
+    """The maker of a statement with a file and its options, in any order."""
+
+    def made(span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text) -> Any:
+        key = next((option for option in options if isinstance(option, tree.Name)), None)
+        sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
+        return make(span, name, path, key, sha256)
+
+    return made
+
+
+def _kernel(span: Span, name: tree.Name, *parts: Any) -> tree.Kernel:
+    """Rows, and the divisor after them if there is one."""
+    divided = not isinstance(parts[-1], tree.TileRow)
+    rows, divisor = (parts[:-1], parts[-1]) if divided else (parts, None)
+    return tree.Kernel(span, name, rows, divisor)
+
+
+def _assume(span: Span, *parts: Any) -> tree.Assume:
+    """The texts of tokens: `assume exposure`, a bucket's node or nothing, a comparison, a level."""
+    bucket = next((part for part in parts if isinstance(part, tree.Name)), None)
+    comparison, level = parts[-2:]
+    return tree.Assume(span, bucket, comparison, _amount(level, span))
 
 
 def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
@@ -113,6 +130,10 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
     "binary": lambda span, left, sign, right: tree.Binary(span, sign, left, right),
     "compare": _compare,
     "amount": lambda span, text: _amount(text, span),
+    "assume": _assume,
+    "place": lambda span, base, _open, right, _comma, down, _close: tree.Place(
+        span, base, right, down
+    ),
     "sense": lambda span, _sense, name, _when, signal, sign, level, _at, at: tree.Sense(
         span, name, signal, sign, level, at
     ),
@@ -138,7 +159,15 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
     "code_row": tree.CodeRow,
     "require": tree.Require,
     "book_inline": lambda span, name, *rows: tree.BookInline(span, name, rows),
-    "book_from_file": _book_from_file,
+    "book_from_file": _from_file(tree.BookFromFile),
+    "kernel": _kernel,
+    "kernel_from_file": _from_file(tree.KernelFromFile),
+    "image": tree.Image,
+    "plane": tree.Plane,
+    "outside": tree.Outside,
+    "report": lambda span, kind, plane, most=None, count=None: tree.Report(
+        span, kind, plane, most, count
+    ),
     "open": tree.Open,
     "bucket": tree.Bucket,
     "among": _among,

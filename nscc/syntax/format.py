@@ -25,8 +25,9 @@ _INDENT = "    "
 _COMMENTS_AT = 36
 """The column, from 0, of comments after statements; further right by fours where lines are long."""
 _COMMENT = re.compile(r"#[^\r\n]*")
-_OPERANDS = frozenset(("NAME", "INTEGER", "true", "false", ")", "]"))
+_OPERANDS = frozenset(("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]"))
 """What ends an operand: a minus after anything else is a sign."""
+_OPENING = ("(", "[", "PLACE")
 _LOOSEST_FIRST = (
     ("if", "else"), ("or",), ("xor",), ("and",), ("COMPARISON", "in"), ("<<",), ("+", "-"),
     ("*", "/", "%"),
@@ -160,10 +161,12 @@ def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
 
 def _close(statement: str, before: str, kind: str, place: int) -> bool:
     """Whether there is no blank between two tokens, the second being the statement's `place`th."""
-    if kind in (",", ")", "]", "..") or before in ("(", "[", ".."):
+    if kind in (",", ")", "]", "..") or before in ("(", "[", "PLACE", ".."):
         return True
     if kind == "(":
-        return before in ("min", "max")
+        return before in ("min", "max", "FUNCTION")
+    if kind == "PLACE":
+        return True
     indexed = before == "NAME" and not (statement == "shutters" and place == 2)
     return kind == "[" and (before == "bit" or indexed)
 
@@ -289,7 +292,7 @@ def _parts(tokens: Sequence[_Token]) -> list[list[_Token]]:
     parts: list[list[_Token]] = [[]]
     depth = 0
     for token in tokens:
-        depth += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+        depth += (token.kind in _OPENING) - (token.kind in (")", "]"))
         if token.kind == "," and depth == 0:
             parts.append([])
         else:
@@ -331,7 +334,7 @@ def _together(pieces: Sequence[list[_Token]], taken: int) -> list[list[_Token]]:
 def _depth(tokens: Sequence[_Token]) -> int:
     now = deepest = 0
     for token in tokens:
-        now += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+        now += (token.kind in _OPENING) - (token.kind in (")", "]"))
         deepest = max(deepest, now)
     return deepest
 
@@ -341,7 +344,7 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
     pieces: list[list[_Token]] = [[]]
     now = 0
     for token in tokens:
-        now += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+        now += (token.kind in _OPENING) - (token.kind in (")", "]"))
         here = token.kind in kinds and now == depth and not token.sign
         if here and token.kind != "," and pieces[-1]:
             pieces.append([])

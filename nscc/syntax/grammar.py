@@ -1,8 +1,7 @@
-"""Lark's parser of the language, made from the grammar.
+"""The parser of the language, made by lark from the grammar.
 
-Making it takes longer than all the rest of `nscc check`. So the tables that lark makes are kept in
-the user's cache, under the digest of all that decides them; where nothing can be kept there, they
-are made every time.
+Constructing it takes longer than the rest of `nscc check`, so lark's tables are kept in the user's
+cache, under the digest of everything that they depend on.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from nscc.cache.store import Store, cache_folder
 
 START = "statement"
 END = "$END"
-"""The terminal that lark sees after the last token of a statement."""
+"""Lark's terminal for the end of a statement."""
 
 _OPTIONS = {
     "parser": "lalr",
@@ -33,7 +32,7 @@ _OPTIONS = {
 
 
 class _PlainValues(pickle.Unpickler):
-    """Reads numbers, texts and collections only: a file in the cache must not run code."""
+    """Unpickles numbers, texts and collections only, since files in the cache must not run code."""
 
     def find_class(self, module: str, name: str) -> Any:
         if (module, name) == ("lark.lexer", "Token"):  # a text; lark 1.2 writes some
@@ -42,7 +41,7 @@ class _PlainValues(pickle.Unpickler):
 
 
 def grammar_path() -> Path:
-    """The grammar: beside this module in an installed package, in grammars/ in a checkout."""
+    """The grammar file: beside this module if installed, in grammars/ in a checkout."""
     installed = Path(__file__).with_name("nsl.lark")
     if installed.exists():
         return installed
@@ -51,7 +50,7 @@ def grammar_path() -> Path:
 
 @cache
 def parser() -> lark.Lark:
-    """The parser of one statement; its lexer takes any text."""
+    """The parser of one statement; its lexer accepts any text."""
     grammar = grammar_path().read_text(encoding="utf-8")
     folder = cache_folder()
     if folder is None:
@@ -59,20 +58,20 @@ def parser() -> lark.Lark:
     store = Store(folder / "grammar")
     decides = (grammar, _OPTIONS, lark.__version__, sys.version_info[:3])
     key = sha256(repr(decides).encode()).hexdigest()
-    kept = store.read(key)
-    if kept is not None:
+    cached_tables = store.read(key)
+    if cached_tables is not None:
         try:
-            return lark.Lark.load(_PlainValues(BytesIO(kept)).load())
-        except Exception:  # whatever lark says to values that are not its tables
+            return lark.Lark.load(_PlainValues(BytesIO(cached_tables)).load())
+        except Exception:  # lark may raise anything for data that is not its tables
             pass
-    made = lark.Lark(grammar, **_OPTIONS)
+    new_parser = lark.Lark(grammar, **_OPTIONS)
     tables = BytesIO()
-    made.save(tables)
+    new_parser.save(tables)
     store.write(key, tables.getvalue())
-    return made
+    return new_parser
 
 
 @cache
 def spellings() -> dict[str, str]:
-    """The words and signs that stand for themselves, by the names of their terminals."""
+    """Keywords and signs by terminal name."""
     return {t.name: t.pattern.value for t in parser().terminals if t.pattern.type == "str"}

@@ -1,5 +1,5 @@
-"""Habits from other languages, and units as people write them: what a statement that got stuck on
-one most likely means, in the words of this language."""
+"""Hints for syntax of other languages and common units: the likely meaning of a statement, in this
+language."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ _UNITS = {
     **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds"), "ms"),
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "s"),
 }
-"""What people write for a unit of time, in lower case (the micro sign and the Greek letter are two
-characters that look alike), and the unit."""
+"""Common spellings of time units, in lower case, and the language's unit (the micro sign and the
+Greek letter are different characters)."""
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
 _MOST_PARTS = 1000
-"""Decimals that are simple fractions are written as one; others are not guessed at."""
+"""Decimals are replaced by fractions with at most this denominator."""
 _CHOICE = "a choice is written `A if CONDITION else B`"
 _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 
 
 def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
-    """Changes that would surely put right what a statement up to token `last` got stuck on."""
+    """Sure fixes for the token at which a statement, which ends at token `last`, got stuck."""
     at = stuck.token
     text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
     if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
@@ -43,12 +43,12 @@ def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
         pair = _text(tokens, begin, last) + _text(tokens, begin + 1, last)
         if pair in _COMPARISONS and tokens.span(begin).end == tokens.span(begin + 1).start:
             right = _COMPARISONS[pair]
-            whole = tokens.span(begin).to(tokens.span(begin + 1))
-            yield Fix(f"it is written `{right}`", whole, right)
+            pair_span = tokens.span(begin).to(tokens.span(begin + 1))
+            yield Fix(f"it is written `{right}`", pair_span, right)
 
 
 def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
-    """What else to say of a statement of the tokens `first` up to `last` that got stuck."""
+    """Further hints for the statement of tokens `first` to `last` that got stuck."""
     at, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
         yield from _range_hints(tokens, first, at)
@@ -84,7 +84,7 @@ def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
 
 
 def number_hints(tokens: Tokens, at: int) -> Iterator[str]:
-    """What to say of token `at`, which begins like a number and is none of the language's."""
+    """Hints for token `at`, which starts like a number but is not one."""
     text = tokens.text(at)
     if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
         yield "numbers are integers; only times have decimals, with a unit: 1.6ms"
@@ -100,7 +100,7 @@ def number_hints(tokens: Tokens, at: int) -> Iterator[str]:
 
 
 def file_hint(tokens: Tokens, at: int) -> str | None:
-    """What to say of the dot at token `at` if it stands within the name of a file."""
+    """The hint for a dot at token `at` inside a file name."""
     beside = tokens.text(at - 1) if at else "", _text(tokens, at + 1, len(tokens.kinds))
     touching = at and tokens.span(at - 1).end == tokens.span(at).start
     if touching and beside[1] in ("npz", "npy", "toml", "mat"):
@@ -113,38 +113,38 @@ def _text(tokens: Tokens, at: int, last: int) -> str:
 
 
 def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Of a field whose range does not come to its two dots."""
+    """The hint for a field whose range lacks its two dots."""
     kind = _text(tokens, first + 3, at)
-    near = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
-    if near is not None and kind != near:
-        yield did_you_mean(near)
+    nearest = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
+    if nearest is not None and kind != nearest:
+        yield did_you_mean(nearest)
     else:
         yield "a range is two values with two dots between them, both included: `1..8`"
 
 
 def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
-    """How to multiply with a decimal, or to divide by it, in whole numbers."""
+    """The hint for multiplying or dividing by a decimal number in integer arithmetic."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
-    part = Fraction(number)
-    if not part or part.denominator > _MOST_PARTS or part.numerator > _MOST_PARTS:
+    fraction = Fraction(number)
+    if not fraction or fraction.denominator > _MOST_PARTS or fraction.numerator > _MOST_PARTS:
         return
-    other = at - 2
+    factor_place = at - 2
     if before == "/":
-        part = 1 / part
+        fraction = 1 / fraction
     elif before != "*":
         if after != ["*"]:
             return
-        before, other = "*", at + 2
-    name = tokens.text(other) if kinds[other : other + 1] == ["NAME"] else "A"
-    times = f"* {part.numerator}" if part.numerator > 1 or part.denominator == 1 else ""
-    over = f"/ {part.denominator}" if part.denominator > 1 else ""
-    whole = " ".join(filter(None, (name, times, over)))
-    yield f"`{name} {before} {number}` is written `{whole}`; `/` rounds down"
+        before, factor_place = "*", at + 2
+    name = tokens.text(factor_place) if kinds[factor_place : factor_place + 1] == ["NAME"] else "A"
+    times = f"* {fraction.numerator}" if fraction.numerator > 1 or fraction.denominator == 1 else ""
+    over = f"/ {fraction.denominator}" if fraction.denominator > 1 else ""
+    expression = " ".join(filter(None, (name, times, over)))
+    yield f"`{name} {before} {number}` is written `{expression}`; `/` rounds down"
 
 
 def _time(number: str, unit: str) -> str | None:
-    """A time as the language writes it, of a number and a unit as people do; None for others."""
-    found = _NUMBER_AND_UNIT.fullmatch(number + unit)
-    meant = _UNITS.get(found[2].lower()) if found else None
-    return f"{found[1]}{meant}" if found and meant else None
+    """A time in the language's form, from a number and a common unit; None for other units."""
+    match = _NUMBER_AND_UNIT.fullmatch(number + unit)
+    meant = _UNITS.get(match[2].lower()) if match else None
+    return f"{match[1]}{meant}" if match and meant else None

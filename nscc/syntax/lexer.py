@@ -9,7 +9,7 @@ from lark import Token
 
 from nscc.source import Source, Span
 from nscc.syntax.grammar import START, parser, spellings
-from nscc.syntax.words import NAMES_IN_VERSION_1, statement_words
+from nscc.syntax.words import names_in, statement_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,8 @@ class Tokens:
     def version(self) -> int:
         """The version that the text begins with; 1 where it does not say one."""
         said = self.kinds[:2] == ["nsl", "INTEGER"]
-        return 2 if said and self.text(1).lstrip("0") == "2" else 1
+        number = self.text(1).lstrip("0") if said else ""
+        return int(number) if number in ("2", "3") else 1
 
     def text(self, index: int) -> str:
         """The text of a token, as it stands in the source."""
@@ -61,6 +62,7 @@ def lex(source: Source) -> Tokens:
     lexer = parser().parse_interactive(source.text, start=START).lexer_thread
     tokens = Tokens(source, [], [])
     taken = 0
+    statement = ""
     for token in lexer.lex(None):  # type: ignore[no-untyped-call]
         start = span_of(token).start
         if start < taken:
@@ -72,14 +74,40 @@ def lex(source: Source) -> Tokens:
                 token = Token("TARGET_NAME", whole.group(), start, end_pos=taken)
             elif token.type == "NAME":
                 token = token.update(type="TARGET_NAME")
-        elif words.get(token.type) in NAMES_IN_VERSION_1 and tokens.version == 1:
+        elif words.get(token.type) in names_in(tokens.version):
             token = token.update(type="NAME")
+        elif statement in _PICTURES and (made := _of_picture(tokens, token, statement, level)):
+            token, taken = made, span_of(made).end
         elif _awaits_level(tokens) and (amount := level.match(source.text, start)):
             taken = amount.end()
             token = Token("LEVEL", amount.group(), start, end_pos=taken)
         tokens.found.append(token)
         tokens.kinds.append(words.get(token.type, token.type))
+        if token.type in words and words[token.type] in statement_words(tokens.version):
+            statement = words[token.type]
     return tokens
+
+
+_PICTURES = ("image", "plane", "assume")
+"""The statements of version 3 that have levels among their operands."""
+
+
+def _of_picture(
+    tokens: Tokens, token: Token, statement: str, level: re.Pattern[str]
+) -> Token | None:
+    """The token of such a statement where other statements have another one."""
+    start, text = span_of(token).start, tokens.source.text
+    if amount := level.match(text, start):
+        return Token("AMOUNT", amount.group(), start, end_pos=amount.end())
+    if statement == "assume":
+        return None
+    if token.type == "NAME" and text[span_of(token).end :].lstrip(" \t").startswith("("):
+        return token.update(type="FUNCTION")
+    if token == "exposure":
+        return token.update(type="NAME")
+    if token == "[" and tokens.kinds[-1:] == ["NAME"]:
+        return token.update(type="PLACE")
+    return None
 
 
 def _awaits_level(tokens: Tokens) -> bool:

@@ -14,7 +14,6 @@ from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
 from nscc.syntax.words import (
     FORMS,
-    LOOKING_WORDS,
     expected_words,
     shown,
     statement_words,
@@ -94,14 +93,15 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     words = statement_words(tokens.version)
     near = closest(word, words)
     span = tokens.span(token)
-    later = tokens.version == 1 and word in LOOKING_WORDS
+    later = next((v for v in (2, 3) if v > tokens.version and word in statement_words(v)), None)
     return Diagnostic(
         "NS0109",
         f"unknown statement {shown(word)}",
         source=tokens.source,
         label=Label(span, "a statement must begin here, or the previous one continue"),
         notes=("statements begin with " + ", ".join(words),),
-        helps=(f"`{word}` is a statement of version 2: begin the file with `nsl 2`",) * later,
+        helps=(f"`{word}` is a statement of version {later}: begin the file with `nsl {later}`",)
+        * (later is not None),
         fixes=(Fix(did_you_mean(near), span, near, sure=False),) if near else (),
     )
 

@@ -23,7 +23,7 @@ from nscc.syntax.words import statement_words
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
 
-VERSIONS = (1, 2)
+VERSIONS = (1, 2, 3)
 
 _OTHER_LANGUAGE = re.compile(
     r"""\s*(?:\#[^\n]*\n\s*)*              # its directives look like our comments
@@ -31,7 +31,9 @@ _OTHER_LANGUAGE = re.compile(
           | (?:module|declare|struct|component|package|library|entity|import)\b )""",
     re.VERBOSE,
 )
-_BEFORE_A_NAME = ("let", "code", "pixels", "shutters", "bucket", "state", "next")
+_BEFORE_A_NAME = (
+    "let", "code", "pixels", "shutters", "bucket", "state", "next", "kernel", "image", "plane"
+)  # fmt: skip
 _AFTER_A_NAME = ("=", ":", "[", "from", "open")
 
 

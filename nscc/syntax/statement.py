@@ -1,4 +1,4 @@
-"""The tokens of one statement through lark's LALR parser."""
+"""Parse the tokens of one statement by lark's LALR parser."""
 
 from __future__ import annotations
 
@@ -14,22 +14,17 @@ from nscc.syntax.lexer import Tokens
 
 @dataclass(frozen=True)
 class Stuck:
-    """Where a statement stopped making sense: no statement goes on with this token.
-
-    `token` is its index, one past the statement's last where that ends too soon; `before` are the
-    statement's tokens before it.
-    """
+    """The token at which no statement can continue. `token` is its index, one past the last token
+    if the statement ends too early; `before` are the statement's tokens before it."""
 
     token: int
     before: tuple[Token, ...]
 
     @cached_property
     def expected(self) -> frozenset[str]:
-        """The kinds that could stand there instead (END: the statement could be over).
-
-        They are found from `before` alone: a token taken in vain may already have reduced what
-        stands before it, and then less seems possible than is.
-        """
+        """The kinds of token that could follow instead; END if the statement could end. Computed
+        from `before` alone, because the failed token may already have reduced the parser's stack,
+        after which fewer kinds appear possible."""
         machine = _machine()
         for token in self.before:
             machine.feed_token(token)
@@ -39,11 +34,9 @@ class Stuck:
 
 
 def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stuck | None]:
-    """Lark's tree of the statement that is the tokens `first` up to but not including `last`.
-
-    Where the tokens are no statement, says where they stop being one; the tree is then that of the
-    part before if it is a whole statement, else None.
-    """
+    """Parse the tokens `first` up to but not including `last` as one statement. Returns lark's tree
+    and None. If parsing fails, returns a Stuck, with the tree of the tokens before it if they are a
+    complete statement."""
     machine = _machine()
     stuck = None
     for index in range(first, last):

@@ -109,13 +109,28 @@ class Index(Node):
 
 
 class Call(Node):
-    """`min(...)` or `max(...)`."""
+    """`min(...)` or `max(...)`; in version 3 also a kernel or a function of images and planes."""
 
     function: Name
     arguments: tuple[Expr, ...]
 
 
-Expr = Int | Bool | Name | Unary | Binary | Compare | IfElse | Index | Call
+class Place(Node):
+    """`plane[right, down]`: the bit of a pixel so many columns and rows away."""
+
+    base: Name
+    right: Expr
+    down: Expr
+
+
+class Amount(Node):
+    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (codes of the ADC)."""
+
+    value: Fraction
+    unit: str
+
+
+Expr = Int | Bool | Name | Unary | Binary | Compare | IfElse | Index | Call | Place | Amount
 
 
 # --- pieces of statements -----------------------------------------------------------------------
@@ -151,13 +166,6 @@ class Exposure(Node):
     """`exposure [BUCKET]`: the light of the completed open slots."""
 
     bucket: Name | None
-
-
-class Amount(Node):
-    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (codes of the ADC)."""
-
-    value: Fraction
-    unit: str
 
 
 class Levels(Node):
@@ -304,6 +312,60 @@ class Read(Node):
     names: tuple[Name, ...]
 
 
+class Kernel(Node):
+    """`kernel NAME = [[..], ..] / DIVISOR`."""
+
+    name: Name
+    rows: tuple[TileRow, ...]
+    divisor: Expr | None
+
+
+class KernelFromFile(Node):
+    """`kernel NAME from "FILE" [key KEY] [sha256 "..."]`."""
+
+    name: Name
+    path: Text
+    key: Name | None
+    sha256: Text | None
+
+
+class Image(Node):
+    """`image NAME = EXPR`."""
+
+    name: Name
+    value: Expr
+
+
+class Plane(Node):
+    """`plane NAME = CONDITION`."""
+
+    name: Name
+    condition: Expr
+
+
+class Outside(Node):
+    """`outside 0` or `outside 1`."""
+
+    bit: Int
+
+
+class Assume(Node):
+    """`assume exposure [BUCKET] <= LEVEL`; `comparison` is the sign as written."""
+
+    bucket: Name | None
+    comparison: str
+    level: Amount
+
+
+class Report(Node):
+    """`report KIND PLANE [at most COUNT]`; `most` is the word before COUNT."""
+
+    kind: Name
+    plane: Name
+    most: Name | None
+    count: Expr | None
+
+
 class PixelsExpr(Node):
     """`pixels FIELD = EXPR`."""
 
@@ -346,6 +408,13 @@ Statement = (
     | Next
     | Reset
     | Read
+    | Kernel
+    | KernelFromFile
+    | Image
+    | Plane
+    | Outside
+    | Assume
+    | Report
     | PixelsExpr
     | PixelsTile
     | PixelsFromFile

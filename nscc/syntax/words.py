@@ -13,23 +13,33 @@ STATEMENT_WORDS = (
 LOOKING_WORDS = ("sense", "state", "next", "reset", "read")
 """Those that version 2 adds: its pixels look at the light."""
 
-NAMES_IN_VERSION_1 = frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"})
-"""The words of version 2 that are names in a file of version 1."""
+PICTURE_WORDS = ("kernel", "image", "plane", "outside", "report", "assume")
+"""Those that version 3 adds: its pixels see their neighbours."""
+
+_ADDED = {2: frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"}),
+          3: frozenset(PICTURE_WORDS)}  # fmt: skip
+"""The words that each version adds: in files of earlier versions they are names."""
+
+
+def names_in(version: int) -> frozenset[str]:
+    """The words of later versions, which are names in a file of this one."""
+    return frozenset().union(*(words for added, words in _ADDED.items() if added > version))
 
 
 def statement_words(version: int) -> tuple[str, ...]:
     """The words that begin statements in a version of the language."""
-    return STATEMENT_WORDS if version == 1 else (*STATEMENT_WORDS, *LOOKING_WORDS)
+    words: tuple[str, ...] = STATEMENT_WORDS
+    words += LOOKING_WORDS if version > 1 else ()
+    return words + (PICTURE_WORDS if version > 2 else ())
 
 
 def reserved(version: int) -> frozenset[str]:
     """The words and signs of a version of the language: what no name may be."""
-    own = frozenset(spellings().values())
-    return own - NAMES_IN_VERSION_1 if version == 1 else own
+    return frozenset(spellings().values()) - names_in(version)
 
 
 FORMS = {
-    "nsl": ("nsl 1", "nsl 2"),
+    "nsl": ("nsl 1", "nsl 2", "nsl 3"),
     "target": ("target NAME", 'target "FILE.toml"'),
     "frame": ("frame N slots of TIME", "frame slots [TIME, TIME, ...]"),
     "let": ("let NAME = EXPR",),
@@ -54,11 +64,22 @@ FORMS = {
     "next": ("next NAME = EXPR [when CONDITION]",),
     "reset": ("reset when EXPR",),
     "read": ("read NAME, ...",),
+    "kernel": (
+        "kernel NAME = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16",
+        'kernel NAME from "file.npz" [key NAME] [sha256 "..."]',
+    ),
+    "image": ("image NAME = EXPR",),
+    "plane": ("plane NAME = CONDITION",),
+    "outside": ("outside 0", "outside 1"),
+    "report": ("report any PLANE", "report events PLANE at most K", "report box PLANE"),
+    "assume": ("assume exposure <= LEVEL", "assume exposure BUCKET <= LEVEL"),
 }
 """How each statement is written."""
 
-_OPERATORS = {"or", "xor", "and", "in", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if"}
-_OPERANDS = {"INTEGER", "NAME", "(", "-", "not", "true", "false", "min", "max"}
+_OPERATORS = {"or", "xor", "and", "in", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if", "PLACE"}
+_OPERANDS = {
+    "INTEGER", "NAME", "(", "-", "not", "true", "false", "min", "max", "FUNCTION", "AMOUNT"
+}  # fmt: skip
 _PIECES = {
     "NAME": "a name",
     "TARGET_NAME": "a target's name",
@@ -67,6 +88,7 @@ _PIECES = {
     "TIME": "a time such as 125us",
     "TEXT": 'a path in quotes, "like this"',
     "LEVEL": "a level such as 45%, 12000e or 90lsb",
+    "AMOUNT": "a level such as 45%, 12000e or 90lsb",
     "COMPARISON": "a comparison",
 }
 

@@ -1,6 +1,6 @@
-"""What a key of a TOML file may hold: one small frozen value a kind.
+"""Kinds of values in a TOML file: small frozen classes.
 
-A kind reads the value of a file, says in words what it allows, and gives back what a file says.
+A kind reads a value from a file, describes the allowed values, and returns the form in a file.
 """
 
 from __future__ import annotations
@@ -11,48 +11,46 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
-from nscc.toml.text import shown
+from nscc.toml.toml_text import shown
 
 LEAST = 1e-9
-"""The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
-floats, and no time, charge or current that nscc knows is as small."""
+"""The smallest value of "above 0". Quotients and squares of smaller values exceed the range of
+floats, and no time, charge or current in nscc is as small."""
 
 
 class Kind(Protocol):
-    """A set of values."""
+    """The values that a key may have."""
 
     @property
     def allowed(self) -> str:
-        """What ends the sentence "the key must be .."."""
+        """The end of the sentence "the key must be .."."""
 
     def read(self, value: Any) -> Any:
-        """The value as Python keeps it; ValueError for one that is not allowed."""
+        """The value in Python; raises ValueError if it is not allowed."""
 
     def plain(self, value: Any) -> Any:
-        """The value as a file says it: what `read` takes."""
+        """The inverse of `read`: the value in a file."""
         return value
 
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite number within `low`..`high`; the bounds themselves may be excluded.
-
-    A float, or an int where it is `whole`. None is "any" of `unlimited` ones, "auto" of `automatic`
-    ones. Where 0 is an excluded bound, the range ends at LEAST instead.
-    """
+    """A finite number in `low`..`high`, with bounds that may be excluded. Its value is an int if
+    `is_whole`, else a float. None is written as "any" if `unlimited`, as "auto" if `automatic`. If
+    0 is an excluded bound, the range ends at LEAST instead."""
 
     low: float
     high: float
     unit: str = ""
     low_excluded: bool = False
     high_excluded: bool = False
-    whole: bool = False
+    is_whole: bool = False
     unlimited: bool = False
     automatic: bool = False
 
     @property
     def _word(self) -> str:
-        """What stands for None, if anything."""
+        """The word that a file has for None: "any", "auto" or ""."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
@@ -66,38 +64,38 @@ class Number(Kind):
     @property
     def range(self) -> str:
         """The range in words."""
-        left = "above" if self.low_excluded else "from"
-        right = "below" if self.high_excluded else "to"
-        return f"{left} {self.low:g} {right} {self.high:g}"
+        lower = "above" if self.low_excluded else "from"
+        upper = "below" if self.high_excluded else "to"
+        return f"{lower} {self.low:g} {upper} {self.high:g}"
 
     @property
     def allowed(self) -> str:
-        number = "a whole number" if self.whole else "a number"
+        number = "a whole number" if self.is_whole else "a number"
         unit = f" ({self.unit})" if self.unit else ""
         return (f'"{self._word}" or ' if self._word else "") + f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
         if self._word and value == self._word:
             return None
-        if isinstance(value, bool) or not isinstance(value, int if self.whole else (int, float)):
+        if isinstance(value, bool) or not isinstance(value, int if self.is_whole else (int, float)):
             raise ValueError
         above = self.low < value if self.low_excluded else self.low <= value
         below = value < self.high if self.high_excluded else value <= self.high
         if not (above and below and isfinite(value)):
             raise ValueError
-        # Adding 0.0 makes -0.0 plain 0.0: one value, one spelling.
-        return value if self.whole else float(value) + 0.0
+        # Adding 0.0 turns -0.0 into 0.0: one value, one spelling.
+        return value if self.is_whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
         return self._word if value is None else value
 
 
-Integer = partial(Number, whole=True)
+Integer = partial(Number, is_whole=True)
 
 
 @dataclass(frozen=True, slots=True)
 class Flag(Kind):
-    """True or false."""
+    """A boolean."""
 
     @property
     def allowed(self) -> str:
@@ -111,24 +109,22 @@ class Flag(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Text(Kind):
-    """A text: one of `choices` where there are some, all of it a `pattern`, `said` in words.
-
-    `optional` ones may be "none", which is None.
-    """
+    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes. `optional` ones
+    may be "none", which is None."""
 
     choices: tuple[str, ...] = ()
     pattern: str = ""
-    said: str = "a text"
+    phrase: str = "a text"
     optional: bool = False
 
     @property
     def allowed(self) -> str:
         if self.choices:
             return "one of " + ", ".join(f'"{choice}"' for choice in self.choices)
-        return self.said
+        return self.phrase
 
     def read(self, value: Any) -> str | None:
-        # Bytes of the command line that are no UTF-8 arrive as halves of characters.
+        # Command-line bytes that are not UTF-8 arrive as surrogates.
         if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
             raise ValueError
         if self.choices and value not in self.choices:
@@ -143,64 +139,62 @@ class Text(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Several(Kind):
-    """A list of values of one kind, `count` of them where that is given, `said` in words."""
+    """A list of values of one kind, `count` of them if given; `text` describes the list."""
 
-    each: Kind
+    element: Kind
     count: int | None = None
-    said: str = ""
+    text: str = ""
 
     @property
     def allowed(self) -> str:
-        return self.said or f"a list of {self.count}, each {self.each.allowed}"
+        return self.text or f"a list of {self.count}, each {self.element.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
         if not isinstance(value, list | tuple) or self.count not in (None, len(value)):
             raise ValueError
-        return tuple(self.each.read(part) for part in value)
+        return tuple(self.element.read(item) for item in value)
 
     def plain(self, value: Any) -> Any:
-        return [self.each.plain(part) for part in value]
+        return [self.element.plain(item) for item in value]
 
 
 @dataclass(frozen=True, slots=True)
 class Axis(Kind):
-    """A value of one kind, or a list of different ones: as Python keeps it always a tuple.
+    """One value of a kind, or a list of distinct values; always a tuple in Python. If the values of
+    the kind are lists, a list of lists is several values."""
 
-    Of a kind whose values are lists themselves, a list of lists is several values.
-    """
-
-    each: Kind
+    element: Kind
 
     @property
     def allowed(self) -> str:
-        return f"{self.each.allowed}, or a list of such values"
+        return f"{self.element.allowed}, or a list of such values"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        many = isinstance(value, list | tuple)
-        if many and isinstance(self.each, Several):
-            many = not value or isinstance(value[0], list | tuple)
-        if many and not value:
+        is_list = isinstance(value, list | tuple)
+        if is_list and isinstance(self.element, Several):
+            is_list = not value or isinstance(value[0], list | tuple)
+        if is_list and not value:
             raise ValueError("an empty list gives no points: name a value, or leave the key out")
-        if not many:
-            return (self.each.read(value),)
-        found = tuple(map(self._read_one, value))
-        if len(set(found)) < len(found):
+        if not is_list:
+            return (self.element.read(value),)
+        values = tuple(map(self._read_one, value))
+        if len(set(values)) < len(values):
             raise ValueError("a list contains a value twice")
-        return found
+        return values
 
     def _read_one(self, value: Any) -> Any:
         try:
-            return self.each.read(value)
+            return self.element.read(value)
         except ValueError as reason:
             raise ValueError(str(reason) or f"{shown(value)} is not allowed") from None
 
     def plain(self, value: Any) -> Any:
-        found = [self.each.plain(part) for part in value]
-        return found[0] if len(found) == 1 else found
+        values = [self.element.plain(item) for item in value]
+        return values[0] if len(values) == 1 else values
 
 
 NAME = Text(
     pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",
-    said="a name of letters, digits, `-`, `_`, `.` (at most 64, starting with a letter)",
+    phrase="a name of letters, digits, `-`, `_`, `.` (at most 64, starting with a letter)",
 )
-LINE = Text(pattern=".{0,400}", said="one line of text with at most 400 characters")
+LINE = Text(pattern=".{0,400}", phrase="one line of text with at most 400 characters")

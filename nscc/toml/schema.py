@@ -1,4 +1,4 @@
-"""A kind of TOML file as rows, one a key: what reading, changing and listing one follow from."""
+"""The schema of a kind of TOML file: one row for each key."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.diagnostics.suggest import closest, did_you_mean, meant
 from nscc.source import Source
 from nscc.toml.kinds import Kind, Text
-from nscc.toml.text import shown, span_of, spelled_value
+from nscc.toml.toml_text import shown, span_of, spelled_value
 
 _FEW = 10
-"""So many keys are told one by one where none of them is like an unknown one."""
+"""Up to this many keys are listed for an unknown one without a similar name."""
 
-Found = dict[str, Any]
-"""Values by the paths of their keys, as Python keeps them."""
+KeyValues = dict[str, Any]
+"""Values in Python, keyed by the paths of their keys."""
 
 
 @dataclass(frozen=True, slots=True)
 class Key:
     """The key `name` of the table `section` ("" for the top of the file).
 
-    `meaning` is half a sentence, `source` says where the default comes from (empty: it is public).
-    A file lists the key under `heading`, which is its section's name where none is given. Python
-    knows it as `attribute`, by default its name. A file must have `required` keys. A `later` one
-    came when there were containers already: at its default it is left out of them.
+    `meaning` is half a sentence; `source` is the origin of the default (empty if it is public). A
+    file lists the key under `heading`, by default its section. Python calls it `attribute`, by
+    default its name. A `required` key must be in the file. A `later` key was added after the first
+    containers: it is omitted from them at its default.
     """
 
     section: str
@@ -47,33 +47,34 @@ class Key:
 
     @property
     def path(self) -> str:
-        """The key with its table, as messages and changes name it."""
+        """The section and name, as messages and changes write the key."""
         return f"{self.section}.{self.name}" if self.section else self.name
 
 
 @dataclass(frozen=True, slots=True)
-class Codes:
-    """The codes of what can be wrong; `change` is that of a change that is not KEY=VALUE."""
+class FileCodes:
+    """Diagnostic codes of a file's errors; `change` is for a change that is not KEY=VALUE."""
 
     unreadable: str
     not_toml: str
     unknown: str
-    wrong: str
+    wrong_value: str
     missing: str = ""
     change: str = ""
 
 
 def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
-    """A field of a dataclass that is a key of a file; `about` are further attributes of `Key`."""
+    """Declare a dataclass field as a key of a file; `about` are further attributes of `Key`."""
     return field(default=default, metadata={"kind": kind, "meaning": meaning, **about})
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
-    """The keys that the fields of a dataclass are, in its order; those in no table in `section`."""
+    """The keys that a dataclass's fields declare, in their order; keys without a table go to
+    `section`."""
     return tuple(
-        Key(**{"section": section, "name": each.name, "attribute": each.name,
-               "default": each.default, **each.metadata})
-        for each in fields(settings)
+        Key(**{"section": section, "name": member.name, "attribute": member.name,
+               "default": member.default, **member.metadata})
+        for member in fields(settings)
     )  # fmt: skip
 
 
@@ -82,18 +83,17 @@ Row = TypeVar("Row", bound=Key)
 
 @dataclass(frozen=True)
 class Schema(Generic[Row]):
-    """A kind of file.
+    """A kind of file, called `file_kind` in messages.
 
-    `what` it describes, its `keys` in the order of a file, each of its `headings` with a remark,
-    and the help that says how to get one to `start` from. `noun` is what a key is called, `option`
-    the option that changes one, `example` a change. ValueError if two keys have one path, or a key
-    has a heading that is none.
+    It has `keys` in the order of a file, `headings` with a remark each, and a help to `start` a
+    file. `noun` is the word for a key, `option` the option that changes one, `example` a change.
+    Raises ValueError if two keys have one path, or a key has an unknown heading.
     """
 
-    what: str
+    file_kind: str
     keys: tuple[Row, ...]
     headings: Mapping[str, str]
-    codes: Codes
+    codes: FileCodes
     start: str
     noun: str = "key"
     option: str = ""
@@ -101,24 +101,24 @@ class Schema(Generic[Row]):
 
     def __post_init__(self) -> None:
         for index, key in enumerate(self.keys):
-            if key.path in (other.path for other in self.keys[:index]):
-                raise ValueError(f"two keys of a {self.what} are {key.path}")
+            if key.path in (earlier.path for earlier in self.keys[:index]):
+                raise ValueError(f"two keys of a {self.file_kind} are {key.path}")
             if key.heading not in self.headings:
                 raise ValueError(f"{key.path} has the unknown heading {key.heading!a}")
 
     @cached_property
     def by_path(self) -> dict[str, Row]:
-        """The keys by their paths."""
+        """The keys by path."""
         return {key.path: key for key in self.keys}
 
     @cached_property
     def sections(self) -> dict[str, tuple[str, ...]]:
-        """The names of the keys of each table; the top's first, with those of the tables."""
-        found: dict[str, list[str]] = {"": []}
+        """The names of the keys in each table; those of the top include the tables."""
+        names_of_table: dict[str, list[str]] = {"": []}
         for key in self.keys:
-            found.setdefault(key.section, []).append(key.name)
-        found[""] += [name for name in found if name]
-        return {name: tuple(names) for name, names in found.items()}
+            names_of_table.setdefault(key.section, []).append(key.name)
+        names_of_table[""] += [name for name in names_of_table if name]
+        return {name: tuple(names) for name, names in names_of_table.items()}
 
     @property
     def tables(self) -> tuple[str, ...]:
@@ -127,19 +127,17 @@ class Schema(Generic[Row]):
 
     def read(
         self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
-    ) -> tuple[Found, list[Diagnostic]]:
-        """The values that are right, and everything that is wrong with a parsed file.
-
-        `source` is its text, for places. A key may be missing if it is not required; in `complete`
-        values none may but a list that is empty by default, and what came later.
-        """
-        found: Found = {}
+    ) -> tuple[KeyValues, list[Diagnostic]]:
+        """The valid values of a parsed file, and the errors of the others. `source` is its text,
+        for places. Keys may be missing unless required. With `complete` all must be present except
+        `later` keys and lists that are empty by default."""
+        key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
             if name and name in self.sections and isinstance(value, Mapping):
-                problems += (self._take(found, name, *each, source) for each in value.items())
+                problems += (self._take(key_values, name, *item, source) for item in value.items())
             else:
-                problems.append(self._take(found, "", name, value, source))
+                problems.append(self._take(key_values, "", name, value, source))
         for key in self.keys:
             place = values.get(key.section, {}) if key.section else values
             needed = key.required or (complete and key.default != () and not key.later)
@@ -147,17 +145,15 @@ class Schema(Generic[Row]):
                 message = f"the key {key.path} is missing: {key.meaning}"
                 missing = self.codes.missing, message, key.section, key.name, source, self.start
                 problems.append(self.problem(*missing))
-        return found, [each for each in problems if each]
+        return key_values, [item for item in problems if item]
 
-    def changed(self, changes: Sequence[str]) -> tuple[Found, list[Diagnostic]]:
-        """The values of changes, each KEY=VALUE, the last of a key, and what is wrong with them.
-
-        VALUE is written as in a file; the quotes of a text may be left out.
-        """
-        found: Found = {}
+    def changed(self, changes: Sequence[str]) -> tuple[KeyValues, list[Diagnostic]]:
+        """The values of changes KEY=VALUE, the last of each key, and the errors of invalid ones.
+        VALUE is written as in a file; quotes of a text are optional."""
+        key_values: KeyValues = {}
         problems: list[Diagnostic] = []
         for change in changes:
-            path, equals, spelled = (part.strip() for part in change.partition("="))
+            path, equals, spelled = (text.strip() for text in change.partition("="))
             section, _, name = path.rpartition(".") if self.tables else ("", "", path)
             key = self.by_path.get(path)
             if not name or not equals or not (spelled or (key and isinstance(key.kind, Text))):
@@ -165,16 +161,13 @@ class Schema(Generic[Row]):
                 message = f"{self.option} takes {form}, not {change[:60]!a}"
                 help_text = f"for instance {self.option} {self.example}"
                 problems.append(Diagnostic(self.codes.change, message, helps=(help_text,)))
-            elif wrong := self._take(found, section, name, spelled_value(spelled), None):
-                problems.append(replace(wrong, message=f"{self.option}: {wrong.message}"))
-        return found, problems
+            elif problem := self._take(key_values, section, name, spelled_value(spelled), None):
+                problems.append(replace(problem, message=f"{self.option}: {problem.message}"))
+        return key_values, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """What a file holds: tables of keys, in the order of a file.
-
-        Every key is present but a list that is empty, as it is by default, and what came later
-        and has its default.
-        """
+        """The tables of keys in the order of a file. All keys are present, except lists that are
+        empty by default and `later` keys at their default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
@@ -184,18 +177,18 @@ class Schema(Generic[Row]):
         return tables
 
     def _take(
-        self, found: Found, section: str, name: str, value: Any, source: Source | None
+        self, key_values: KeyValues, section: str, name: str, value: Any, source: Source | None
     ) -> Diagnostic | None:
-        """Puts a value that is right into `found`; says what is wrong with one that is not."""
+        """Adds a valid value to `key_values`; returns the error of an invalid one."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
             return self._unknown(section, name, value, source)
         try:
-            found[key.path] = key.kind.read(value)
+            key_values[key.path] = key.kind.read(value)
         except ValueError as reason:
             message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
             note = str(reason) or f"{key.path}: {key.meaning}"
-            return self.problem(self.codes.wrong, message, section, name, source, note=note)
+            return self.problem(self.codes.wrong_value, message, section, name, source, note=note)
         return None
 
     def _unknown(self, section: str, name: str, value: Any, source: Source | None) -> Diagnostic:
@@ -203,26 +196,26 @@ class Schema(Generic[Row]):
         tables = self.tables
         if not section and name in tables:
             message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
-            return self.problem(self.codes.wrong, message, section, name, source)
+            return self.problem(self.codes.wrong_value, message, section, name, source)
         table = section if section not in self.sections else name
         if tables and (table == section or (not section and isinstance(value, Mapping))):
-            message = f"a {self.what} has no table {shown(table)}"
+            message = f"a {self.file_kind} has no table {shown(table)}"
             [help_text] = meant(table, tables, f"the tables are {', '.join(tables)}")
         else:
-            where = f"[{section}] of a {self.what}" if section else f"a {self.what}"
-            message = f"{where} has no {self.noun} {shown(name)}"
+            table_text = f"[{section}] of a {self.file_kind}" if section else f"a {self.file_kind}"
+            message = f"{table_text} has no {self.noun} {shown(name)}"
             help_text = self._meant(section, name, known)
         return self.problem(self.codes.unknown, message, section, name, source, help_text)
 
     def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
-        """The help for a name that the table `section`, whose names are `known`, does not have."""
+        """The help for an unknown name in the table `section`, whose names are `known`."""
         homes = {key.name: key.section for key in reversed(self.keys)}
-        near, elsewhere = closest(name, known), closest(name, homes)
-        places = {each: f"under [{each}]" if each else "at the top" for each in self.sections}
+        nearest, elsewhere = closest(name, known), closest(name, homes)
+        places = {table: f"under [{table}]" if table else "at the top" for table in self.sections}
         if name in homes:
             return f"`{name}` belongs {places[homes[name]]}"
-        if near:
-            return did_you_mean(near)
+        if nearest:
+            return did_you_mean(nearest)
         if elsewhere:
             return f"did you mean `{elsewhere}` {places[homes[elsewhere]]}?"
         return f"the {self.noun}s here are {', '.join(known)}" if len(known) <= _FEW else self.start
@@ -231,7 +224,7 @@ class Schema(Generic[Row]):
         self, code: str, message: str, section: str, name: str, source: Source | None,
         help_text: str = "", note: str = "",
     ) -> Diagnostic:  # fmt: skip
-        """What is wrong at a key of a file ("" and a table's name: the table)."""
+        """An error at a key of a file (or at a table, if `section` is "" and `name` the table)."""
         return Diagnostic(
             code,
             message,

@@ -1,1 +1,1 @@
-"""What more time buys: measured points of error against time, and what is made of them."""
+"""Measured tradeoffs of error against time, and their tables."""

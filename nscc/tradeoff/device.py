@@ -1,4 +1,4 @@
-"""What the measurements of a tradeoff were made on."""
+"""The device of tradeoff measurements."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _CPUINFO = Path("/proc/cpuinfo")
 
 
 def processor_name() -> str:
-    """The processor as it calls itself, else its architecture."""
+    """The processor's own name, else its architecture."""
     try:
         lines = _CPUINFO.read_text(errors="replace").splitlines()
     except OSError:

@@ -1,4 +1,4 @@
-"""Measured points of a tradeoff: which of them others beat, as a CSV file and as a table."""
+"""Measured points of a tradeoff: which are dominated, as a CSV file and as a table."""
 
 from __future__ import annotations
 
@@ -15,17 +15,16 @@ COLUMNS = (
 )  # fmt: skip
 
 STAGES = ("compile", "lowering", "slots", "effects", "decoder")
-"""Of the joint tradeoff of one program, in the order in which they follow each other."""
+"""The stages of the joint tradeoff of one program, in order."""
 
 
 @dataclass(frozen=True)
 class Point:
     """One method at one setting, measured several times on one problem.
 
-    Points compare within their `case` and `error_unit`. `error` is the less the better, unless
-    `more_is_better`, as for PSNR; `bound` is what no setting of the method can get below, None
-    where that is not known. `times_ms` are all measurements, on `device` where that is another
-    than most points'.
+    Points are comparable within their `case` and `error_unit`. Smaller `error` is better unless
+    `more_is_better`, as for PSNR. `bound` is a lower bound for all settings of the method, None if
+    unknown. `times_ms` are all measured times, on `device` if it differs from that of most points.
     """
 
     case: str
@@ -40,23 +39,23 @@ class Point:
 
     @property
     def badness(self) -> float:
-        """The error as a number that is the less the better."""
+        """The error, negated if larger is better."""
         return -self.error if self.more_is_better else self.error
 
     @property
     def time_ms(self) -> float:
-        """The median."""
+        """The median time."""
         return median(self.times_ms)
 
     @property
     def spread_ms(self) -> float:
-        """From the shortest measurement to the longest."""
+        """The difference between the longest and the shortest time."""
         return max(self.times_ms) - min(self.times_ms)
 
 
 @dataclass(frozen=True)
 class Refused:
-    """A setting that cannot be measured: the code of the message that says why, and its text."""
+    """A setting that cannot be measured: the error's code and message."""
 
     case: str
     method: str
@@ -66,22 +65,20 @@ class Refused:
 
 
 def dominated(points: Sequence[Point]) -> list[bool]:
-    """For each point, whether another of its case and unit has neither more error nor more time,
-    and less of one of them."""
+    """For each point, whether another point of its case and unit is no worse in error and time, and
+    better in one of them."""
     flags = []
     for point in points:
         mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
-        others = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
-        flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in others))
+        rivals = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
+        flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in rivals))
     return flags
 
 
 def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = ()) -> str:
-    """The points as CSV with COLUMNS; `device` is what they were measured on.
-
-    `method` is case and method together; `spread_ms` is the longest less the shortest measurement.
-    What is `refused` follows: without numbers, and its code in place of the unit.
-    """
+    """The points as CSV with COLUMNS, measured on `device`. `method` combines case and method;
+    `spread_ms` is the longest minus the shortest time. The `refused` settings follow without
+    numbers, with their code as unit."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -90,29 +87,27 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
         times = _csv_ms(point.time_ms), _csv_ms(point.spread_ms)
         made_on, flag = point.device or device, "yes" if beaten else "no"
         writer.writerow((name, point.setting, error, point.error_unit, *times, made_on, flag))
-    for each in refused:
-        name = f"{each.case}, {each.method}"
-        writer.writerow((name, each.setting, "", each.code, "", "", device, ""))
+    for refusal in refused:
+        name = f"{refusal.case}, {refusal.method}"
+        writer.writerow((name, refusal.setting, "", refusal.code, "", "", device, ""))
     return text.getvalue()
 
 
 def table_text(
     points: Sequence[Point], names: tuple[str, str, str], time: tuple[str, float] = ("ms", 1.0)
 ) -> str:
-    """The points for a reader; `names` head the columns of method, setting and error.
-
-    `time` is the unit of times and how many of it a millisecond has. A case or method is named
-    once, and bounds have a column where there are any. Points that another one beats say so.
-    """
+    """The points as a table; `names` are the titles of the columns of method, setting and error.
+    `time` is the unit of times and its number in a millisecond. Repeated cases and methods are
+    blank. There is a column for bounds if there are any. Dominated points are marked."""
     head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")
     for point, beaten in zip(points, dominated(points), strict=True):
-        here = (point.case, point.method)
+        label = (point.case, point.method)
         rows.append(
             (
                 point.case if point.case != before[0] else "",
-                point.method if here != before else "",
+                point.method if label != before else "",
                 point.setting,
                 f"{point.error:.6g}",
                 "" if point.bound is None else f"{point.bound:.6g}",
@@ -121,17 +116,17 @@ def table_text(
                 "dominated" if beaten else "",
             )
         )
-        before = here
+        before = label
     if not any(row[4] for row in rows[1:]):
         rows = [(*row[:4], *row[5:]) for row in rows]
-    return columns(rows, left=(0, 1, 2, len(rows[0]) - 1))
+    return columns(rows, left_aligned=(0, 1, 2, len(rows[0]) - 1))
 
 
 def _three_digits(time: float) -> str:
-    """A time with three digits, more where there are that many before the point."""
+    """Format a time with three significant digits, more if it has more before the point."""
     return f"{time:.0f}" if time >= 100 else f"{time:.3g}"
 
 
 def _csv_ms(time_ms: float) -> str:
-    """To a microsecond, and to a nanosecond where that would say little."""
+    """Format a time with microseconds, or nanoseconds for short times."""
     return f"{time_ms:.6f}" if 0 < time_ms < 0.1 else f"{time_ms:.3f}"

@@ -1,4 +1,4 @@
-"""Measurements of one tradeoff, kept while it runs: killed and started again, it goes on."""
+"""Measurements of one tradeoff, stored while it runs, so that it can be interrupted and resumed."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from nscc.experiment_store import ExperimentStore
 
 
 class Rows:
-    """Measurements by name, in an experiment store in `file`; without a file nothing is kept.
+    """Measurements by name, in an experiment store in `file`; not stored without a file.
 
-    `of` is the digest of everything that decides the measurements: those of another digest are
-    ignored. Two processes with one file share the work. A user who interrupts one is told where
-    its measurements are. Raises Rejected as `ExperimentStore`.
+    `of` is the digest of everything that affects the measurements; others are ignored. Several
+    processes can share a file and its work. After an interrupt, the user is told where the
+    measurements are. Raises Rejected as `ExperimentStore`.
     """
 
     def __init__(self, file: Path | None = None, of: str = "") -> None:
@@ -23,11 +23,11 @@ class Rows:
         self._store = None if file is None else ExperimentStore(file)
 
     def once(self, name: str, measure: Callable[[], Any]) -> Any:
-        """Return what `measure` gives, as JSON has it; it is called if the name is not known."""
+        """Return a stored result, or call `measure`; results pass through JSON."""
         return measure() if self._store is None else self._store.once(self._of, name, measure)
 
-    def done(self) -> None:
-        """Remove the file: the products hold its values, and a new measurement takes new times."""
+    def remove(self) -> None:
+        """Delete the file once the products have its values; the next run measures again."""
         if self._store is not None:
             self._store.remove()
             self._store = None

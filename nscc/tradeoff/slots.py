@@ -1,4 +1,4 @@
-"""A program with other slots: the same shutters in other times, or in fewer, longer slots."""
+"""The same program with other slot lengths, or with fewer, longer slots."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc.words.container import Container
 
 
 def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
-    """The program with slots of these lengths; ValueError where its text has no frame."""
+    """The program with these slot lengths; ValueError if its text has no frame."""
     tree, _ = parse(source)
     spans = [s.span for s in tree.statements if isinstance(s, EqualSlots | ListedSlots)]
     if not spans:
@@ -30,16 +30,13 @@ def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
 
 
 class NotJoined(ValueError):
-    """Why a program has no other with fewer slots."""
+    """Why a program has no version with fewer slots."""
 
 
 def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
-    """A program that has `join` slots of this one in each of its own, and the code `id` (rows,
-    cols) of its pixels: open where the pixel is for half of that time or more.
-
-    Raises NotJoined where that is no program to write down: slots that cannot be joined so, pixels
-    without codes, or more shutters than a codebook holds.
-    """
+    """A program with `join` slots of this one in each slot, and its pixel codes `id` (rows, cols):
+    a slot is open if the pixel is open for at least half of its time. Raises NotJoined if there is
+    none: slots that cannot be joined, pixels without codes, or too many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
     if container.machine is not None or codes is None:
         raise NotJoined("programs with pixels that look keep their own slots")

@@ -1,4 +1,4 @@
-"""Times of runs, without what only the first run of a process takes."""
+"""Run times without the overhead of the first run in a process."""
 
 from __future__ import annotations
 
@@ -9,24 +9,20 @@ from typing import Any, TypeVar
 T = TypeVar("T")
 
 SHORT_MS = 500.0
-"""The first run of a setting does not count where it is shorter than this: what caches it fills
-may be most of it, and another run costs little."""
+"""A first run shorter than this is repeated: it may consist mostly of filling caches."""
 
 
 class Stopwatch:
-    """Times runs of kinds and settings; the first of a process compiles, loads and allocates, and
-    is not timed.
-
-    Runs of one `kind` compile and load the same things, as a method does on data of one shape;
-    `setting` tells them apart. `clock` counts seconds.
-    """
+    """Times runs by kind and setting; first runs compile, load and allocate, and are not timed.
+    Runs of one `kind` share this overhead, for example one method on data of one shape; `setting`
+    distinguishes them. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         self._clock = clock
         self._seen: set[Hashable] = set()
 
     def ran(self, kind: Hashable, *settings: Hashable) -> None:
-        """Takes note that these have been run already."""
+        """Record that these ran already."""
         self._seen.update((kind, *((kind, setting) for setting in settings)))
 
     def ms(
@@ -36,12 +32,9 @@ class Stopwatch:
         run: Callable[[], T],
         first: Callable[[], Any] | None = None,
     ) -> tuple[T, float]:
-        """What a run gives, and its milliseconds.
-
-        Before the first of its kind `first` is run, by default the same; the first of its setting
-        is done again where it is short. So a long run is done once more for its kind at the most,
-        and not at all where `first` is something smaller.
-        """
+        """Run and time; returns the result and its milliseconds. Before the first run of a kind,
+        `first` is run (by default `run`). A short first run of a setting is repeated. So a long run
+        is repeated at most once for its kind, and not at all if `first` is shorter."""
         if kind not in self._seen:
             if first is None:
                 run()
@@ -49,27 +42,27 @@ class Stopwatch:
             else:
                 first()
                 self.ran(kind)
-        made, taken_ms = self._timed(run)
+        result, taken_ms = self._timed(run)
         if (kind, setting) not in self._seen:
             self.ran(kind, setting)
             if taken_ms < SHORT_MS:
-                made, taken_ms = self._timed(run)
-        return made, taken_ms
+                result, taken_ms = self._timed(run)
+        return result, taken_ms
 
     def made_and_ms(
         self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], T]
     ) -> tuple[T, list[float]]:
-        """What the last of so many runs gives, and the milliseconds of each."""
-        found = [self.ms(kind, setting, run) for _ in range(repeats)]
-        return found[-1][0], [taken_ms for _, taken_ms in found]
+        """The last result of `repeats` runs, and the milliseconds of each."""
+        timed_runs = [self.ms(kind, setting, run) for _ in range(repeats)]
+        return timed_runs[-1][0], [taken_ms for _, taken_ms in timed_runs]
 
     def times_ms(
         self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], Any]
     ) -> list[float]:
-        """The milliseconds of so many runs."""
+        """The milliseconds of `repeats` runs."""
         return self.made_and_ms(repeats, kind, setting, run)[1]
 
     def _timed(self, run: Callable[[], T]) -> tuple[T, float]:
         begin = self._clock()
-        made = run()
-        return made, (self._clock() - begin) * 1e3
+        result = run()
+        return result, (self._clock() - begin) * 1e3

@@ -1,4 +1,4 @@
-"""What compile time buys: words a frame against time, for each level, lowering and program."""
+"""The compile-time tradeoff: words a frame against time, for each level, lowering and program."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
-from nscc.lower.plan import Lowering
+from nscc.lower.exposure_plan import Lowering
 from nscc.pipeline import LEVELS, Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
@@ -32,9 +32,9 @@ DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 
 
 @dataclass(frozen=True)
-class Case:
-    """A program to compile in every way; `base` is the folder that its paths are relative to,
-    `target` a chip instead of the program's own."""
+class SynthesisCase:
+    """A program to compile in all variants; its paths are relative to `base`, `target` replaces its
+    own target."""
 
     name: str
     source: Source
@@ -44,10 +44,10 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Way:
-    """One way to compile a case."""
+class CompileVariant:
+    """A case with a lowering and a level."""
 
-    case: Case
+    case: SynthesisCase
     lowering: Lowering
     level: int
 
@@ -55,20 +55,20 @@ class Way:
         return f"{self.case.name}, {self.lowering}, -O{self.level}"
 
 
-Progress = Callable[[Sequence[Way]], Iterable[Way]]
-"""Hands the ways on one by one, and may show how far that is."""
+Progress = Callable[[Sequence[CompileVariant]], Iterable[CompileVariant]]
+"""Yields the variants one by one, and may show progress."""
 
 
 @dataclass(frozen=True)
-class Measured:
-    """Points, by case, lowering and level, and the ways that are none, with the reason."""
+class SynthesisMeasurements:
+    """Points by case, lowering and level, and the variants that do not fit, with reasons."""
 
     points: tuple[Point, ...]
-    refused: tuple[tuple[Way, str], ...]
+    refused: tuple[tuple[CompileVariant, str], ...]
 
 
-def builtin_cases() -> tuple[Case, ...]:
-    """Classes b to e and a random codebook, at sizes that a chip of 13 registers takes."""
+def builtin_cases() -> tuple[SynthesisCase, ...]:
+    """Classes b to e and a random codebook, in sizes for a chip with 13 registers."""
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
     rules = {
         **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
@@ -78,48 +78,47 @@ def builtin_cases() -> tuple[Case, ...]:
         "codebook 64 x 16": (16, book_rule(["".join(map(str, row)) for row in rows])),
     }
     return tuple(
-        Case(name, Source(f"{name}.nsl", program_text(slots, "1ms", rule)), Path(), "open")
+        SynthesisCase(name, Source(f"{name}.nsl", program_text(slots, "1ms", rule)), Path(), "open")
         for name, (slots, rule) in rules.items()
     )
 
 
-def cases_of(files: Sequence[Path]) -> tuple[Case, ...]:
-    """The programs in these files, by the shortest names that tell them apart."""
+def cases_of(files: Sequence[Path]) -> tuple[SynthesisCase, ...]:
+    """The programs in these files, by their shortest distinct names."""
     paths = list(dict.fromkeys(files))
     short = len({path.stem for path in paths}) == len(paths)
     return tuple(
-        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
+        SynthesisCase(
+            path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed"
+        )
         for path in paths
     )
 
 
 def measure(
-    ways: Sequence[Way],
+    ways: Sequence[CompileVariant],
     repeats: int,
     count: Count,
     progress: Progress = iter,
     rows: Rows | None = None,
-) -> Measured:
-    """Compiles each way `repeats` times, from text to proof, without the cache.
-
-    The repeats go round all ways, so that what else the machine does is spread over them. What
-    `rows` knows is not compiled again. Raises Rejected where a program is wrong; one that does not
-    fit the chip in some way is refused there.
-    """
+) -> SynthesisMeasurements:
+    """Compile each variant `repeats` times, from text to proof, without the cache. Repeats are
+    interleaved over all variants, to spread disturbances. Results in `rows` are not measured again.
+    Raises Rejected for an invalid program; variants that do not fit are listed as refused."""
     rows = rows or Rows()
     watch = Stopwatch()
-    times_ms: dict[Way, list[float]] = {way: [] for way in ways}
-    words: dict[Way, tuple[float, float | None]] = {}
-    refused: dict[Way, str] = {}
+    times_ms: dict[CompileVariant, list[float]] = {way: [] for way in ways}
+    words: dict[CompileVariant, tuple[float, float | None]] = {}
+    refused: dict[CompileVariant, str] = {}
     for way in progress([way for _ in range(repeats) for way in ways]):
         if way in refused:
             continue
-        found = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
-        if "refused" in found:
-            refused[way] = found["refused"]
+        row = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
+        if "refused" in row:
+            refused[way] = row["refused"]
         else:
-            words[way] = found["words"], found["bound"]
-            times_ms[way].append(found["ms"])
+            words[way] = row["words"], row["bound"]
+            times_ms[way].append(row["ms"])
     points = [
         Point(
             way.case.name, way.lowering, f"-O{way.level}", number, UNITS[count],
@@ -127,21 +126,21 @@ def measure(
         )
         for way, (number, bound) in words.items()
     ]  # fmt: skip
-    return Measured(tuple(points), tuple(refused.items()))
+    return SynthesisMeasurements(tuple(points), tuple(refused.items()))
 
 
-def _timed(watch: Stopwatch, way: Way, count: Count) -> dict[str, Any]:
+def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any]:
     kind = way.case.name, way.lowering
     least = partial(compiled_or_not, replace(way, level=min(LEVELS)))
-    found, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
-    if isinstance(found, Diagnostic):
-        return {"refused": f"{found.message} ({found.code})"}
-    words, bound = _words(found, count)
+    compiled, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
+    if isinstance(compiled, Diagnostic):
+        return {"refused": f"{compiled.message} ({compiled.code})"}
+    words, bound = _words(compiled, count)
     return {"ms": taken_ms, "words": words, "bound": bound}
 
 
-def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
-    """Why a case has no point in some lowering, a line for all levels with the same reason."""
+def refusals_text(refused: Sequence[tuple[CompileVariant, str]]) -> list[str]:
+    """Why a case has no point in a lowering, one line for all levels with the same reason."""
     levels: dict[tuple[str, str, str], list[str]] = {}
     for way, reason in refused:
         key = (way.case.name, way.lowering, reason)
@@ -153,14 +152,14 @@ def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
 
 
 def every_way(
-    cases: Sequence[Case], lowerings: Sequence[Lowering], levels: Sequence[int]
-) -> Iterator[Way]:
+    cases: Sequence[SynthesisCase], lowerings: Sequence[Lowering], levels: Sequence[int]
+) -> Iterator[CompileVariant]:
     """Each case in each lowering at each level."""
-    return (Way(*way) for way in product(cases, lowerings, levels))
+    return (CompileVariant(*way) for way in product(cases, lowerings, levels))
 
 
-def compiled_or_not(way: Way) -> Compiled | Diagnostic:
-    """The compiled program, or why it does not fit; raises Rejected for any other fault."""
+def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
+    """The compiled program, or the error if it does not fit; raises Rejected for other errors."""
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
@@ -176,8 +175,8 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
 
 
 def _words(compiled: Compiled, count: Count) -> tuple[int, int | None]:
-    """The words and their bound, which is that of the logic; all words are at least the plan's
-    analog ones more."""
+    """The words and their lower bound: the bound of the logic, plus the analog words of the plan if
+    all words count."""
     choice, proof = compiled.choice, compiled.proof
     assert choice is not None
     assert proof is not None

@@ -19,6 +19,7 @@ A text is a list of lines; `;` or `#` begins a comment.
     .pixels plane R C         or all of them, as base64 of 32-bit integers behind bars
     .machine                  what pixels that look do, and the levels of IN of all launches, as
                               base64 behind bars: `nscc disasm` writes it
+    .pictures                 images and planes with their words, as base64 behind bars
     .source                   the program's text, its lines behind bars
     .note KEY "TEXT"
 """
@@ -38,12 +39,12 @@ from nscc.diagnostics.suggest import meant
 from nscc.macros import Mnemonic, OperandError, expand, mnemonics
 from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
+from nscc.words.assembly_text import read_block_line, read_string
 from nscc.words.container import Container, Word
 from nscc.words.directives import DIRECTIVES
-from nscc.words.draft import Block, Draft, Faults, Instruction, Token, shown
+from nscc.words.draft import Draft, Faults, Instruction, TextBlock, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
-from nscc.words.text import read_block_line, read_string
 
 _PIECE = re.compile(r'"(?:[^"\\]|\\.)*"?|[^\s;#"]+')
 _CODE = re.compile("[;#]")
@@ -51,19 +52,17 @@ _MOST_PIECES = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
-    """The container that a text describes; files are looked up in the folder `base`.
-
-    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors found.
-    """
+    """Assemble a text to a container; its files are relative to the folder `base`. Raises Rejected
+    (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
     faults = Faults(source)
-    draft = _read(source, faults, _own(source, base))
+    draft = _read(source, faults, _own_words(source, base))
     return link(draft, base, faults)
 
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
-    """The words of all kernels of a text, in order; it may be instructions and nothing else."""
+    """The words of all kernels of a text in order; the text may consist of instructions only."""
     faults = Faults(source)
-    draft = _read(source, faults, _own(source, base))
+    draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
     if target is not None:
         check_instructions(draft, target, faults)
@@ -71,15 +70,15 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
     return tuple(word for kernel in draft.kernels for line in kernel.lines for word in line.words)
 
 
-def _own(source: Source, base: Path) -> tuple[Operation, ...]:
-    """The words that the text's target has of its own; what is wrong with it is said later."""
-    kept, within = [], False
+def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
+    """The `[[words]]` of the text's target; errors are reported later."""
+    target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):
             within = line.split()[0] == ".target"
         if within and line[:1] in (".", "|"):
-            kept.append(line)
-    faults = Faults(Source(source.name, "\n".join(kept)))
+            target_lines.append(line)
+    faults = Faults(Source(source.name, "\n".join(target_lines)))
     try:
         target = find_target(_read(faults.source, faults), base, faults)
     except Rejected:
@@ -87,10 +86,10 @@ def _own(source: Source, base: Path) -> tuple[Operation, ...]:
     return target.words if target is not None else ()
 
 
-def _read(source: Source, faults: Faults, own: tuple[Operation, ...] = ()) -> Draft:
+def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ()) -> Draft:
     draft = Draft()
-    block: Block | None = None
-    known = mnemonics(own)
+    block: TextBlock | None = None
+    known = mnemonics(own_words)
     offset = 0
     for line in source.text.split("\n"):
         text = line.rstrip("\r").lstrip()
@@ -108,11 +107,11 @@ def _read(source: Source, faults: Faults, own: tuple[Operation, ...] = ()) -> Dr
             if head.text in DIRECTIVES and pieces is not None:
                 block = DIRECTIVES[head.text].read(head, pieces, draft, faults)
             elif pieces is not None:
-                _instruction(head, pieces, draft, faults, own)
+                _instruction(head, pieces, draft, faults, own_words)
     return draft
 
 
-def _block_line(text: str, begin: int, block: Block | None, faults: Faults) -> None:
+def _block_line(text: str, begin: int, block: TextBlock | None, faults: Faults) -> None:
     span = Span(begin, begin + len(text))
     content = read_block_line(text)
     if block is None:
@@ -128,7 +127,7 @@ def _block_line(text: str, begin: int, block: Block | None, faults: Faults) -> N
 
 
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
-    """Whether a line begins with the name of a directive or an instruction."""
+    """Whether a line starts with a directive or instruction; reports an error if not."""
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
@@ -149,13 +148,14 @@ def _grammar() -> Lark:
 
 @lru_cache(1 << 12)
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
-    """The pieces of a line behind its first one, each with its place; kernels repeat lines."""
-    found = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
-    return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in found)
+    """The pieces of a line after the first one, with their places; memoized because kernels repeat
+    lines."""
+    tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
+    return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in tokens)
 
 
 def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
-    """The pieces of a line behind `head`; None where the grammar does not take them."""
+    """The pieces of a line after `head`; None after reporting a syntax error."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
     code = _CODE.split(text, 1)[0] if is_instruction else text
@@ -168,10 +168,10 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     except UnexpectedInput as error:
         at = error.pos_in_stream or 0
         ends = isinstance(error, UnexpectedToken) and error.token.type == "$END"
-        wrong = None if ends else _PIECE.match(text, at)
-        found = "" if ends else wrong[0] if wrong else text[at]
-        span = head.span if ends else Span(begin + at, begin + at + len(found))
-        _misplaced(found, span, head, code, faults)
+        match = None if ends else _PIECE.match(text, at)
+        misplaced = "" if ends else match[0] if match else text[at]
+        span = head.span if ends else Span(begin + at, begin + at + len(misplaced))
+        _misplaced(misplaced, span, head, code, faults)
         return None
     tokens = []
     for piece, start, end in pieces:
@@ -185,11 +185,11 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     return tokens[is_instruction:]
 
 
-def _misplaced(found: str, span: Span, head: Token, code: str, faults: Faults) -> None:
-    """Notes a piece that the grammar does not take there; an empty one is the line's end."""
+def _misplaced(piece: str, span: Span, head: Token, code: str, faults: Faults) -> None:
+    """Report a piece that the grammar does not allow; an empty one is the end of the line."""
     name = head.text
     if name not in DIRECTIVES:
-        if found in ("", ","):
+        if piece in ("", ","):
             faults.add("NS0712", f"an operand of {name} is empty", span)
             return
         message = f"operands of {name} are separated by commas, not by blanks"
@@ -197,33 +197,37 @@ def _misplaced(found: str, span: Span, head: Token, code: str, faults: Faults) -
         faults.add("NS0711", message, span, helps=(f"write `{name} {', '.join(operands)}`",))
         return
     needs, usage = DIRECTIVES[name].needs, DIRECTIVES[name].usage
-    if found.startswith('"'):
-        message = f"malformed text in quotation marks: {shown(found)}"
-    elif found:
-        message = f"{shown(found)} does not belong here: {name} takes {needs}"
+    if piece.startswith('"'):
+        message = f"malformed text in quotation marks: {shown(piece)}"
+    elif piece:
+        message = f"{shown(piece)} does not belong here: {name} takes {needs}"
     else:
         message = f"{name} needs {needs}"
     faults.add("NS0714", message, span, helps=(f"write {usage}",))
 
 
 def _instruction(
-    head: Token, operands: list[Token], draft: Draft, faults: Faults, own: tuple[Operation, ...]
+    head: Token,
+    operands: list[Token],
+    draft: Draft,
+    faults: Faults,
+    own_words: tuple[Operation, ...],
 ) -> None:
     name = head.text
     unknown = [operand for operand in operands if operand.text not in READ_LINES]
     for operand in unknown[:20]:
-        some = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
-        helps = meant(operand.text, READ_LINES, some)
+        registers_text = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
+        helps = meant(operand.text, READ_LINES, registers_text)
         message = f"unknown register {shown(operand.text)}"
         faults.add("NS0712", message, operand.span, helps=helps)
     if unknown:
         return
     span = head.span.to(operands[-1].span) if operands else head.span
     try:
-        ops = expand(name, [operand.text for operand in operands], own)
+        ops = expand(name, [operand.text for operand in operands], own_words)
     except OperandError as error:
         place = operands[error.index].span if error.index is not None else span
-        usage = mnemonics(own)[name].usage
+        usage = mnemonics(own_words)[name].usage
         faults.add("NS0711", str(error), place, helps=(f"write `{usage}`",))
         return
     words = tuple(encode(operation) for operation in ops)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.words.machine import Machine, StatePlanes
+from nscc.words.pictures import Pictures
 from nscc.words.stream import Stream
 
 Word = tuple[int, int, int, int, int]
@@ -89,6 +90,9 @@ class Container:
 
     A chip without logic has no words: `stream` is what it is sent. It follows from table and
     pixels (`nscc.stream.lay`), and is None without pixels.
+
+    `pictures` are images and planes that are computed after the last slot; their words follow all
+    `launches`. `readouts` then say where the exposures are held before that.
     """
 
     target: Target
@@ -106,6 +110,7 @@ class Container:
     machine: Machine | None = None
     state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
     stream: Stream | None = None
+    pictures: Pictures | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         """What copies and pickles take: the fields, without what others have analysed."""
@@ -122,14 +127,23 @@ class Container:
         return len(self.slot_us)
 
     @property
+    def buckets_read(self) -> tuple[str, ...]:
+        """The buckets that come with a frame, in its order."""
+        if self.pictures is None:
+            return self.buckets
+        return tuple(name for name in self.pictures.reads if name in self.buckets)
+
+    @property
     def words_stored(self) -> int:
         """How many words the chip's store holds."""
-        return sum(len(kernel.words) for kernel in self.kernels)
+        after = self.pictures.kernels if self.pictures else ()
+        return sum(len(kernel.words) for kernel in self.kernels) + sum(map(len, after))
 
     @property
     def words_per_frame(self) -> int:
         """How many words a frame executes."""
-        return sum(len(self.kernels[each.kernel].words) for each in self.launches)
+        after = self.pictures.words if self.pictures else 0
+        return sum(len(self.kernels[each.kernel].words) for each in self.launches) + after
 
     def __repr__(self) -> str:
         if self.target.streamed:

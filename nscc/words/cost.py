@@ -1,4 +1,4 @@
-"""What words cost in stored words and in time, from the target's figures alone."""
+"""Costs of words in store and time, from the target's parameters."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _CLOCK_CLASS = 7 << 19
 
 
 @dataclass(frozen=True, slots=True)
-class Cost:
-    """Words and the time that they take, launch overhead included."""
+class WordsCost:
+    """A number of words and their time, including launches."""
 
     words: int
     us: float
@@ -24,12 +24,9 @@ class Cost:
 
 @dataclass(frozen=True, slots=True)
 class FrameCost:
-    """What one frame of a container costs.
-
-    `stored_words` lie in the instruction store, `words` are executed in a frame in `busy_us` (with
-    `launches` kernel launches); `frame_us` is the length of all slots, `busiest_us` the time
-    of the words at the instant that has most.
-    """
+    """The costs of one frame of a container. `stored_words` are in the instruction store; `words`
+    are executed in a frame in `busy_us`, with `launches` kernel launches; `frame_us` is the sum of
+    all slots, `busiest_us` the longest time of words at one instant."""
 
     stored_words: int
     words: int
@@ -39,8 +36,8 @@ class FrameCost:
     frame_us: float
 
 
-def words_cost(words: Iterable[Word], target: Target) -> Cost:
-    """The cost of words by themselves, without a launch."""
+def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
+    """The cost of words without a launch."""
     analog = digital = 0
     own_us = []
     for word in words:
@@ -52,24 +49,24 @@ def words_cost(words: Iterable[Word], target: Target) -> Cost:
         else:
             analog += 1
     us = words_us(analog, digital, target) + fsum(own_us)
-    return Cost(analog + digital + len(own_us), us)
+    return WordsCost(analog + digital + len(own_us), us)
 
 
 def word_us(word: Op, target: Target) -> float:
-    """Time that one word takes."""
+    """Time of one word."""
     if word.operation.us is not None:
         return word.operation.us
     return target.analog_word_us if word.analog else target.digital_word_us
 
 
 def words_us(analog: int, digital: int, target: Target) -> float:
-    """Time that so many words of either clock take, without a launch."""
+    """Time of these numbers of analog and digital words, without a launch."""
     return analog * target.analog_word_us + digital * target.digital_word_us
 
 
 def refresh_count(words: Sequence[Op]) -> int:
-    """How many of `words` only write registers back to themselves: REFRESH pairs, and what lets
-    the masked register take one (SET of its mask, whose code waits in FLAG meanwhile)."""
+    """The number of `words` that only refresh registers: REFRESH pairs, and the words that allow
+    refreshing the masked register (SET of its mask, whose code is saved in FLAG)."""
     count = 0
     for i, word in enumerate(words):
         if not word.operation.name.startswith("REFRESH"):
@@ -83,14 +80,14 @@ def refresh_count(words: Sequence[Op]) -> int:
     return count
 
 
-def kernel_cost(kernel: Kernel, target: Target) -> Cost:
+def kernel_cost(kernel: Kernel, target: Target) -> WordsCost:
     """The cost of one launch of a kernel."""
     cost = words_cost(kernel.words, target)
-    return Cost(cost.words, cost.us + target.launch_us)
+    return WordsCost(cost.words, cost.us + target.launch_us)
 
 
 def frame_cost(container: Container) -> FrameCost:
-    """What the container stores and what one frame of it takes."""
+    """The cost of one frame of a container."""
     costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]
     at_instant = [0.0] * (container.slots + 1)
     words = 0

@@ -1,4 +1,4 @@
-"""What differs between two containers, in lines that a person reads."""
+"""The differences between two containers, as lines of text."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.load import target_dict
+from nscc.words.assembly_text import name_text, number_text, ranges_text
 from nscc.words.container import Container, Kernel
 from nscc.words.cost import FrameCost, frame_cost
 from nscc.words.disassembly import instruction_lines
 from nscc.words.file import to_bytes
-from nscc.words.text import name_text, number_text, ranges_text
 
 _LONGEST_LISTING = 4096
 _MOST_LINES = 200
 
 
 def differences(first: Container, second: Container) -> list[str]:
-    """Lines saying what changed from `first` to `second`; empty if both are the same file."""
+    """The changes from `first` to `second`; empty if the files are equal."""
     if to_bytes(first) == to_bytes(second):
         return []
     lines: list[str] = []
-    for title, found in (
+    for title, changes in (
         ("target", _target(first, second)),
         ("costs", _costs(frame_cost(first), frame_cost(second))),
         ("slots", _slots(first, second)),
@@ -37,17 +37,17 @@ def differences(first: Container, second: Container) -> list[str]:
         ("readouts", _readouts(first, second)),
         ("notes", _notes(first, second)),
     ):
-        body = list(found)
+        body = list(changes)
         if body:
             shown = body[:_MOST_LINES]
-            rest = len(body) - len(shown)
+            hidden_count = len(body) - len(shown)
             lines += [f"{title}:", *(f"  {line}".rstrip() for line in shown)]
-            lines += [f"  .. and {rest} lines more"] if rest else []
+            lines += [f"  .. and {hidden_count} lines more"] if hidden_count else []
     return lines
 
 
-def _change(what: str, old: object, new: object) -> str:
-    return f"{what}: {old} -> {new}"
+def _change(subject: str, old: object, new: object) -> str:
+    return f"{subject}: {old} -> {new}"
 
 
 def _target(first: Container, second: Container) -> Iterator[str]:
@@ -62,12 +62,12 @@ def _flat(target: Mapping[str, Any]) -> dict[str, Any]:
     flat: dict[str, Any] = {}
     for name, value in target.items():
         keys = value.items() if isinstance(value, dict) else ()
-        flat |= {f"{name}.{key}": held for key, held in keys} or {name: value}
+        flat |= {f"{name}.{key}": item for key, item in keys} or {name: value}
     return flat
 
 
 def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
-    for what, before, after, unit in (
+    for subject, before, after, unit in (
         ("words stored", old.stored_words, new.stored_words, ""),
         ("words a frame", old.words, new.words, ""),
         ("launches a frame", old.launches, new.launches, ""),
@@ -77,7 +77,7 @@ def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
     ):
         if before != after:
             share = f" ({(after - before) / before:+.1%})" if before else ""
-            yield _change(what, f"{before:.10g}{unit}", f"{after:.10g}{unit}") + share
+            yield _change(subject, f"{before:.10g}{unit}", f"{after:.10g}{unit}") + share
 
 
 def _slots(first: Container, second: Container) -> Iterator[str]:
@@ -117,7 +117,7 @@ def _listing_change(
     before: Kernel | None, first: Container, after: Kernel | None, second: Container
 ) -> Iterator[str]:
     old, new = _listing(before, first), _listing(after, second)
-    # Listings of which one begins with the other part where the shorter one ends.
+    # Listings of which one is a prefix of the other differ from the end of the shorter one.
     alike = takewhile(lambda pair: pair[0] == pair[1], zip_longest(old, new))
     same = sum(1 for _ in alike)
     yield from _text_change(old, new, 2, f"; they part at line {same}")
@@ -130,15 +130,15 @@ def _listing(kernel: Kernel | None, container: Container) -> list[str]:
 
 
 def _at_instants(container: Container) -> dict[int, tuple[str, ...]]:
-    found: dict[int, tuple[str, ...]] = {}
+    kernels_at: dict[int, tuple[str, ...]] = {}
     for launch in container.launches:
         name = container.kernels[launch.kernel].name
-        found[launch.instant] = (*found.get(launch.instant, ()), name)
-    return found
+        kernels_at[launch.instant] = (*kernels_at.get(launch.instant, ()), name)
+    return kernels_at
 
 
 def _schedule(first: Container, second: Container) -> Iterator[str]:
-    """Instants that launch other kernels, those with the same change together."""
+    """Instants with different launches, grouped by change."""
     old, new = _at_instants(first), _at_instants(second)
     changes: dict[tuple[tuple[str, ...], tuple[str, ...]], list[int]] = {}
     for instant in sorted(old.keys() | new.keys()):
@@ -146,19 +146,21 @@ def _schedule(first: Container, second: Container) -> Iterator[str]:
         if change[0] != change[1]:
             changes.setdefault(change, []).append(instant)
     for (before, after), instants in changes.items():
-        what = f"at {_cut(ranges_text(instants))}"
-        yield _change(what, _cut(" ".join(before)) or "nothing", _cut(" ".join(after)) or "nothing")
+        subject = f"at {_cut(ranges_text(instants))}"
+        yield _change(
+            subject, _cut(" ".join(before)) or "nothing", _cut(" ".join(after)) or "nothing"
+        )
 
 
 def _codes(first: Container, second: Container) -> Iterator[str]:
     old, new = first.table, second.table
-    for what, before, after in (
+    for subject, before, after in (
         ("fields", old.fields, new.fields),
         ("buckets", first.buckets, second.buckets),
         ("code registers", first.code_registers, second.code_registers),
     ):
         if before != after:
-            yield _change(what, " ".join(before) or "none", " ".join(after) or "none")
+            yield _change(subject, " ".join(before) or "none", " ".join(after) or "none")
     if len(old.codes) != len(new.codes):
         yield _change("codes", len(old.codes), len(new.codes))
     else:
@@ -173,7 +175,7 @@ def _codes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:
-    """What chips without logic are sent."""
+    """Differences of the bit planes of chips without logic."""
     old, new = first.stream, second.stream
     if old is not None and new is not None:
         yield from _rows("bits of slots", old.planes, new.planes)
@@ -181,11 +183,11 @@ def _planes(first: Container, second: Container) -> Iterator[str]:
             yield from _rows(f"where {bit} lead in slots", getattr(old, bit), getattr(new, bit))
 
 
-def _rows(what: str, old: NDArray[Any], new: NDArray[Any]) -> Iterator[str]:
-    """The rows in which arrays of one shape differ."""
+def _rows(subject: str, old: NDArray[Any], new: NDArray[Any]) -> Iterator[str]:
+    """The rows in which arrays of equal shape differ."""
     if old.shape == new.shape and not np.array_equal(old, new):
         changed = (old != new).any(axis=tuple(range(1, old.ndim)))
-        yield f"other {what} {_cut(ranges_text(np.flatnonzero(changed).tolist()))}"
+        yield f"other {subject} {_cut(ranges_text(np.flatnonzero(changed).tolist()))}"
 
 
 def _pixels(first: Container, second: Container) -> Iterator[str]:
@@ -221,7 +223,7 @@ def _notes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _visible(line: str) -> str:
-    """A line of somebody's text, with nothing in it that a terminal would act on."""
+    """Replace control characters in a line of text."""
     return line if line.isprintable() else ascii(line)[1:-1]
 
 
@@ -230,10 +232,10 @@ def _quoted(text: str | None) -> str:
 
 
 def _text_change(
-    old: Sequence[str], new: Sequence[str], around: int, where: str = ""
+    old: Sequence[str], new: Sequence[str], around: int, position: str = ""
 ) -> Iterator[str]:
     if max(len(old), len(new)) > _LONGEST_LISTING:
-        yield f"  too long to compare line by line{where}"
+        yield f"  too long to compare line by line{position}"
         return
     for line in list(unified_diff(old, new, lineterm="", n=around))[2:]:
         yield f"  {line}"

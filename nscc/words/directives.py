@@ -1,6 +1,6 @@
-"""The directives of assembly text, one function each: the pieces of a line into the draft.
+"""The directives of assembly text: functions that add the pieces of a line to the draft.
 
-The grammar, `assembly.lark`, has checked how many pieces there are and of which form.
+The grammar, `assembly.lark`, has checked the number and form of the pieces.
 """
 
 from __future__ import annotations
@@ -9,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from nscc.words.assembly_text import read_number, read_ranges, read_time_us
 from nscc.words.draft import (
-    Block,
     Draft,
     Faults,
     Instruction,
@@ -18,35 +18,37 @@ from nscc.words.draft import (
     PlaneDraft,
     ReadoutDraft,
     SlotDraft,
+    TextBlock,
     Token,
     shown,
 )
 from nscc.words.soundness import MOST_SLOTS
-from nscc.words.text import read_number, read_ranges, read_time_us
 
-Read = Callable[[Token, list[Token], Draft, Faults], Block | None]
+Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 
 @dataclass(frozen=True)
 class Directive:
-    """A directive: `read` takes its name, the pieces behind it, the draft and the faults, and
-    returns the block that lines behind bars go to. `needs` and `usage` are what a message says of
-    pieces that the grammar does not take."""
+    """A directive of assembly text. `read` takes its name, the pieces after it, the draft and the
+    faults, and returns the block for the lines with bars below. `needs` and `usage` describe the
+    pieces in messages."""
 
     read: Read
     needs: str
     usage: str
 
 
-def _block(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block:
+def _block(
+    attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
+) -> TextBlock:
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} appears twice", head.span)
-    block = Block(head, tuple(tokens))
+    block = TextBlock(head, tuple(tokens))
     setattr(draft, attribute, block)
     return block
 
 
-def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
+def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> TextBlock | None:
     block = _block("target", head, tokens, draft, faults)
     return None if tokens else block
 
@@ -61,7 +63,9 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     for token in tokens:
-        if token.text.startswith("x"):  # so many of the slot before, which is one of them
+        if token.text.startswith(
+            "x"
+        ):  # the number of slots, of which the previous one is the first
             repeats = int(token.text[1:]) - 1
             if len(draft.slot_us) + repeats >= MOST_SLOTS:
                 message = f"a frame has 1 to {MOST_SLOTS} slots"
@@ -104,12 +108,12 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    register, *others = tokens
-    gain = read_number(others[1].text) if len(others) > 1 else 1.0
+    register, *operands = tokens
+    gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:
-        faults.add("NS0714", f"{shown(others[1].text)} is not a valid gain", others[1].span)
+        faults.add("NS0714", f"{shown(operands[1].text)} is not a valid gain", operands[1].span)
     else:
-        draft.readouts.append(ReadoutDraft(register, others[0] if others else None, gain))
+        draft.readouts.append(ReadoutDraft(register, operands[0] if operands else None, gain))
 
 
 def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
@@ -118,7 +122,7 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
 
 
 def _names(attribute: str) -> Read:
-    """The directive that adds its pieces to a list of the draft."""
+    """A directive that adds its pieces to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).extend(tokens)
@@ -127,7 +131,7 @@ def _names(attribute: str) -> Read:
 
 
 def _row(attribute: str) -> Read:
-    """The directive that adds its pieces as a row to a list of the draft."""
+    """A directive that adds its pieces as one row to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).append(tuple(tokens))
@@ -164,6 +168,7 @@ DIRECTIVES: dict[str, Directive] = {
     ),
     ".code": Directive(_row("codes"), "a shutter", "`.code 3 16`"),
     ".machine": Directive(partial(_block, "machine"), "its data below", _BELOW),
+    ".pictures": Directive(partial(_block, "pictures"), "its data below", _BELOW),
     ".pixels": Directive(
         partial(_block, "pixels"), "a form and a size",
         "`.pixels tile ROWS COLS` or `.pixels plane ROWS COLS`",

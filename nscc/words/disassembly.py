@@ -1,7 +1,7 @@
-"""A container as assembly text, from which `nscc.words.assembly` makes the same container again.
+"""A container as assembly text; `nscc.words.assembly` converts it back to the same container.
 
-First what a reader wants to see (the program's source, the kernels with their words, the
-schedule), then the data: decode table, encoding, pixel codes.
+First the parts for readers (source, kernels, schedule), then the data: decode table, encoding,
+pixel codes.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
-from nscc.words import machine_file
+from nscc.words import machine_file, pictures_file
+from nscc.words.assembly_text import block_text, name_text, number_text, ranges_text, slots_text
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, refuse_planes, target_fault
 from nscc.words.machine import LIGHT
-from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
 
 _COMMENT_COLUMN = 40
 _BASE64_WIDTH = 96
@@ -32,7 +32,7 @@ _TIMES_A_LINE = 8
 
 
 def disassemble(container: Container) -> str:
-    """The whole container as text. Raises Rejected (NS0510) where there are no words."""
+    """The complete container as text. Raises Rejected (NS0510) if it has no words."""
     refuse_planes(
         container.target,
         "this container has no words to disassemble",
@@ -47,17 +47,16 @@ def disassemble(container: Container) -> str:
         _readouts(container),
         _table(container),
         _machine(container),
+        _pictures(container),
         _pixels(container),
     )
     return "\n\n".join("\n".join(lines) for lines in map(list, sections) if lines) + "\n"
 
 
 def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
-    """The lines of a kernel's words: (number of the first word, instruction, comment).
-
-    An in-place pair is one line. A word that no instruction line of this target stands for is a
-    `.word`, with the reason as comment.
-    """
+    """The lines of a kernel: (number of the first word, instruction, comment). An in-place pair is
+    one line. A word without an instruction on this target is a `.word`, with the reason as
+    comment."""
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
@@ -82,20 +81,21 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
 
 
 def _pair(first: Op, second: Op | None) -> str | None:
-    """The in-place form of two half-words, if one stands for them."""
+    """The in-place instruction of two half-words; None if there is none."""
     kind = pair_kind(first, second) if second is not None else None
     if kind is None or second is None:
         return None
     (destination,) = second.destinations
     if destination not in first.sources:
         return None
-    others = [register for register in first.sources if register != destination]
-    if kind == "REFRESH" or (kind == "NOR" and not others):
+    other_sources = [register for register in first.sources if register != destination]
+    if kind == "REFRESH" or (kind == "NOR" and not other_sources):
         return f"{'NOT' if kind == 'NOR' else kind} {destination}"
-    if len(others) != 1:
-        # `OR d, d, x, y`: with two or more other sources the destination is named as one, too.
-        others.insert(0, destination)
-    return f"{kind} {', '.join((destination, *others))}"
+    if len(other_sources) != 1:
+        # `OR d, d, x, y`: with two or more other sources, the destination is also written as a
+        # source.
+        other_sources.insert(0, destination)
+    return f"{kind} {', '.join((destination, *other_sources))}"
 
 
 def _commented(text: str, comment: str) -> str:
@@ -146,9 +146,9 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 def _kernel(container: Container, number: int) -> Iterator[str]:
     kernel: Kernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
-    where = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
+    instants_text = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
     cost = kernel_cost(kernel, container.target)
-    comment = f"{_counted(cost.words, 'word')}, {cost.us:.4g} us; launched at {where}"
+    comment = f"{_counted(cost.words, 'word')}, {cost.us:.4g} us; launched at {instants_text}"
     yield _commented(f".kernel {name_text(kernel.name)}", comment)
     for _, text, remark in instruction_lines(kernel.words, container.target):
         yield _commented(f"    {text}", remark)
@@ -159,7 +159,7 @@ def _shortened(text: str) -> str:
 
 
 def _schedule(container: Container) -> Iterator[str]:
-    """One line for each distinct list of kernels, with all instants that launch just these."""
+    """One line for each distinct list of kernels, with all its instants."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)
@@ -196,16 +196,37 @@ def _table(container: Container) -> Iterator[str]:
 
 
 def _machine(container: Container) -> Iterator[str]:
-    """What pixels compare, for a reader; then the machine and the levels of IN, as data."""
+    """The comparisons as comments, then the machine and the levels of IN as data."""
     machine, step_e = container.machine, container.target.electrons_per_step
     if machine is None:
         return
-    for each in machine.comparisons:
-        signal = "light" if each.signal == LIGHT else f"exposure {container.buckets[each.signal]}"
-        level = f"{each.level} steps of IN, {each.level * step_e:.6g} e"
-        yield f"; at boundary {each.boundary}: {signal} above {level}"
+    for comparison in machine.comparisons:
+        signal = (
+            "light"
+            if comparison.signal == LIGHT
+            else f"exposure {container.buckets[comparison.signal]}"
+        )
+        level = f"{comparison.level} steps of IN, {comparison.level * step_e:.6g} e"
+        yield f"; at boundary {comparison.boundary}: {signal} above {level}"
     yield ".machine"
     yield from block_text([*machine_file.to_text(container)])
+
+
+def _pictures(container: Container) -> Iterator[str]:
+    """The words of images and planes, for a reader; then all of them, as data."""
+    pictures, target = container.pictures, container.target
+    if pictures is None:
+        return
+    yield "; images and planes: these words follow the last slot's"
+    for launch in pictures.launches:
+        level = "" if launch.level is None else f", IN at {launch.level}"
+        yield f"; kernel {launch.kernel}{level}"
+        for word in pictures.kernels[launch.kernel]:
+            yield f";     {matching(word, target.words) or word_text(word)}"
+    for name, register in pictures.registers.items():
+        yield f"; {register} holds {name}"
+    yield ".pictures"
+    yield from block_text([*pictures_file.to_text(pictures)])
 
 
 def _pixels(container: Container) -> Iterator[str]:
@@ -226,16 +247,17 @@ def _pixels(container: Container) -> Iterator[str]:
 
 
 def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
-    """The smallest tile that repeats, cut at the edges, to `plane` (rows, cols); None if large."""
+    """The smallest tile whose repetition, cut at the edges, is `plane` (rows, cols); None if it is
+    large."""
     rows = _period(plane)
     cols = _period(plane[:rows].T)
     return plane[:rows, :cols] if rows * cols <= _LARGEST_TILE else None
 
 
 def _period(plane: NDArray[Any]) -> int:
-    """After how many rows the plane repeats."""
+    """The number of rows after which the plane repeats."""
     for period in range(1, len(plane)):
-        # One row tells most periods apart; the whole plane is compared only where it agrees.
+        # One row excludes most periods; the whole plane is compared only for the others.
         same = np.array_equal(plane[period], plane[0])
         if same and np.array_equal(plane[period:], plane[:-period]):
             return period

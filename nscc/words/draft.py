@@ -1,4 +1,4 @@
-"""What the lines of an assembly text say, before it is put together: values with their places."""
+"""The parsed lines of an assembly text, with their places, before linking."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _IMPLIED_KERNEL = "main"
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A piece of a line; of one in quotation marks, `text` is what they hold."""
+    """A piece of a line; for one in quotation marks, `text` is the content."""
 
     text: str
     span: Span
@@ -49,7 +49,7 @@ class SlotDraft:
 
 @dataclass(frozen=True, slots=True)
 class ReadoutDraft:
-    """A `.readout` line; without a bucket it means the only one."""
+    """A `.readout` line; the bucket may be omitted if there is only one."""
 
     register: Token
     bucket: Token | None
@@ -66,8 +66,8 @@ class PlaneDraft:
 
 
 @dataclass
-class Block:
-    """A directive with lines of free text below it, each behind a bar."""
+class TextBlock:
+    """A directive with lines of free text below it, each after a bar."""
 
     directive: Token
     arguments: tuple[Token, ...]
@@ -75,7 +75,7 @@ class Block:
 
 
 class Faults:
-    """Collects what is wrong with one text; too many of them end the reading at once."""
+    """Collects the errors of a text, and stops after too many."""
 
     _MOST = 50
 
@@ -86,31 +86,32 @@ class Faults:
     def add(
         self, code: str, message: str, span: Span, *, label: str = "", helps: tuple[str, ...] = ()
     ) -> None:
-        """Note a fault at `span`. Raises Rejected where that was the last one worth showing."""
+        """Add an error at `span`. Raises Rejected if the limit is reached."""
         place = Label(span, label)
         self.found.append(Diagnostic(code, message, source=self.source, label=place, helps=helps))
         if len(self.found) >= self._MOST:
             self.stop()
 
     def stop(self) -> None:
-        """Raise Rejected if anything was found."""
+        """Raise Rejected if there are errors."""
         if self.found:
             raise Rejected(self.found)
 
 
 def shown(text: str) -> str:
-    """A text as messages quote it: on one line and not too long."""
+    """Quote a text in a message: on one line and short."""
     return ascii(text if len(text) <= 60 else text[:57] + "...")
 
 
 @dataclass
 class Draft:
-    """Everything that a text says, in its order."""
+    """The content of a text, in order."""
 
-    target: Block | None = None
-    source: Block | None = None
-    pixels: Block | None = None
-    machine: Block | None = None
+    target: TextBlock | None = None
+    source: TextBlock | None = None
+    pixels: TextBlock | None = None
+    machine: TextBlock | None = None
+    pictures: TextBlock | None = None
     notes: dict[str, str] = field(default_factory=dict)
     slot_us: list[float] = field(default_factory=list)
     buckets: list[Token] = field(default_factory=list)
@@ -125,10 +126,8 @@ class Draft:
     words: int = 0
 
     def add(self, line: Instruction, faults: Faults) -> None:
-        """Add a line to the kernel that is open; instructions before any `.kernel` open `main`.
-
-        Raises Rejected (NS0718) with all faults so far where there are too many words.
-        """
+        """Add a line to the current kernel; without `.kernel` this is `main`. Raises Rejected
+        (NS0718) with all errors if there are too many words."""
         if not self.kernels:
             self.kernels.append(KernelDraft(Token(_IMPLIED_KERNEL, line.span)))
         self.kernels[-1].lines.append(line)

@@ -27,6 +27,7 @@ from nscc.operations import (
     FIRST_EXTRA_LINE,
     LINE_NAMES,
     NBIT,
+    NEIGHBOURS,
     OPERATIONS,
     PLRB,
     PLWB,
@@ -66,10 +67,11 @@ def _raised(lines: Iterable[int]) -> int:
 
 _INDEX = sum(index << (32 * index + 16) for index in range(5))
 _CLOCK = 7 << _CLOCK_SHIFT
-_READ = {name: _raised(lines) for name, lines in READ_LINES.items()}
+_READ = {name: _raised(lines) for name, lines in (READ_LINES | NEIGHBOURS).items()}
 # The destination of an analog word is selected like a source, and written.
 _WRITE = {name: _READ[name] | _bit(line) for name, line in ANALOG_WRITE.items()}
 _WRITE |= {name: _bit(line) for name, line in DIGITAL_WRITE.items()}
+_WRITE |= {name: _READ[name] | _bit(ANALOG_WRITE["NEWS"]) for name in NEIGHBOURS}
 _ALL_LINES = {_bit(line): line for line in range(FIRST_EXTRA_LINE + EXTRA_LINES)}
 
 # The lines that tell operations apart; the others only name operands. selpix and s_in are both, so
@@ -94,8 +96,8 @@ def _kinds() -> dict[tuple[int, int], tuple[Operation, ...]]:
 
 
 _KINDS = _kinds()
-_ANALOG_READS = tuple((name, _READ[name]) for name in ANALOG_SOURCES)
-_ANALOG_WRITES = tuple((name, _bit(line)) for name, line in ANALOG_WRITE.items())
+_ANALOG_READS = tuple((name, _READ[name]) for name in (*ANALOG_SOURCES, *NEIGHBOURS))
+_ANALOG_WRITES = tuple((name, _WRITE[name]) for name in (*ANALOG_WRITE, *NEIGHBOURS))
 _DIGITAL_READS = tuple((name, _READ[name]) for name in DIGITAL_SOURCES)
 _DIGITAL_WRITES = tuple((name, _WRITE[name]) for name in DIGITAL_WRITE)
 
@@ -136,7 +138,7 @@ def matching(word: Word, own: tuple[Operation, ...] = ()) -> Op | None:
     analog = clock == 0
     kind = bits & (_KIND_ANALOG if analog else _KIND_DIGITAL)
     reads, writes = (_ANALOG_READS, _ANALOG_WRITES) if analog else (_DIGITAL_READS, _DIGITAL_WRITES)
-    destinations = [name for name, mask in writes if bits & mask]
+    destinations = [name for name, mask in writes if bits & mask == mask]
     read = [name for name, mask in reads if bits & mask == mask]
     for row in (*_KINDS.get((clock, kind), ()), *own):
         sources = read
@@ -221,9 +223,9 @@ def masks() -> Masks:
     lines = {**ANALOG_WRITE, **DIGITAL_WRITE}
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},
-        {name: _split(word) for name, word in _READ.items()},
+        {name: _split(_READ[name]) for name in READ_LINES},
         {name: _split(_bit(line)) for name, line in lines.items()},
-        {name: _split(word) for name, word in _WRITE.items()},
+        {name: _split(_WRITE[name]) for name in lines},
         _split(_KIND_ANALOG),
         _split(_KIND_DIGITAL),
     )

@@ -29,16 +29,16 @@ from numpy.typing import NDArray
 from nscc.chips.load import target_dict, target_from_dict
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.words import machine_file
+from nscc.words import machine_file, pictures_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.machine import Machine, StatePlanes
 from nscc.words.soundness import faults
 from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
-VERSIONS = (1, 2, 3)
+VERSIONS = (1, 2, 3, 4)
 """The second one is that of programs that look: a machine, and launches with levels. The third is
-that of chips without logic: planes of bits."""
+that of chips without logic: planes of bits. The fourth is that of programs with images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
@@ -109,6 +109,8 @@ def to_bytes(container: Container) -> bytes:
 def _version(container: Container) -> int:
     if container.target.streamed:
         return 3
+    if container.pictures is not None:
+        return 4
     return 1 if container.machine is None else 2
 
 
@@ -117,6 +119,8 @@ def _header(container: Container) -> dict[str, Any]:
     looking = {}
     if machine is not None:
         looking["machine"] = machine_file.header_of(machine, container.state_planes)
+    if container.pictures is not None:
+        looking["pictures"] = pictures_file.header_of(container.pictures)
     return {
         **looking,
         "target": target_dict(container.target),
@@ -261,7 +265,7 @@ def _check_header(header: Any, version: int) -> None:
     _need(isinstance(header, dict), "the header is not a table")
     names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
     names |= {"source_lines", "notes", "counts"} | (
-        {"machine"} if version == VERSIONS[1] else set()
+        {"machine"} if version == VERSIONS[1] else {"pictures"} if version == VERSIONS[3] else set()
     )
     _need(header.keys() == names, "the keys of the header differ from those of a container")
     for name in ("buckets", "fields", "code_registers", "source_lines"):
@@ -343,6 +347,7 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
         machine=machine,
         state_planes=planes,
         stream=Stream(*(arrays[name] for name in sent)) if sent[0] in arrays else None,
+        pictures=pictures_file.pictures_from(header["pictures"]) if "pictures" in header else None,
     )
 
 

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
@@ -26,6 +26,18 @@ def refuse_planes(target: Target, what: str, help_text: str) -> None:
             "NS0510",
             f"{what}: the pixels of {target.name} have no logic and run no words",
             notes=("such a chip receives one bit per pixel and slot",),
+            helps=(help_text,),
+            status=1,
+        )
+
+
+def refuse_pictures(container: Container, what: str, help_text: str) -> None:
+    """NS0542 (status 1) for `what` (half a sentence), which knows no images and planes yet."""
+    if container.pictures is not None:
+        raise rejected(
+            "NS0542",
+            f"{what}: images and planes are not supported there yet",
+            notes=("this program computes images or planes after its last slot",),
             helps=(help_text,),
             status=1,
         )
@@ -63,13 +75,60 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     return tuple(kernels)
 
 
+def picture_words(container: Container) -> list[tuple[Op, int | None]]:
+    """The words of a container's images and planes in the order in which they run, each with the
+    steps of IN; None: IN is not set.
+
+    Raises Rejected as `decoded`.
+    """
+    pictures, target = container.pictures, container.target
+    found: list[Diagnostic] = []
+    kernels: list[list[Op]] = []
+    for number, words in enumerate(pictures.kernels if pictures else ()):
+        ops = []
+        for index, word in enumerate(words):
+            where = f"word {index} of kernel {number} of the images"
+            operation = matching(word, target.words)
+            if operation is None:
+                found.append(no_operation(word, where))
+                continue
+            fault = picture_fault(operation, target)
+            if fault is not None:
+                found.append(_not_on_target(operation, where, fault, target))
+            ops.append(operation)
+        if len(ops) == len(words):
+            found.extend(split_pairs(f"{number} of the images", ops))
+        kernels.append(ops)
+    if found:
+        raise Rejected(found[:_MOST_SHOWN])
+    launches = pictures.launches if pictures else ()
+    return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]
+
+
 def target_fault(operation: Op, target: Target) -> str | None:
-    """Why `target` does not take this word, as half a sentence; None if it does."""
-    known = (*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT")
+    """Why `target` does not take this word while it exposes, as half a sentence; None if it does.
+
+    Words that reach neighbours follow an exposure: see `picture_fault`.
+    """
+    digital = operation.operation.effect is Effect.DIGITAL_NEIGHBOURS
+    if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
+        return "only the words of images and planes reach neighbours, after the last slot"
+    return picture_fault(operation, target)
+
+
+def picture_fault(operation: Op, target: Target) -> str | None:
+    """Why `target` does not take this word after an exposure, as half a sentence; None if it
+    does."""
+    known = (
+        *target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT",
+        *(NEIGHBOURS if "NEWS" in target.analog_registers else ()),
+    )  # fmt: skip
     for register in operation.destinations + operation.sources:
         if register not in known:
             return f"{target.name} has no register {register}"
     count, row = len(operation.sources), operation.operation
+    if (fault := _neighbour_fault(operation, target)) is not None:
+        return fault
     if row.effect is Effect.FLAG_DIGITAL:
         kind, limit = "a WHERE", target.where_sources
     else:
@@ -80,6 +139,26 @@ def target_fault(operation: Op, target: Target) -> str | None:
     reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
     if reads_flag and not target.where_reads_flag:
         return f"WHERE writes FLAG, and on {target.name} it cannot also read it"
+    return None
+
+
+def _neighbour_fault(operation: Op, target: Target) -> str | None:
+    """Why `target` does not take a word that reaches neighbours; None if it does."""
+    row = operation.operation
+    digital = row.effect is Effect.DIGITAL_NEIGHBOURS
+    written = NEIGHBOURS.keys() & operation.destinations
+    if not (digital or written or NEIGHBOURS.keys() & operation.sources):
+        return None
+    if not target.sees_neighbours:
+        return f"the pixels of {target.name} do not see their neighbours"
+    if digital:
+        missing = [name for name in STEERING if name not in target.digital_registers]
+        return f"{target.name} has no register {missing[0]}" if missing else None
+    most = target.directed_sources
+    if len(operation.sources) > most:
+        return f"a word of {target.name} that reaches a neighbour reads at most {most} sources"
+    if row.divisor > 1 and not target.directed_halving:
+        return f"a word of {target.name} that reads a neighbour does not divide"
     return None
 
 

@@ -1,4 +1,4 @@
-"""A draft put together: names resolved, indices and sizes checked, a container made."""
+"""Link a draft to a container: resolve names, check indices and sizes."""
 
 from __future__ import annotations
 
@@ -15,26 +15,27 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Span
-from nscc.words import machine_file
+from nscc.words import machine_file, pictures_file
+from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
 from nscc.words.machine import Machine, StatePlanes
-from nscc.words.planes import codes_of_planes, read_planes
+from nscc.words.pictures import Pictures
+from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
-from nscc.words.text import read_integer, read_slots
 
 MOST_TABLE_CELLS = 1 << 28
-"""Shutters times buckets times slots that one text may ask for (a byte each)."""
+"""Most shutters times buckets times slots of one text (a byte each)."""
 
 _DEFAULT_BUCKET = "frame"
 _START = Span(0, 0)
 NO_TABLE = {"table": "none"}
-"""The note of a container that says what pixels hold, and not what it means."""
+"""The note of a container with pixel contents but without a decode table."""
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
-    """The container of a draft. Raises Rejected with everything found, `faults` included."""
+    """The container of a draft. Raises Rejected with all errors, including those in `faults`."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -45,7 +46,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
     load = _load(draft, target, faults)
-    faults.stop()  # what follows needs sizes that hold
+    faults.stop()  # the rest needs valid sizes
 
     notes = dict(draft.notes)
     if draft.shutters or draft.codes:
@@ -78,6 +79,12 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
             machine, state_planes, levels = read
             pairs = zip(launches, levels, strict=True)
             launches = tuple(replace(launch, level=level) for launch, level in pairs)
+    pictures: Pictures | None = None
+    if draft.pictures is not None:
+        pictures = pictures_file.from_text("".join(line for line, _ in draft.pictures.lines))
+        if pictures is None:
+            message = "the lines below are no images and planes"
+            faults.add("NS0714", message, draft.pictures.directive.span)
     faults.stop()
     container = Container(
         target=target,
@@ -97,15 +104,16 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         notes=notes,
         machine=machine,
         state_planes=state_planes,
+        pictures=pictures,
     )
-    for wrong in container_faults(container):
-        faults.add("NS0707", f"this text is inconsistent: {wrong}", _START)
+    for fault_text in container_faults(container):
+        faults.add("NS0707", f"this text is inconsistent: {fault_text}", _START)
     faults.stop()
     return container
 
 
 def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
-    """The target that the text names, scamp5 if it names none; None if it is at fault."""
+    """The target that the text names, by default scamp5; None after reporting an error."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -118,8 +126,10 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
     except Rejected as rejected:
         if not block.arguments:
             place = Label(block.directive.span, "the target below")
-            found = [replace(d, source=faults.source, label=place) for d in rejected.diagnostics]
-            faults.found.extend(found)
+            diagnostics = [
+                replace(d, source=faults.source, label=place) for d in rejected.diagnostics
+            ]
+            faults.found.extend(diagnostics)
             return None
         if rejected.status != 1 and not faults.found:
             raise
@@ -128,7 +138,7 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Note instructions that the target does not take, and kernels that overfill its store."""
+    """Report instructions that the target does not have, and kernels that exceed its store."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -156,27 +166,27 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
         faults.add("NS0715", "`.readout` is missing", _START, helps=helps)
 
 
-def _find(token: Token, names: dict[str, int], what: str, faults: Faults) -> int:
-    """The index of a name; notes a fault and gives 0 where it is not known."""
+def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
+    """The index of a name; reports an unknown name and returns 0."""
     index = names.get(token.text)
     if index is not None:
         return index
     helps = meant(token.text, names, f"defined are: {', '.join(list(names)[:12]) or 'none'}")
-    faults.add("NS0719", f"undefined {what} {shown(token.text)}", token.span, helps=helps)
+    faults.add("NS0719", f"undefined {kind} {shown(token.text)}", token.span, helps=helps)
     return 0
 
 
-def _indexed(tokens: list[Token], what: str, faults: Faults) -> dict[str, int]:
+def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
-            faults.add("NS0719", f"the {what} {shown(token.text)} is defined twice", token.span)
+            faults.add("NS0719", f"the {kind} {shown(token.text)} is defined twice", token.span)
         names.setdefault(token.text, len(names))
     return names
 
 
 def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
-    """The buckets that `.bucket` lists; without it those of the readouts, or `frame`."""
+    """The buckets in `.bucket`, else those of the readouts, else `frame`."""
     if draft.buckets:
         return tuple(_indexed(draft.buckets, "bucket", faults))
     named = [readout.bucket.text for readout in draft.readouts if readout.bucket]
@@ -184,21 +194,21 @@ def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """All launches, by instant and then in the order of the text."""
+    """All launches, by instant, in the order of the text."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
     for line in draft.slots:
         sequence = [_find(name, kernels, "kernel", faults) for name in line.kernels]
-        if slots and any(part[-1] > slots for part in line.instants):
+        if slots and any(instant_range[-1] > slots for instant_range in line.instants):
             message = (
                 f"{shown(line.place.text)} extends beyond instant {slots}, the end of the frame"
             )
             helps = (f".wait gives {slots} slots, so kernels run at instants 0 to {slots}",)
             faults.add("NS0714", message, line.place.span, helps=helps)
             continue
-        for part in line.instants:
-            for instant in part:
+        for instant_range in line.instants:
+            for instant in instant_range:
                 at_instant.setdefault(instant, []).extend(sequence)
     return tuple(
         Launch(instant, kernel) for instant in sorted(at_instant) for kernel in at_instant[instant]
@@ -240,22 +250,20 @@ def _load(draft: Draft, target: Target, faults: Faults) -> tuple[str, ...]:
 def _loading_order(
     draft: Draft,
     planes: tuple[str, ...],
-    wanted: tuple[str, ...],
+    stated: tuple[str, ...],
     target: Target,
     faults: Faults,
 ) -> tuple[str, ...]:
-    """The order of `.load`; without it the masked register first, for its mask must still be 1."""
-    if wanted and set(wanted) != set(planes):
+    """The order in `.load`; by default the masked register first, while its mask is 1."""
+    if stated and set(stated) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
-    return wanted or tuple(sorted(planes, key=lambda name: name != target.masked_register))
+    return stated or tuple(sorted(planes, key=lambda name: name != target.masked_register))
 
 
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
-    """A table for pixels of which only the registers' contents are known: no slot is open.
-
-    All codes share one shutter where nothing is loaded; else each is its own.
-    """
+    """A table without open slots, for pixels with known register contents only. Without planes all
+    codes share one shutter, else each has its own."""
     return DecodeTable(
         ("code",) if planes else (),
         np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),
@@ -267,7 +275,7 @@ def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTa
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """The decode table and the encoding that `.fields`, `.shutter` and `.code` lines give."""
+    """The decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):
@@ -281,24 +289,26 @@ def _table(
     opened = np.zeros((shutters, len(buckets), slots), dtype=np.bool_)
     registers = len(target.digital_registers)
     encoding = np.zeros((shutters, registers), dtype=np.bool_)
-    for row, (bits, *parts) in enumerate(draft.shutters):
+    for row, (bits, *slot_tokens) in enumerate(draft.shutters):
         digits = bits.text if registers else bits.text.replace("-", "", 1)
         if len(digits) != registers or digits.strip("01"):
             faults.add("NS0714", f"{shown(bits.text)} is not {registers} digits 0 or 1", bits.span)
         else:
             encoding[row] = [digit == "1" for digit in digits]
-        if len(parts) != len(buckets):
-            message = f"a shutter has slots for each of {len(buckets)} buckets, not {len(parts)}"
+        if len(slot_tokens) != len(buckets):
+            message = (
+                f"a shutter has slots for each of {len(buckets)} buckets, not {len(slot_tokens)}"
+            )
             faults.add("NS0714", message, bits.span)
             continue
-        for bucket, token in enumerate(parts):
-            found = read_slots(token.text, slots)
-            if found is None:
+        for bucket, token in enumerate(slot_tokens):
+            open_slots = read_slots(token.text, slots)
+            if open_slots is None:
                 message = f"{shown(token.text)} is not a valid set of slots in 0..{slots - 1}"
                 helps = ("write `0..15,20`, `1..63/2`, `never`, or `x` and hexadecimal",)
                 faults.add("NS0714", message, token.span, helps=helps)
             else:
-                opened[row, bucket] = found
+                opened[row, bucket] = open_slots
     codes = np.zeros((len(draft.codes), len(fields)), dtype=np.int64)
     shutter_of_code = np.zeros(len(draft.codes), dtype=np.int32)
     for row, tokens in enumerate(draft.codes):
@@ -342,9 +352,9 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
 
 
 def _tile(lines: list[tuple[str, Span]]) -> NDArray[Any] | None:
-    values = [read_integer(part) for text, _ in lines for part in text.split()]
-    whole = [value for value in values if value is not None]
-    return np.array(whole, dtype=np.int64) if len(whole) == len(values) else None
+    values = [read_integer(item) for text, _ in lines for item in text.split()]
+    integers = [value for value in values if value is not None]
+    return np.array(integers, dtype=np.int64) if len(integers) == len(values) else None
 
 
 def _plane(lines: list[tuple[str, Span]]) -> NDArray[Any] | None:

@@ -1,10 +1,9 @@
-"""What pixels that look at the light do: a finite machine for each code, as plain tables.
+"""The finite state machine of each code of a program with senses, as plain tables.
 
-Boundaries run over 0..N; boundary n comes before slot n's light. A look is a boundary at which
-signals are compared with levels. Between two looks a pixel is in a node; the outcomes of a look's
-comparisons lead it to a node of the next stage. A node says in which slots the shutter is open and
-the photodiode is reset, until the next look. The tables are the program's meaning: proof, emulator
-and host read them and never the program's text.
+Boundaries are 0..N; boundary n is before slot n. A look is a boundary at which signals are compared
+with levels. Between two looks a pixel is in a node; the answers of a look lead to a node of the
+next stage. A node defines in which slots the shutter is open and PIX is reset, until the next look.
+The tables define the program: proof, emulator and host use them instead of the program's text.
 """
 
 from __future__ import annotations
@@ -18,16 +17,14 @@ from numpy.typing import NDArray
 Values = NDArray[np.int64]
 
 LIGHT = -1
-"""The signal `light`, where a bucket's number stands for its exposure."""
+"""The signal `light`; other signals are numbers of buckets."""
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """At `boundary`, is `signal` above `level` steps of IN?
-
-    `signal` is LIGHT, what PIX has gathered since the frame's start or its last reset, or the
-    number of a bucket: the light of its completed open slots.
-    """
+    """Whether `signal` is above `level` steps of IN at `boundary`. `signal` is LIGHT, the charge of
+    PIX since the start of the frame or its last reset, or the number of a bucket: the light of its
+    completed open slots."""
 
     boundary: int
     signal: int
@@ -36,17 +33,15 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A state of the program: its values are `low`..`high`, and START is `start`.
-
-    `kept`: it survives the frame. `read`: it comes with the frame. `boolean`: declared as bit.
-    `sense`: not declared, but the latest answer of a sense that outlasts its look.
-    """
+    """A state of the program: its values are `low`..`high`, and START is `start`. `is_kept`: it
+    survives the frame. `read`: it is read out with the frame. `boolean`: declared as bit. `sense`:
+    not declared, but the latest answer of a sense that outlasts its look."""
 
     name: str
     low: int
     high: int
     start: int
-    kept: bool = False
+    is_kept: bool = False
     read: bool = False
     boolean: bool = False
     sense: bool = False
@@ -54,7 +49,7 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class Machine:
-    """The machines of all behaviours; a behaviour is what one or more codes do.
+    """The state machines of all behaviours; codes that behave equally share one.
 
     Stage k begins after look k (stage 0 at boundary 0) and has the nodes
     first[k] .. first[k + 1] - 1. By node: `behaviour` int32 (nodes,); `values` int64 (nodes,
@@ -81,44 +76,44 @@ class Machine:
 
     @property
     def slots(self) -> int:
-        """The slots of a frame."""
         return int(self.opens.shape[2])
 
     @property
     def keeps(self) -> bool:
-        """Whether a frame hangs on the one before it."""
-        return any(state.kept for state in self.states)
+        """Whether a frame depends on the previous one."""
+        return any(state.is_kept for state in self.states)
 
     @property
     def stages(self) -> int:
-        """One more than there are looks."""
+        """The number of looks plus one."""
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
-        """The nodes of a stage."""
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
-        """The comparisons of a boundary."""
-        return tuple(each for each in self.comparisons if each.boundary == boundary)
+        """The comparisons at a boundary."""
+        return tuple(
+            comparison for comparison in self.comparisons if comparison.boundary == boundary
+        )
 
     def order(self, boundary: int) -> list[int]:
-        """The numbers of a boundary's comparisons in the order in which words make them. Where two
-        signals are the same light, as PIX and a bucket that is not closed yet, it alone tells
-        which of them a word compares."""
-        asked = self.at(boundary)
-        return sorted(range(len(asked)), key=lambda number: -asked[number].signal)
+        """The numbers of a boundary's comparisons in the order of the words. If two signals are the
+        same light, such as PIX and a bucket still open, only this order tells which of them a word
+        compares."""
+        comparisons = self.at(boundary)
+        return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
     def starts(self, stage: int) -> int:
-        """The boundary at which a stage begins."""
+        """The first boundary of a stage."""
         return 0 if stage == 0 else self.looks[stage - 1]
 
     def ends(self, stage: int) -> int:
-        """The boundary of the look that ends a stage; N for the last one."""
+        """The boundary of the look at the end of a stage; N for the last stage."""
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
     def start_nodes(self) -> NDArray[np.int64]:
-        """For each behaviour the node with the START of every state (behaviours,)."""
+        """For each behaviour the node with the start values of all states (behaviours,)."""
         nodes = np.arange(self.first[1])
         starts = np.array([state.start for state in self.states], np.int64)
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]
@@ -128,19 +123,19 @@ class Machine:
 
 @dataclass(frozen=True, eq=False)
 class StatePlanes:
-    """How `registers` hold a state: `bits` bool (values, registers) of each of the `values` that
-    it can have."""
+    """The registers of a state: `bits` bool (values, registers) encodes each of its possible
+    `values`."""
 
     registers: tuple[str, ...]
     values: tuple[int, ...]
     bits: NDArray[np.bool_]
 
     def read(self, planes: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> Values:
-        """The value at every pixel of `shape`; where the bits are those of none, the first one."""
-        found = np.full(shape, self.values[0], np.int64)
+        """The value at every pixel of `shape`; the first value for unknown bits."""
+        pixel_values = np.full(shape, self.values[0], np.int64)
         for value, row in zip(self.values, self.bits.tolist(), strict=True):
-            here = np.ones(shape, np.bool_)
+            matches = np.ones(shape, np.bool_)
             for register, bit in zip(self.registers, row, strict=True):
-                here &= planes[register] == bit
-            found[here] = value
-        return found
+                matches &= planes[register] == bit
+            pixel_values[matches] = value
+        return pixel_values

@@ -1,4 +1,4 @@
-"""A machine in a container's file: what its header says, its arrays, and whether it is sound."""
+"""Storage of a machine in a container file: header, arrays and checks."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from nscc.words.machine import LIGHT, Comparison, Machine, State, StatePlanes
 if TYPE_CHECKING:
     from nscc.words.container import Container
 
-_STATE = ("name", "low", "high", "start", "kept", "read", "boolean", "sense")
+_STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[Machine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
-"""Stands for None among the levels of launches."""
+"""The level of a launch without one."""
 _LARGEST = 2**62
 _WIDTH = 96
 
 
 def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
-    """What the header says of a machine: JSON values."""
+    """The JSON header of a machine."""
     return {
         "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
         "comparisons": [[c.boundary, c.signal, c.level] for c in machine.comparisons],
@@ -34,8 +34,13 @@ def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, 
         "looks": list(machine.looks),
         "outcomes": machine.steps.shape[1],
         "planes": [
-            [name, list(each.registers), list(each.values), each.bits.astype(int).tolist()]
-            for name, each in planes.items()
+            [
+                name,
+                list(state_planes.registers),
+                list(state_planes.values),
+                state_planes.bits.astype(int).tolist(),
+            ]
+            for name, state_planes in planes.items()
         ],
     }
 
@@ -43,7 +48,7 @@ def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, 
 def layout_of(
     header: Mapping[str, Any], buckets: int, slots: int
 ) -> list[tuple[str, str, tuple[int, ...]]]:
-    """The machine's arrays in their order: name, type and shape; "?" is packed."""
+    """The machine's arrays in order: name, type and shape; "?" is bit-packed."""
     nodes, states = header["first"][-1], len(header["states"])
     return [
         ("behaviour", "<i4", (nodes,)),
@@ -57,17 +62,17 @@ def layout_of(
 
 
 def check_header(header: Any) -> None:
-    """Check the shape of a machine's header; ValueError where it is none."""
-    whole = isinstance(header, dict) and header.keys() == {
+    """Check the structure of a machine's header; raises ValueError."""
+    complete = isinstance(header, dict) and header.keys() == {
         "states", "comparisons", "first", "looks", "outcomes", "planes",
     }  # fmt: skip
-    if not whole or not all(isinstance(header[k], list) for k in header if k != "outcomes"):
+    if not complete or not all(isinstance(header[k], list) for k in header if k != "outcomes"):
         raise ValueError("the header's machine is malformed")
     kinds = (str, int, int, int, bool, bool, bool, bool)
     sound = all(_typed(state, kinds) for state in header["states"])
-    sound &= all(_typed(each, (int, int, int)) for each in header["comparisons"])
+    sound &= all(_typed(entry, (int, int, int)) for entry in header["comparisons"])
     numbers = [*header["first"], *header["looks"], header["outcomes"]]
-    sound &= all(_is_count(each) for each in numbers) and bool(header["first"])
+    sound &= all(_is_count(entry) for entry in numbers) and bool(header["first"])
     for plane in header["planes"]:
         sound &= _typed(plane, (str, list, list, list))
         sound &= sound and all(isinstance(r, str) for r in plane[1])
@@ -105,10 +110,10 @@ def _is_count(value: Any) -> bool:
 def machine_from(
     header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
 ) -> tuple[Machine, dict[str, StatePlanes]]:
-    """The machine and the planes of its states, of a checked header and its arrays."""
+    """The machine and the encodings of its states, from a checked header and its arrays."""
     machine = Machine(
         states=tuple(State(*state) for state in header["states"]),
-        comparisons=tuple(Comparison(*each) for each in header["comparisons"]),
+        comparisons=tuple(Comparison(*entry) for entry in header["comparisons"]),
         looks=tuple(header["looks"]),
         first=np.array(header["first"], np.int32),
         **{name: arrays[name] for name, _, _ in layout_of(header, 0, 0)},
@@ -125,18 +130,18 @@ def machine_from(
 
 
 def to_text(container: Container) -> Iterator[str]:
-    """The lines that `.machine` has in assembly text: base64 of the header and the arrays."""
+    """The `.machine` lines of assembly text: base64 of the header and the arrays."""
     machine = container.machine
     assert machine is not None
     header = {**header_of(machine, container.state_planes), "levels": _levels(container)}
     data = json.dumps(header, sort_keys=True, separators=(",", ":")).encode("ascii")
     buckets, slots = len(container.buckets), container.slots
-    parts = [len(data).to_bytes(4, "little"), data]
+    blocks = [len(data).to_bytes(4, "little"), data]
     for name, dtype, _ in layout_of(header, buckets, slots):
         array = getattr(machine, name)
         packed = np.packbits(array, axis=None, bitorder="little") if dtype == "?" else array
-        parts.append(packed.astype(packed.dtype.newbyteorder("<")).tobytes())
-    text = b64encode(b"".join(parts)).decode("ascii")
+        blocks.append(packed.astype(packed.dtype.newbyteorder("<")).tobytes())
+    text = b64encode(b"".join(blocks)).decode("ascii")
     for start in range(0, len(text), _WIDTH):
         yield text[start : start + _WIDTH]
 
@@ -146,7 +151,8 @@ def _levels(container: Container) -> list[int | None]:
 
 
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
-    """The machine, its planes and the launches' levels of `to_text`; None where it is none."""
+    """The inverse of `to_text`: machine, state encodings and levels of launches; None if
+    invalid."""
     try:
         data = b64decode(text, validate=True)
         size = int.from_bytes(data[:4], "little")
@@ -174,7 +180,7 @@ def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None
 
 
 def faults(container: Container) -> Iterator[str]:
-    """What is wrong with a container's machine, each as part of a sentence."""
+    """The errors of a container's machine, each as part of a sentence."""
     machine = container.machine
     if machine is None:
         if any(launch.level is not None for launch in container.launches):
@@ -249,11 +255,11 @@ def _state_faults(container: Container, machine: Machine) -> Iterator[str]:
         ):
             yield f"the state {state.name[:40]!a} leaves its range"
         planes = container.state_planes.get(state.name)
-        if (state.read or state.kept) != (planes is not None):
+        if (state.read or state.is_kept) != (planes is not None):
             yield f"the state {state.name[:40]!a} has planes, or lacks them"
         elif planes is not None and not {*values.tolist()} <= {*planes.values}:
             yield f"the planes of {state.name[:40]!a} have no bits for some of its values"
-        elif planes and state.kept and not {*planes.registers} <= {*container.code_registers}:
+        elif planes and state.is_kept and not {*planes.registers} <= {*container.code_registers}:
             yield f"the planes of {state.name[:40]!a} are kept and not loaded"
     registers = container.target.digital_registers
     for name, planes in container.state_planes.items():

@@ -1,9 +1,9 @@
-"""What runs before registers are read out, so that codes mean what the target says.
+"""Words before the readout, which make codes mean what the target specifies.
 
-A converter that is symmetric around 0 gives an exposure x, which is never negative, half of its
-codes. As far as a register is free, 2 x - w is converted instead, w a full well: all codes for
-nothing up to a full well. Three words make it, all with IN = -w. Two leave w - x, in the scratch
-register and in the free one; the third adds both to IN, and what a word adds up it inverts.
+A converter that is symmetric around 0 would use only half of its codes for an exposure x >= 0. If a
+register is free, 2 x - w is converted instead, with the full well w, so that all codes are used.
+This takes three words with IN = -w. Two compute w - x in the scratch register and in the free one;
+the third adds both to IN and inverts the sum.
 """
 
 from __future__ import annotations
@@ -16,33 +16,34 @@ from nscc.operations import Op, op
 from nscc.words.container import Container
 
 SPREADING_ERRORS = 3 / 4
-"""The variance that these words add to an exposure, in that of one word: three errors, on twice the
-exposure."""
+"""The variance that these words add to an exposure, relative to that of one word: three errors, on
+twice the exposure."""
 
 
 @dataclass(frozen=True)
 class Preparation:
-    """The words of one kernel, and the steps of IN that they need; None: they read none."""
+    """The words of one kernel, and their value of IN in steps; None if they do not read IN."""
 
     words: tuple[Op, ...]
     level: int | None
 
 
 def preparation_of(container: Container) -> Preparation:
-    """What comes before the readout of a container's registers."""
+    """The words before the readout of a container's registers."""
     target = container.target
     copy = _free(container)
-    # Pixels that FLAG leaves out would be left out of readout.
+    # Readout would skip pixels without FLAG.
     everywhere = op("all")
     if target.spread_level is None or copy is None:
         return Preparation((everywhere,), None)
-    own = [readout.register for readout in container.readouts]
-    words = (word for register in own for word in spreading(target, register, copy))
+    registers = [readout.register for readout in container.readouts]
+    words = (word for register in registers for word in spreading(target, register, copy))
     return Preparation((everywhere, *words), target.spread_level)
 
 
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
-    """The words that make a register twice what it holds, less a full well, by way of `copy`."""
+    """The words that replace a register's content x by 2 x minus a full well, using the register
+    `copy`."""
     scratch = target.analog_scratch
     return (
         op("bus", [copy], [register, "IN"]),
@@ -52,8 +53,8 @@ def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
 
 
 def converter_of(container: Container) -> Target:
-    """The container's target, with the readout that its exposures have: where no register is left
-    to spread them with, the converter's own."""
+    """The container's target with the effective conversion: the converter's own if no register is
+    free for spreading."""
     target = container.target
     if target.readout != "spread" or target.streamed or _free(container) is not None:
         return target
@@ -62,12 +63,11 @@ def converter_of(container: Container) -> Target:
 
 def _free(container: Container) -> str | None:
     """A register that is not read out."""
-    return free_register(container.target, (each.register for each in container.readouts))
+    return free_register(container.target, (readout.register for readout in container.readouts))
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:
-    """The last register that keeps a value and is not among those that are `read` out; None where
-    all are."""
-    taken = {*read}
-    free = [name for name in target.analog_available if name not in taken]
+    """The last analog register that keeps a value and is not in `read`; None if there is none."""
+    unavailable = {*read}
+    free = [name for name in target.analog_available if name not in unavailable]
     return free[-1] if free else None

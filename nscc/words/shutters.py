@@ -1,4 +1,4 @@
-"""The distinct shutters of a container as people look at them: in order, with names."""
+"""The distinct shutters of a container for display, ordered and labelled."""
 
 from __future__ import annotations
 
@@ -14,11 +14,8 @@ _LONGEST_LABEL = 30
 
 @dataclass(frozen=True, eq=False)
 class Shutters:
-    """The shutters that a picture shows, in the order in which it shows them.
-
-    `rows` bool (rows, buckets, N); `labels` one a row; `rank` int (shutters of the table,), the
-    place of each in the order, -1 for those that no pixel has.
-    """
+    """The shutters of a picture, in order. `rows` bool (rows, buckets, N); `labels` one a row;
+    `rank` int (shutters of the table,), the row of each, -1 for shutters of no pixel."""
 
     rows: NDArray[np.bool_]
     labels: tuple[str, ...]
@@ -26,7 +23,7 @@ class Shutters:
 
 
 def shutters_of(container: Container) -> Shutters:
-    """The distinct shutters in use (all of a program without pixels), by opening and length."""
+    """The distinct shutters in use (all if there are no pixels), sorted by opening and length."""
     table = container.table
     codes = container.pixel_codes
     used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)
@@ -46,7 +43,7 @@ def shutters_of(container: Container) -> Shutters:
 
 
 def _label(container: Container, codes: list[int]) -> str:
-    """The first code of a shutter in words, and how many more mean the same."""
+    """The first code of a shutter, and the number of its other codes."""
     fields = container.table.fields
     if not fields:
         return "all pixels"

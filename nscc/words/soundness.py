@@ -7,7 +7,7 @@ from math import isfinite
 
 import numpy as np
 
-from nscc.words import machine_file, stream
+from nscc.words import machine_file, pictures_file, stream
 from nscc.words.container import Container
 
 MOST_WORDS = 1 << 18
@@ -24,7 +24,7 @@ def faults(container: Container) -> list[str]:
     """
     parts = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
-        machine_file.faults, _stream_faults,
+        machine_file.faults, _stream_faults, pictures_file.faults,
     )  # fmt: skip
     return [fault for part in parts for fault in part(container)]
 

@@ -1,8 +1,8 @@
-"""What a chip without logic is sent: a plane of bits for every slot, and where each bit leads.
+"""The data for a chip without logic: a bit plane for every slot, and the destinations of bits.
 
-In a slot a pixel's light goes to one place: a tap, or the drain. Its bit chooses between two of
-them, which are the same for all pixels: `ones` where it is 1, `zeros` where it is 0. Bucket number
-b of a program is collected in tap number b.
+In a slot a pixel's light goes to one destination: a tap, or the drain. Its bit chooses between two
+that are the same for all pixels: `ones` if it is 1, `zeros` if it is 0. Bucket b of a program is
+tap b.
 """
 
 from __future__ import annotations
@@ -16,18 +16,16 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 
 DRAIN = -1
-"""Where light goes that no tap shall have, where a tap's number stands for the tap."""
+"""The destination of light that no tap collects; other destinations are numbers of taps."""
 
 Bits = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
 class Stream:
-    """The planes of a frame, as they are sent.
-
-    `planes` uint8 (N, rows, ceil(cols / 8)): the bits of each row, its first pixel in the lowest
-    bit, 0 behind the last one. `ones`, `zeros` int8 (N,): the tap's number, or DRAIN.
-    """
+    """The bit planes of a frame. `planes` uint8 (N, rows, ceil(cols / 8)): the bits of each row,
+    first pixel in the lowest bit, padded with 0. `ones`, `zeros` int8 (N,): a tap's number, or
+    DRAIN."""
 
     planes: Bits
     ones: NDArray[np.int8]
@@ -35,45 +33,44 @@ class Stream:
 
     @property
     def slots(self) -> int:
-        """The slots of a frame."""
         return len(self.planes)
 
     def bits(self, slot: int, cols: int) -> NDArray[np.bool_]:
-        """The bits (rows, cols) of a slot."""
         unpacked = np.unpackbits(self.planes[slot], axis=1, count=cols, bitorder="little")
         return unpacked.view(np.bool_)
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
-        """Where the light of each pixel goes in a slot (rows, cols): a tap's number, or DRAIN."""
-        found: NDArray[np.int8] = np.where(self.bits(slot, cols), self.ones[slot], self.zeros[slot])
-        return found
+        """The destination of each pixel's light in a slot (rows, cols): a tap's number, or
+        DRAIN."""
+        destinations: NDArray[np.int8] = np.where(
+            self.bits(slot, cols), self.ones[slot], self.zeros[slot]
+        )
+        return destinations
 
     def shutters(self, buckets: int, cols: int) -> Bits:
-        """When each pixel is open, uint8 (buckets, rows, cols, ceil(N / 8)), as in a frame file:
-        packed along the slots, the first one in the lowest bit."""
+        """The open slots of each pixel, uint8 (buckets, rows, cols, ceil(N / 8)), packed as in a
+        frame file: first slot in the lowest bit."""
         shape = self.planes.shape[1], cols
-        found = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
+        packed = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
         for slot in range(self.slots):
             place = self.place(slot, cols)
             for bucket in range(buckets):
-                found[bucket, :, :, slot // 8] |= (place == bucket).view(np.uint8) << slot % 8
-        return found
+                packed[bucket, :, :, slot // 8] |= (place == bucket).view(np.uint8) << slot % 8
+        return packed
 
 
 @dataclass(frozen=True)
 class Loading:
-    """When the plane of a slot is sent and when it acts, in microseconds from the frame's start.
-
-    A chip with two latches a pixel loads it in the slot before (the first one before the frame):
-    what acts, acts on all rows at once. One with a single latch leads light away while it loads.
-    """
+    """The times, in microseconds from the start of the frame, at which a slot's plane is sent and
+    acts. A chip with two latches a pixel loads it in the previous slot (the first one before the
+    frame), and all rows act at once. A chip with one latch drains the light while it loads."""
 
     load_us: float
     acts_us: float
 
 
 def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
-    """The loading of every slot's plane."""
+    """The loading times of all planes."""
     start, load = 0.0, target.plane_load_us
     for length in slot_us:
         yield Loading(start - load, start) if target.pipelined else Loading(start, start + load)
@@ -81,16 +78,16 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
-    """What is wrong with planes of a container, each as part of a sentence."""
+    """The errors of a container's planes, each as part of a sentence."""
     shape = slots, target.rows, -(-target.cols // 8)
-    for name, array, wanted, dtype in (
+    for name, array, needed, dtype in (
         ("planes", stream.planes, shape, np.uint8),
         ("ones", stream.ones, (slots,), np.int8),
         ("zeros", stream.zeros, (slots,), np.int8),
     ):
-        if array.shape != wanted or array.dtype != dtype:
+        if array.shape != needed or array.dtype != dtype:
             yield (
-                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {wanted} as the "
+                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {needed} as the "
                 "rest of it needs"
             )
             return

@@ -15,6 +15,7 @@ from nscc import html
 from nscc.diagnostics.arguments import wrong_argument
 from nscc.files import write_together
 from nscc.words.container import Container
+from nscc.words.legality import refuse_pictures
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.frame_content import frame_content
@@ -84,6 +85,51 @@ class Capture(Frame):
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property
+    def images(self) -> dict[str, NDArray[np.float64]]:
+        """The images that the program reads, electrons before the converter (rows, cols)."""
+        return self._told("image_", self._pictures_read)
+
+    @property
+    def planes(self) -> dict[str, NDArray[np.bool_]]:
+        """The planes that the program reads, bool (rows, cols)."""
+        return self._told("plane_", self._pictures_read)
+
+    @property
+    def margin(self) -> NDArray[np.bool_] | None:
+        """Where images and planes depend on what is beyond the array; None without any."""
+        return self.told.get("margin")
+
+    @property
+    def reports(self) -> dict[str, Any]:
+        """What the program reports of its planes, by "KIND PLANE".
+
+        `any` is a bool; `events` int32 (events, 2), columns and rows in reading order; `box` the
+        least column and row and the largest ones, or None where no bit is 1. With `repeat`, lists.
+        """
+        pictures = self.container.pictures
+        found: dict[str, Any] = {}
+        for report in pictures.reports if pictures is not None else ():
+            key = f"report_{report.kind}_{report.plane}"
+            values, counts = self.told[key], self.told.get(f"{key}_count")
+            repeated = values.ndim > {"any": 0, "events": 2, "box": 1}[report.kind]
+            frames = range(len(values)) if repeated else [...]
+            each = [
+                _report(report.kind, values[n], None if counts is None else counts[n])
+                for n in frames
+            ]
+            found[f"{report.kind} {report.plane}"] = each if repeated else each[0]
+        return found
+
+    @property
+    def _pictures_read(self) -> tuple[str, ...]:
+        pictures = self.container.pictures
+        return () if pictures is None else pictures.reads
+
+    def _told(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
+        keys = {name: f"{prefix}{name}" for name in names}
+        return {name: self.told[key] for name, key in keys.items() if key in self.told}
+
+    @property
     def response(self) -> Response:
         """The sensor response: gain, offset and variance of each exposure."""
         return self.exposed.response(self.exposed.simulated.origin.sensor)
@@ -136,6 +182,8 @@ class Capture(Frame):
         """
         out = Path(path)
         check_ending(out, endings(), "a frame")
+        if out.suffix != ".npz":
+            refuse_pictures(self.container, f"'{out.name}' cannot hold this frame", "save an .npz")
         named = (keep,) if isinstance(keep, str) else tuple(keep)
         for name in named:
             if name not in KEEP:
@@ -163,7 +211,7 @@ class Capture(Frame):
         step, scale = -(-max(shown.shape[1:3]) // _MOST), max(1, round(_SIDE / cols))
         pictures = html.side_by_side(
             html.picture(_png(image[::step, ::step]), name, scale * cols // step)
-            for image, name in zip(shown, self.container.buckets, strict=True)
+            for image, name in zip(shown, self.container.buckets_read, strict=True)
         )
         lines = html.plain("\n".join(frame_lines(self.container, self)))
         told = html.Html()
@@ -187,7 +235,16 @@ class Capture(Frame):
         return readouts(self.container, self.first, self.response)
 
     def _codes(self) -> str:
-        return f"{self.frame.min()}..{self.frame.max()}"
+        return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"
+
+
+def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
+    """A report of one frame as a Python value."""
+    if kind == "any":
+        return bool(values)
+    if kind == "events":
+        return values[: int(count)]
+    return None if values[0] < 0 else tuple(values.tolist())
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:

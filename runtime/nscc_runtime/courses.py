@@ -101,7 +101,7 @@ def _run_frame(
 
 def _next_start(machine: Machine, ended: Nodes) -> Nodes:
     """Where the next frame starts: what is kept as it was, everything else at its START."""
-    is_kept = np.array([state.kept for state in machine.states], np.bool_)
+    is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)
     first = slice(0, int(machine.first[1]))
     known = np.column_stack([machine.behaviour[first], machine.values[first]])

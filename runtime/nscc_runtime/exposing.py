@@ -19,7 +19,7 @@ from itertools import cycle, islice
 from pathlib import Path
 from typing import Any, get_args
 
-from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
+from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.words.readout import converter_of
@@ -127,12 +127,12 @@ def capture(
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)
     one_of(call, "fidelity", fidelity, get_args(Fidelity))
-    whole(call, "seed", seed)
-    whole(call, "device_seed", device_seed)
+    require_whole_number(call, "seed", seed)
+    require_whole_number(call, "device_seed", device_seed)
     if repeat is not None:
-        whole(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
+        require_whole_number(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
     if threads is not None:
-        whole(call, "threads", threads, least=1)
+        require_whole_number(call, "threads", threads, least=1)
     if torch_device is not None:
         from nscc_runtime.torch_device import check_device
 
@@ -196,7 +196,7 @@ def captures(
         )
 
     if threads is not None:
-        whole("nscc_runtime.captures", "threads", threads, least=1)
+        require_whole_number("nscc_runtime.captures", "threads", threads, least=1)
     plans = KeptPlans()
     plans.expect(range(count))
 
@@ -259,7 +259,7 @@ def plan(
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)[0].light
     chip = sensor_of(call, sensor, converter_of(container))
-    whole(call, "device_seed", device_seed)
+    require_whole_number(call, "device_seed", device_seed)
     allowed, most = (
         _tolerance(call, name, value)
         for name, value in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
@@ -360,7 +360,7 @@ def scene(
         one_of(call, "transfer", transfer, get_args(Transfer))
     one_of(call, "frames_are", frames_are, get_args(FramesAre))
     one_of(call, "fit", fit, FITS)
-    whole(call, "first", first)
+    require_whole_number(call, "first", first)
     return Scene(
         str(name),
         exposure=_text(call, "exposure", exposure, 1),

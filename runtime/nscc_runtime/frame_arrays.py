@@ -54,7 +54,8 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     if meta is None:
         raise InvalidArrays(f"its schema is not {SCHEMA}")
     shape = arrays["frame"].shape
-    if not 3 <= len(shape) <= 5 or 0 in shape:
+    pictured = "margin" in arrays or "images" in meta
+    if not 3 <= len(shape) <= 5 or 0 in (shape[-2:] if pictured else shape):
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
     for name, held in arrays.items():
         if name != "meta" and held.dtype.kind not in "buif":

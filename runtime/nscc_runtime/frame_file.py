@@ -8,6 +8,12 @@
                                                  4 converter, 8 reset level, 16 black sun
     meta          text    JSON, see `meta`
 
+A program with images and planes has `image_NAME` float64 (rows, cols), electrons before the
+converter, `image_codes_NAME` uint8 and `image_saturated_by_NAME` uint8 (32: a value left the range
+of registers) for every image that it reads, `plane_NAME` bool for every plane, `report_any_NAME`,
+`report_events_NAME` (with `_count` and `_overflow`), `report_box_NAME`, and `margin` bool: pixels
+that depend on what is beyond the array. Its `frame` holds the buckets that it reads, perhaps none.
+
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
 it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open, and
 `light_e_per_s` and `light_sd_e_per_s` float64 (buckets, rows, cols), the light that this tells.
@@ -37,6 +43,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
+from nscc.words.pictures import Pictures
 from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.interface import Exposure
@@ -181,9 +188,9 @@ def repeated(frame: Frame, count: int) -> Frame:
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
     """What a person wants to know first, a line a bucket; of the first frame where there are K."""
-    width = max(len(name) for name in container.buckets)
+    width = max((len(name) for name in container.buckets_read), default=0)
     lines, first = [], frame.first
-    for b, name in enumerate(container.buckets):
+    for b, name in enumerate(container.buckets_read):
         values = first.exposure_e[b][first.valid[b]]
         invalid = first.valid[b].size - values.size
         text = f"{name:<{width}}  {saturation_text(first.saturated_by[b])}"
@@ -191,6 +198,36 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
             text += f", electrons {values.min():.6g} to {values.max():.6g}"
             text += f", mean {values.mean():.6g}"
         lines.append(text + (f", {invalid} invalid" if invalid else ""))
+    if container.pictures is not None:
+        lines += picture_lines(container.pictures, first)
+    return lines
+
+
+def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
+    """What a frame says of its images, planes and reports, a line each."""
+    told, lines = frame.told, []
+    for name in pictures.reads:
+        if f"image_{name}" in told:
+            values, by = told[f"image_{name}"], told[f"image_saturated_by_{name}"]
+            text = f"electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
+            lines.append(f"image {name}  {np.count_nonzero(by)} of {by.size} pixels marked, {text}")
+        elif f"plane_{name}" in told:
+            bits = told[f"plane_{name}"]
+            lines.append(f"plane {name}  {np.count_nonzero(bits)} of {bits.size} pixels are 1")
+    for report in pictures.reports:
+        key = f"report_{report.kind}_{report.plane}"
+        value = told[key]
+        if report.kind == "any":
+            text = "yes" if value else "no"
+        elif report.kind == "box":
+            left, top, right, bottom = value.tolist()
+            text = "empty" if left < 0 else f"x {left} to {right}, y {top} to {bottom}"
+        else:
+            more = ", and there are more" if told[f"{key}_overflow"] else ""
+            text = f"{told[f'{key}_count']} coordinates{more}"
+        lines.append(f"report {report.kind} {report.plane}  {text}")
+    margin = np.count_nonzero(told["margin"])
+    lines.append(f"margin  {margin} pixels depend on what is beyond the array")
     return lines
 
 
@@ -292,7 +329,7 @@ def meta(
         "device_seed": origin.device_seed,
         "fidelity": origin.fidelity,
         "lowering": container.notes.get("lowering") if container else None,
-        "buckets": list(container.buckets) if container else numbered,
+        "buckets": list(container.buckets_read) if container else numbered,
         "electrons_per_lsb": sensor.electrons_per_lsb,
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,

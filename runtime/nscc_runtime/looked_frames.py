@@ -39,7 +39,7 @@ def next_planes(
     this one, everything else as `loaded`."""
     machine = container.machine
     assert machine is not None
-    names = (state.name for state in machine.states if state.kept)
+    names = (state.name for state in machine.states if state.is_kept)
     kept_registers = {
         register for name in names for register in container.state_planes[name].registers
     }

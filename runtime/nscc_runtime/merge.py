@@ -15,6 +15,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc.words.legality import refuse_pictures
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import LIGHT, open_us_of
 from nscc_runtime.response import Response
@@ -45,6 +46,7 @@ class Readout:
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[Readout]:
     """The buckets of one frame of a container with pixels."""
+    refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
     most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))

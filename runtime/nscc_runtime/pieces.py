@@ -9,6 +9,7 @@ from typing import Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
+from nscc.words.legality import refuse_pictures
 from nscc_runtime.frame_file import joined, stacked
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
@@ -67,6 +68,7 @@ def simulate_scene(
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     one = listener
     if len(lights) > 1:
+        refuse_pictures(container, "this scene takes several exposures", "use --fit crop or scale")
         _refuse_once(request)
         request = _for_all(container, lights, sensor, request)
         one = replace(listener, progress=unseen)

@@ -15,6 +15,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
+from nscc.words.legality import refuse_pictures
 from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, marks, selected
 from nscc_runtime.films import gathered
@@ -175,6 +176,8 @@ def _simulated(
             check_tolerance(request.tolerance_max, sensor, OPTION_MAX)
     if container.target.streamed and not request.effects.noiseless:
         return _streamed(container, light, sensor, request, listener)
+    if container.pictures is not None:
+        return _pictured(container, light, sensor, request, listener)
     if request.planned and not container.target.streamed:
         return _planned(container, light, sensor, request, listener)
     with listener.timings.part("expose_s"):
@@ -208,6 +211,32 @@ def _streamed(
     plan["slot_loop_reasons"] = ["light is sorted slot by slot, as planes of bits say"]
     seeds = request.seed, request.device_seed
     return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan), effects)
+
+
+def _pictured(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Simulated:
+    """Images and planes: slot by slot and word by word, with all effects that were named."""
+    from nscc_runtime.emulator.capture import check
+    from nscc_runtime.neighbours.frames import PicturedProgram
+
+    if request.plan is not None or request.audit:
+        asked = "--plan" if request.plan is not None else "--audit"
+        refuse_pictures(container, f"{asked} needs a plan", f"leave {asked} out: all is simulated")
+    check(container, light)
+    program = PicturedProgram(container, sensor, request.effects, request.threads)
+    if request.effects.auto and listener.say is not None:
+        listener.say("images and planes: all effects are simulated, slot by slot, without a plan")
+    with listener.timings.part("expose_s"):
+        made = program.frames(light, request.seed, request.device_seed, request.repeat or 1)
+        frame = _gathered(made, request.repeat, listener)
+    digest = _digest(container)
+    plan = frame_file.unplanned(request.effects, light.motion is not None)
+    plan["slot_loop_reasons"] = ["images and planes are computed of every pixel and its neighbours"]
+    fidelity = "planned" if request.effects.noiseless else "reference"
+    seeds = request.seed, request.device_seed
+    origin = Provenance(digest, sensor, *seeds, fidelity, plan)
+    return Simulated(frame, origin, request.effects)
 
 
 def _exact(

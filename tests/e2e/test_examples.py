@@ -15,6 +15,8 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
 LOOKING = [path for path in EXAMPLES if "\nnsl 2\n" in path.read_text()]
 """Their shutters depend on the light: `test_looks_examples.py` has an oracle for each."""
+PICTURED = [path for path in EXAMPLES if "\nnsl 3\n" in path.read_text()]
+"""They compute images: `test_neighbours_examples.py` has an oracle for each."""
 LONG = {"class_b_4096"}
 """Too long for light, frame and shutters of every pixel and slot in a test's memory."""
 
@@ -36,12 +38,13 @@ long_later = pytest.mark.parametrize(
     "path", [p if p.stem not in LONG else slow(p) for p in EXAMPLES], ids=lambda p: p.stem
 )
 fixed = pytest.mark.parametrize(
-    "path", [pytest.param(p, id=p.stem) for p in EXAMPLES if p not in LOOKING]
+    "path", [pytest.param(p, id=p.stem) for p in EXAMPLES if p not in (*LOOKING, *PICTURED)]
 )
 
 
 def test_every_example_has_an_oracle_and_a_line_in_the_gallery() -> None:
-    assert set(RULES) == {path.stem for path in EXAMPLES if path not in LOOKING}
+    fixed_examples = {path.stem for path in EXAMPLES if path not in (*LOOKING, *PICTURED)}
+    assert set(RULES) == fixed_examples
     gallery = (ROOT / "examples" / "README.md").read_text()
     assert [path.name for path in EXAMPLES if f"({path.name})" not in gallery] == []
 

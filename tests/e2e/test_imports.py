@@ -50,7 +50,7 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("looks", "stream"),
+    ("looks", "neighbours", "stream"),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),

@@ -22,7 +22,8 @@ LONGEST_S = 9.0
 """Of a process that is killed: imports take half of it."""
 TRADEOFF = [
     "tradeoff", "sensor", "--classes", "c,d", "--slots", "4,8", "--stop-slots", "4,8",
-    "--looks", "2", "--lowerings", "accumulate,edges", "--target", "small.toml", "-o", "out",
+    "--looks", "2", "--lowerings", "accumulate,edges", "--target", "small.toml",
+    "--readouts", "none", "-o", "out",
 ]  # fmt: skip
 CONFIG = """
 [shutter]

@@ -16,7 +16,7 @@ from nscc.logic.paired_bumps import paired_bumps
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.exposure_plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
 
 CHIPS = st.builds(

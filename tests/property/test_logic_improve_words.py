@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 
 from nscc.chips.load import load_target
-from nscc.lower.plan import LOWERINGS, Misfit
+from nscc.lower.exposure_plan import LOWERINGS, Misfit
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded
 

@@ -11,7 +11,7 @@ from nscc.logic.generate import GENERATORS
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.plan import frame_time, levels, plan_exposure
+from nscc.lower.exposure_plan import frame_time, levels, plan_exposure
 
 thresholds = st.sampled_from(["n < {}", "n >= {}", "n <= {}", "n > {}", "n == {}", "n != {}"])
 

@@ -91,7 +91,7 @@ def check(text: str, container: Container, seed: int) -> None:
     sensor = default_sensor(container.target)
     assert container.machine is not None
     assert container.pixel_codes is not None
-    kept_names = {state.name for state in container.machine.states if state.kept}
+    kept_names = {state.name for state in container.machine.states if state.is_kept}
     scene, none, count = Light.of_clip(light), selected("none"), 2 if kept_names else 1
     taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=count)]
     assert not LookingProgram(container, sensor).lacks(none), text

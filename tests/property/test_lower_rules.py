@@ -8,7 +8,7 @@ from lowering_oracle import container_of, does_as_told, lowered_as
 from program_oracle import program_of
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.lower.plan import LOWERINGS, Misfit
+from nscc.lower.exposure_plan import LOWERINGS, Misfit
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded
 

@@ -31,10 +31,11 @@ pytestmark = [
 CUT = """() => {
   const scrolls = e => e.parentElement.closest('pre, .table-wrapper, .output');
   const box = e => e.getBoundingClientRect();
-  const article = document.querySelector('article');
-  return [...article.querySelectorAll('*')]
+  const column = document.querySelector('.content');
+  return [...document.querySelectorAll('article *')]
     .filter(e => e.getClientRects().length && !scrolls(e) && !e.closest('svg'))
-    .filter(e => box(e).right > box(article).right + 1 || box(e).left < 0)
+    .filter(e => box(e).right > box(column).right + 1 || box(e).left < box(column).left - 1
+              || getComputedStyle(e).overflowX == 'hidden' && e.scrollWidth > e.clientWidth + 1)
     .map(e => `${e.tagName} ${e.className} ${e.textContent.trim().slice(0, 40)}`);
 }"""
 CODE = """() => [...document.querySelectorAll('article .highlight')]
@@ -127,7 +128,7 @@ def test_what_is_copied_has_no_prompt(opened: Any) -> None:
 def test_logo_icon_and_links_of_the_home_page(opened: Any) -> None:
     opened.goto((SITE / "docs/index.html").as_uri())
     assert opened.evaluate("document.querySelector('.sidebar-logo').naturalWidth") > 0
-    icon = opened.evaluate("document.querySelector('link[rel=icon]').href")
+    icon = opened.evaluate("document.querySelector('link[rel~=icon]').href")
     assert Path(icon.removeprefix("file://")).is_file()
     links = opened.evaluate("[...document.querySelectorAll('article .card a')].map(e => e.href)")
     assert len(links) >= 6

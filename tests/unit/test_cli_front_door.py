@@ -59,7 +59,7 @@ def test_every_command_has_help_and_common_options(folder: Path, name: str) -> N
         (["check"], 2, "NS0780", "FILE"),
         (["check", "--deny-warning", "ok.nsl"], 2, "NS0782", "--deny-warnings"),
         (["build", "ok.nsl", "-O", "fast"], 2, "NS0783", "-O"),
-        (["build", "ok.nsl", "-o", "no/ok.icw"], 2, "NS0784", "no/ok.icw"),
+        (["build", "ok.nsl", "-o", "ok.nsl/ok.icw"], 2, "NS0784", "ok.nsl/ok.icw"),
         (["--frobnicate"], 2, "NS0782", "--frobnicate"),
         (["run", "ok.nsl", "builtin:hdr"], 2, "NS0780", "did you mean `--scene builtin:hdr`?"),
         (["run", "ok.nsl", "my.png"], 2, "NS0780", "did you mean `--scene my.png`?"),

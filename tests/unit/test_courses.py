@@ -41,7 +41,7 @@ def check(text: str, container: Container) -> None:
                 names = [state.name for state in machine.states]
                 for name, value in pixel.states.items():
                     assert found.values[light, names.index(name)] == int(value), (text, wells)
-                kept = {s.name: pixel.states[s.name] for s in machine.states if s.kept}
+                kept = {s.name: pixel.states[s.name] for s in machine.states if s.is_kept}
 
 
 @pytest.mark.parametrize("name", LOOKING)

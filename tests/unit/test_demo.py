@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from pathlib import Path
 
@@ -77,7 +78,12 @@ def test_light_of_high_range_is_counted_as_protocols_do(folder: Path, run_nscc: 
     made = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | cv2.IMREAD_COLOR)[..., 0]
     assert mu_psnr(truth, made, np.percentile(truth, 99.9)) == pytest.approx(said, abs=0.1)
     assert said > float(outcome.err.split("always open ")[1].split(" dB")[0]) + 5
-    assert float(outcome.err.split("that look ")[1].split(" dB")[0]) > said + 5
+    looked, ordinary = (
+        float(outcome.err.split(text)[1].split(" dB")[0])
+        for text in ("that look ", "automatic exposure ")
+    )
+    assert looked > said + 5
+    assert float(outcome.err.split("always open ")[1].split(" dB")[0]) < ordinary < looked
 
 
 @pytest.mark.parametrize("how", [[], ["--merge"]], ids=["decoder", "merge"])
@@ -91,6 +97,18 @@ def test_a_short_clip_becomes_a_film(folder: Path, run_nscc: RunNscc, how: list[
     while video.read()[0]:
         count += 1
     assert count == 16
+    assert ("four" if not how else "one") + " readout" in outcome.err
+    before = (folder / "film/clip_frame.npz").read_bytes()
+    line = next(line for line in outcome.err.splitlines() if line.startswith("  nscc run "))
+    assert run_nscc(line.split()[1:], folder).status == 0
+    with np.load(io.BytesIO(before)) as old, np.load(folder / "film/clip_frame.npz") as new:
+        assert np.array_equal(old["frame"], new["frame"])
+
+
+def test_several_readouts_need_a_decoder(folder: Path, run_nscc: RunNscc) -> None:
+    outcome = run_nscc(["demo", "short.gif", "--merge", "--readouts", "3"], folder)
+    assert outcome.status == 2
+    assert "leave out --merge" in outcome.err
 
 
 def test_what_is_black_or_not_there_is_told(folder: Path, run_nscc: RunNscc) -> None:

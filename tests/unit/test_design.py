@@ -16,16 +16,22 @@ from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.program.looking import level_steps
 from nscc_runtime import capture
-from nscc_runtime.effects import selected
+from nscc_runtime.effects import everything, selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.response import response_of
+from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import default_sensor
-from nscc_training.design import Frame, design_looks, design_tile
+from nscc_runtime.simulate import Request, simulate
+from nscc_training.baselines.hdr import merged
+from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 from nscc_training.design.chip import Chip, Curve
 from nscc_training.design.looking import Model, Schedule
-from nscc_training.design.scene import histogram
+from nscc_training.design.scene import best_stop, histogram, stops_tried
+from nscc_training.design.stop_patterns import cheapest, patterns
 from nscc_training.design.text import level_text
-from nscc_training.design.tile import best_tile, stops_tried
+from nscc_training.design.tile import best_tile
+from nscc_training.metrics import mu_psnr, psnr
 
 Values = NDArray[np.float64]
 TARGET = builtin_target("scamp5")
@@ -152,7 +158,7 @@ def test_levels_are_rounded_to_their_own_steps(step_e: float | str) -> None:
 
 
 def test_a_design_is_a_program_in_the_one_style(tmp_path: Path) -> None:
-    for options in (["--looks", "9"], ["--criterion", "sve-risk"]):
+    for options in (["--looks", "9"], ["--criterion", "sve-risk"], ["--search"]):
         done = invoke(
             ["design", "--scene", "builtin:hdr", "--exposure", "1000000", "-O", "0",
              "-o", "p.nsl", *options], tmp_path,
@@ -181,11 +187,64 @@ def test_several_scenes_count_the_same() -> None:
     assert mean == pytest.approx(small.mean())
 
 
+def test_a_search_tries_patterns_of_one_to_eight_levels() -> None:
+    found = patterns(256)
+    tiles = {(pattern.name, pattern.stops.tobytes()) for pattern in found}
+    assert len(tiles) == len(found) > 250
+    counts = {len(np.unique(pattern.stops)) for pattern in found}
+    assert counts == {1, 2, 3, 4, 8}
+    for pattern in found:
+        levels = np.unique(pattern.stops)
+        assert levels[0] >= 1
+        assert levels[-1] <= 256
+        assert set(levels) <= set(stops_tried(256))
+    assert [[64, 8], [8, 64]] in [pattern.stops.tolist() for pattern in found]
+
+
+def test_a_searched_pattern_does_what_the_search_says() -> None:
+    """The program itself, exposed under every effect and merged, beside frames put together."""
+    [laid] = Scene("builtin:hdr", exposure="30000@70").laid([125.0] * 64, TARGET)
+    light_e = laid.light.total_e()
+    made = design_pattern([light_e], Frame(slots=64, level=0))
+    best, found = made.pattern, made.ranked
+    assert best.mean_db >= found[0].mean_db - 0.5
+    assert best.mean_db > max(p.mean_db for p in found if p.name == "uniform")
+    container = made.compiled.container
+    assert container is not None
+    frame = simulate(container, laid.light, SENSOR, Request.of(effects="all", seed=7)).frame
+    response = response_of(container, SENSOR, everything())
+    codes = np.maximum(response.electrons(frame.frame)[0], 0) / SENSOR.electrons_per_lsb
+    share = response.open_s[0] / container.slot_s.sum()
+    noise_e = float(Chip.of(TARGET, SENSOR).exposed_sd_e(np.zeros(1))[0])
+    light = merged(codes, share, SENSOR.electrons_per_lsb, frame.saturated[0], noise_e)
+    peak = float(np.percentile(light_e, 99.9))
+    assert mu_psnr(light_e, light, peak) == pytest.approx(best.mu_db, abs=0.3)
+    truth, shown = (np.clip(part / peak, 0, 1) for part in (light_e, light))
+    assert psnr(truth, shown, 1.0) == pytest.approx(best.linear_db, abs=0.3)
+
+
+def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
+    one, two = (replace(p, linear_db=30.0, mu_db=db) for p, db in zip(patterns(4), (30, 30.1),
+                strict=False))  # fmt: skip
+    assert cheapest([two, one], lambda p: 20) is two
+    assert cheapest([two, one], lambda p: 20 if p is one else 200) is one
+
+
+def test_a_camera_meters_the_light() -> None:
+    """It opens for less the more light there is, and for all of a frame that is dark."""
+    chip, light = Chip.of(TARGET, SENSOR), scene(stops=4.0) / 60
+    stops = [best_stop(chip, light * factor, 256, "mu") for factor in (0.01, 1.0, 8.0, 64.0)]
+    assert stops == sorted(stops, reverse=True)
+    assert stops[0] == 256
+    assert stops[-1] <= 16
+
+
 def test_what_cannot_be_designed_for_says_so(tmp_path: Path) -> None:
     with pytest.raises(Rejected) as found:
         design_looks([np.zeros((4, 4))], 3)
     assert found.value.diagnostics[0].code == "NS0824"
-    for options in ([], ["--looks", "3", "--criterion", "sve-risk"],
+    for options in ([], ["--looks", "3", "--criterion", "sve-risk"], ["--search", "--looks", "3"],
+                    ["--search", "--criterion", "mu"],
                     ["--looks", "9", "--slots", "8"], ["--looks", "1"]):  # fmt: skip
         done = invoke(["design", "--scene", "builtin:hdr", *options], tmp_path)
         assert done.status == 2, options

@@ -13,7 +13,7 @@ from marks import slow
 from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.limits.families import families, random_rows
-from nscc.limits.search import GIVE_UP_AFTER, Trial, candidates, explore, largest
+from nscc.limits.search import GIVE_UP_AFTER, SizeTrial, candidates, explore, largest
 from nscc.pipeline import Options
 from nscc.program.capacity import bits_needed, impossible_from, largest_with
 from nscc.source import Source
@@ -21,7 +21,7 @@ from nscc.source import Source
 
 def explored(sizes, fits, budget=100):
     """The sizes that a search compiled, in order, and what it returned."""
-    search = explore(sizes, lambda size: Trial(size, fits(size)), budget)
+    search = explore(sizes, lambda size: SizeTrial(size, fits(size)), budget)
     made = []
     while True:
         try:

@@ -13,8 +13,8 @@ from nscc.chips.load import load_target, target_toml
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import families
+from nscc.limits.limits_table import limits_json, limits_text
 from nscc.limits.survey import survey
-from nscc.limits.table import limits_json, limits_text
 from nscc.pipeline import Options
 from nscc.source import Source
 
@@ -57,9 +57,9 @@ def test_what_is_built_compiles_and_what_was_tried_is_told_truly(tiny):
     for (name, slot), limit in tiny.items():
         if name == "a":
             continue
-        for trial in limit.tried:
+        for trial in limit.trials:
             assert fits(TINY, limit.family, trial.size, slot) == trial.fits, (name, trial.size)
-        sizes = [trial.size for trial in limit.tried if trial.fits]
+        sizes = [trial.size for trial in limit.trials if trial.fits]
         assert (limit.built.size if limit.built else None) == max(sizes, default=None)
 
 

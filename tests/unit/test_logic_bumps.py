@@ -21,7 +21,7 @@ from nscc.logic.halved_bumps import halved_bumps
 from nscc.logic.paired_bumps import paired_bumps
 from nscc.logic.problem import GaveUp, Machine
 from nscc.lower.decoding import problem_of
-from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.exposure_plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded

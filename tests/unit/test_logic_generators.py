@@ -19,7 +19,7 @@ from nscc.logic.generate import GENERATORS, solutions
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.exposure_plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
 
 N = np.arange(12)
@@ -260,7 +260,7 @@ def test_gates_keep_the_fan_in(limit, count, inside):
         held = {name: choose.random() < 0.3 for name in [*sources, "t0"]}
         truth = any(held[name] for name in sources)
         if kind == "where":
-            gates.where(sources, "t0")
+            gates.load_flag(sources, "t0")
         else:
             getattr(gates, kind)("t0", sources)
         for gate in gates.take():

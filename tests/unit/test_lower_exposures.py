@@ -17,7 +17,7 @@ from lowering_oracle import (
 from program_oracle import program_of
 
 from nscc.chips.load import load_target
-from nscc.lower.plan import LOWERINGS, Misfit
+from nscc.lower.exposure_plan import LOWERINGS, Misfit
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded
 

@@ -12,7 +12,7 @@ from nscc_command import invoke
 from nscc import pipeline
 from nscc.checks import Inconsistent
 from nscc.emit.listing import text_after
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.operations import Effect, Op
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
@@ -85,17 +85,17 @@ def spoilt_plan(planned):
 
 def spoilt_gates(gated):
     """Other codes."""
-    first = gated.tried[0]
+    first = gated.decodings[0]
     planes = tuple(plane ^ 1 for plane in first.solution.planes)
     solution = replace(first.solution, planes=planes)
-    return replace(gated, tried=(replace(first, solution=solution), *gated.tried[1:]))
+    return replace(gated, decodings=(replace(first, solution=solution), *gated.decodings[1:]))
 
 
 def spoilt_schedule(choice):
     """The frame's words in another order."""
     laid = choice.best.schedule
     best = replace(choice.best, schedule=replace(laid, launches=laid.launches[::-1]))
-    return replace(choice, tried=(best,))
+    return replace(choice, lowerings=(best,))
 
 
 SPOILT = {

@@ -15,7 +15,7 @@ from nscc_command import invoke
 from program_oracle import program_of
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.program.pixels import codes_from_file
+from nscc.program.pixel_codes import codes_from_file
 from nscc.program.program import Program
 from nscc.words.container import DecodeTable
 

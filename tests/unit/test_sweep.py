@@ -274,7 +274,7 @@ effects = "read"
     done = invoke(
         ["tradeoff", "sensor", "--classes", "d", "--slots", "4", "--stop-slots", "2", "--looks",
          "none", "--codes", "fixed", "--lowerings", "edges", "-O", "0", "--effects", "none",
-         "--csv", "sensor.csv"], tmp_path,
+         "--readouts", "none", "--csv", "sensor.csv"], tmp_path,
     )  # fmt: skip
     assert done.status == 0, done.err
     with open(tmp_path / "sensor.csv", newline="") as file:

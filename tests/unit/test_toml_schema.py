@@ -11,10 +11,10 @@ import pytest
 
 from nscc.chips.load import builtin_target
 from nscc.source import Source
-from nscc.toml.files import file_text
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Key, Schema
-from nscc.toml.text import parsed
+from nscc.toml.schema import FileCodes, Key, Schema
+from nscc.toml.schema_files import file_text
+from nscc.toml.toml_text import parsed
 from nscc_runtime.sensor import default_sensor, parameter, parameters
 from nscc_runtime.sensor.file import schema_of
 
@@ -24,7 +24,7 @@ ROWS = (
     Key("lens", "stops", Several(Integer(1, 9), 2), "first and last", default=(1, 2)),
     Key("shutter", "open", Flag(), "whether it is", default=False),
 )
-CODES = Codes("U", "T", unknown="NS1", wrong="NS2", missing="NS3", change="NS4")
+CODES = FileCodes("U", "T", unknown="NS1", wrong_value="NS2", missing="NS3", change="NS4")
 CAMERA = Schema(
     "camera", ROWS, {"": "", "lens": "", "shutter": ""}, CODES, "ask the maker",
     option="--set", example="lens.focus_mm=9",

@@ -18,7 +18,7 @@ from nscc.experiment_store import ExperimentStore
 from nscc.source import Source
 from nscc.tradeoff import synthesis
 from nscc.tradeoff.rows import Rows
-from nscc.tradeoff.synthesis import Case, every_way
+from nscc.tradeoff.synthesis import SynthesisCase, every_way
 
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
 
@@ -40,7 +40,7 @@ def test_a_measurement_is_on_the_disk_when_it_is_measured(tmp_path: Path) -> Non
         assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
     with Rows(file, "digest") as rows:
         assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
-        rows.done()
+        rows.remove()
     assert not any(tmp_path.iterdir())
 
 
@@ -61,7 +61,7 @@ def test_without_a_file_everything_is_measured() -> None:
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), None])
 def test_bad_numbers_are_not_kept(tmp_path: Path, bad: object) -> None:
     with ExperimentStore(tmp_path / "s") as store, pytest.raises(ValueError):  # noqa: PT011
-        store.put("e", "a", bad)
+        store.keep("e", "a", bad)
     assert values(tmp_path / "s", "e") == {}
 
 
@@ -135,7 +135,9 @@ def test_a_measurement_that_was_ended_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ways = [
-        *every_way([Case("p", Source("p.nsl", TEXT), Path(), "open")], ("latch", "edges"), (0,))
+        *every_way(
+            [SynthesisCase("p", Source("p.nsl", TEXT), Path(), "open")], ("latch", "edges"), (0,)
+        )
     ]
     compiled = []
     real = synthesis.compiled_or_not

@@ -15,6 +15,7 @@ from PIL import Image
 
 torch = pytest.importorskip("torch")
 
+from nscc_training.tradeoff.readouts import measure_readouts  # noqa: E402
 from nscc_training.tradeoff.sensor import Settings, configurations, measure  # noqa: E402
 
 SMALL: dict[str, Any] = {
@@ -82,7 +83,7 @@ def test_other_seeds_are_other_scenes_and_the_same_seed_the_same() -> None:
 def test_the_command(tmp_path: Path) -> None:
     arguments = ["tradeoff", "sensor", "--classes", "c,e", "--slots", "4,16", "--stop-slots", "8",
                  "--looks", "2", "--codes", "open", "--lowerings", "edges", "-O", "0", "--effects",
-                 "none"]  # fmt: skip
+                 "none", "--readouts", "none"]  # fmt: skip
     for name in ("one", "two"):
         done = invoke([*arguments, "-o", name], tmp_path)
         assert done.status == 0, done.err
@@ -107,7 +108,7 @@ def test_the_command(tmp_path: Path) -> None:
 def test_nothing_that_fits(tmp_path: Path) -> None:
     done = invoke(
         ["tradeoff", "sensor", "--classes", "c", "--slots", "4", "--stop-slots", "3000",
-         "--looks", "none",
+         "--looks", "none", "--readouts", "none",
          "--codes", "open", "--lowerings", "latch", "--slot-us", "0.01", "-O", "0", "-o", "o"],
         tmp_path,
     )  # fmt: skip
@@ -124,6 +125,7 @@ def test_nothing_that_fits(tmp_path: Path) -> None:
         (["--slots", ""], "NS0783"),
         (["--slot-us", "0"], "NS0783"),
         (["--looks", "1"], "NS0783"),
+        (["--readouts", "5"], "NS0783"),
         (["--data", "."], "NS0811"),
         (["--effects", "nonsense"], "NS0756"),
         (["--csv", "a", "--png", "a"], "NS0745"),
@@ -134,6 +136,28 @@ def test_wrong_usage(tmp_path: Path, arguments: list[str], code: str) -> None:
     done = invoke(["tradeoff", "sensor", *arguments], tmp_path)
     assert (done.status, done.codes) == (2, [code])
     assert not list(tmp_path.iterdir())
+
+
+def test_more_readouts_take_longer(tmp_path: Path) -> None:
+    """Where a chip has few registers, the searched bits of one readout do not fit."""
+    text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    changes = {"rows": "rows = 48", "cols": "cols = 64", "name": 'name = "mine"',
+               "digital": 'digital = ["R0", "R1", "R2", "R12"]'}  # fmt: skip
+    lines = [changes.get(line.split(" =")[0], line) for line in text.splitlines()]
+    (tmp_path / "mine.toml").write_text("\n".join(lines))
+    asked = settings(target=str(tmp_path / "mine.toml"))
+    points, refused = measure_readouts(asked, (1, 3))
+    assert [(p.method, round(p.time_ms, 3)) for p in points] == [
+        ("burst", 16.7), ("burst", 50.1), ("coded", 50.1)
+    ]  # fmt: skip
+    assert [(each.method, each.setting, each.code) for each in refused] == [
+        ("coded", "1", "NS0412")
+    ]
+    points, refused = measure_readouts(settings(effects="auto", frames=16), (2,))
+    burst, coded = points
+    assert not refused
+    assert coded.error > burst.error
+    assert coded.time_ms == burst.time_ms == pytest.approx(33.4)
 
 
 def test_a_chip_that_nobody_knows(tmp_path: Path) -> None:

@@ -13,17 +13,17 @@ from PIL import Image
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.tradeoff.synthesis import Case, builtin_cases, every_way, measure
+from nscc.tradeoff.synthesis import SynthesisCase, builtin_cases, every_way, measure
 
 STOPS = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
 BUMPS = "nsl 1 frame 8 slots of 1ms code a : 0..7 code b : 1..8 require a < b open when a <= n < b "
 
 
-def case(text: str, name: str = "p") -> Case:
-    return Case(name, Source("p.nsl", text), Path(), "open")
+def case(text: str, name: str = "p") -> SynthesisCase:
+    return SynthesisCase(name, Source("p.nsl", text), Path(), "open")
 
 
 def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:

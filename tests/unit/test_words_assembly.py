@@ -14,6 +14,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.operations import op
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
+from nscc.words.assembly_text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.cost import frame_cost
 from nscc.words.diff import differences
@@ -21,7 +22,6 @@ from nscc.words.disassembly import disassemble
 from nscc.words.encoding import encode, word_text
 from nscc.words.file import read_container, to_bytes
 from nscc.words.legality import decoded
-from nscc.words.text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
 
 HAND = """\
 ; class b by hand

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.toml.files import file_bytes, file_text, file_values
-from nscc.toml.schema import Found, Key
+from nscc.toml.schema import Key, KeyValues
+from nscc.toml.schema_files import file_bytes, file_text, file_values
 from nscc_training.settings import SCHEMA, RunSettings
 
 
@@ -42,7 +42,9 @@ def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
     return file_text(SCHEMA, values, remark, head if remarks else ())
 
 
-def _settings(values: Found, problems: Sequence[Diagnostic], changes: Sequence[str]) -> RunSettings:
+def _settings(
+    values: KeyValues, problems: Sequence[Diagnostic], changes: Sequence[str]
+) -> RunSettings:
     changed, change_problems = SCHEMA.changed(changes)
     if problems or change_problems:
         raise Rejected([*problems, *change_problems], status=2)

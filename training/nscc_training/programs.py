@@ -19,6 +19,7 @@ from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
+from nscc.words.legality import refuse_pictures
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import Schedule
 from nscc_training.design.text import frame_text, looking_text
@@ -157,6 +158,7 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container
     assert container is not None
+    refuse_pictures(container, "a run cannot begin with this program", "train its shutters alone")
     if container.slots != spec.slots:
         raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
     if spec.kind == "looks":

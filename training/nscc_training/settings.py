@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Schema, key, keys_of
+from nscc.toml.schema import FileCodes, Schema, key, keys_of
 from nscc_training.code_choices import RELAXATIONS, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.protocols import NAMES
@@ -261,7 +261,7 @@ SCHEMA = Schema(
         key for name, section in vars(RunSettings()).items() for key in keys_of(type(section), name)
     ),
     dict.fromkeys(vars(RunSettings()), ""),
-    Codes("NS0813", "NS0813", unknown="NS0814", wrong="NS0815", change="NS0815"),
+    FileCodes("NS0813", "NS0813", unknown="NS0814", wrong_value="NS0815", change="NS0815"),
     "`nscc train --schema > config.toml` writes a complete file to start from",
     noun="setting",
     option="--set",

@@ -1,4 +1,4 @@
-"""Planes as pictures that the devkit's host application can send."""
+"""Planes as bitmaps that the devkit's host application can send."""
 
 from __future__ import annotations
 
@@ -9,11 +9,9 @@ _HEADER = 14 + 40
 
 
 def bitmap(plane: NDArray[np.bool_]) -> bytes:
-    """A Windows bitmap of 24 bits a pixel, white where `plane` bool (rows, cols) is 1.
-
-    Its width is the next multiple of 8, black beyond the plane: the devkit packs eight pixels
-    into a byte, and a row of its images begins with one.
-    """
+    """A 24-bit Windows bitmap, white where `plane` bool (rows, cols) is 1. The width is rounded up
+    to a multiple of 8, black beyond the plane, because the devkit packs eight pixels of a row into
+    a byte."""
     rows, cols = plane.shape
     width = image_width(cols)
     pixels = np.zeros((rows, width, 3), dtype=np.uint8)
@@ -26,5 +24,5 @@ def bitmap(plane: NDArray[np.bool_]) -> bytes:
 
 
 def image_width(cols: int) -> int:
-    """Pixels in a row of the image of a plane of `cols` columns."""
+    """The width in pixels of the bitmap of a plane with `cols` columns."""
     return -(-cols // 8) * 8

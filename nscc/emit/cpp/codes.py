@@ -1,8 +1,8 @@
-"""Loading the pixels' codes: by address patterns where a plane is a tile, else from an image.
+"""C++ that loads the pixel codes: as address patterns for tiled planes, else from images.
 
-Digital memory fades, and an image takes 0.1 to 0.3 s to draw: all code registers are refreshed
-after each plane, while an image is awaited and every few rows of a drawing. The register that is
-masked comes first, while its mask can be held at 1, and the mask's own code last.
+Digital memory fades, and drawing an image takes 0.1 to 0.3 s. Therefore all code registers are
+refreshed after each plane, while waiting for an image, and every few rows of a drawing. The masked
+register is loaded first, while its mask is 1, and the mask's own code last.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.emit.cpp.bitmap import image_width
+from nscc.emit.cpp.cpp_text import Call, comment, literal, section, template_lines
 from nscc.emit.cpp.kernels import calls_words
 from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
-from nscc.emit.cpp.text import Call, comment, literal, part, section
 from nscc.lower.timeline import RETENTION_SHARE
 
 _REFRESHES_IN_A_LIFE = 4
@@ -26,11 +26,9 @@ _REFRESHES_IN_A_LIFE = 4
 
 @dataclass(frozen=True)
 class PlaneLoad:
-    """How one code register is filled.
-
-    Without `patterns` its plane comes as the image `file`. `scratch` gathers one pattern after the
-    other; where no register is free for that, several patterns are drawn pixel by pixel.
-    """
+    """How one code register is loaded. Without `patterns` its plane comes from the image `file`.
+    `scratch` holds each pattern before it is added; without a scratch register, several patterns
+    are drawn pixel by pixel."""
 
     register: str
     masked: bool
@@ -40,48 +38,48 @@ class PlaneLoad:
 
     @property
     def gathered(self) -> bool:
-        """Whether the plane is put together from several patterns."""
+        """Whether the plane is the union of several patterns, added one by one."""
         return self.patterns is not None and len(self.patterns.matches) > 1
 
     @property
     def drawn(self) -> bool:
-        """Whether its patterns are drawn pixel by pixel."""
+        """Whether the patterns are drawn pixel by pixel."""
         return self.gathered and self.scratch is None
 
     @property
     def cleared(self) -> tuple[str, ...]:
-        """The registers that are cleared before."""
+        """The registers that are cleared before the load."""
         return (self.register, self.scratch) if self.gathered and self.scratch else (self.register,)
 
 
 @dataclass(frozen=True)
-class Loading:
-    """The loads in their order, for the registers of `target`."""
+class CodeLoading:
+    """The loads in order, for the registers of `target`."""
 
     target: Target
     loads: tuple[PlaneLoad, ...]
 
     @property
     def images(self) -> tuple[PlaneLoad, ...]:
-        """The loads whose planes come as images."""
+        """The loads that need images."""
         return tuple(load for load in self.loads if load.patterns is None)
 
     @property
     def words(self) -> int:
-        """Words of the kernels that load and refresh."""
+        """Stored words of the kernels that load and refresh."""
         kernels = [self.refresh_calls()] if self.loads else []
         for load in self.loads:
             kernels += self.kernels_of(load)
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """A kernel that writes every code register back to itself."""
+        """The calls of the kernel that refreshes every code register."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
         if masked in registers and mask is not None:
             if mask in registers:
-                # The mask's code waits in FLAG, and moving it back refreshes it.
+                # The mask's code is saved in FLAG, and writing it back refreshes it.
                 out += [("WHERE", (mask,)), ("SET", (mask,)), ("REFRESH", (masked,))]
                 out.append(("MOV", (mask, "FLAG")))
                 registers.remove(mask)
@@ -91,18 +89,18 @@ class Loading:
         return out + [("REFRESH", (register,)) for register in registers]
 
     def clear_calls(self, load: PlaneLoad) -> list[Call]:
-        """The kernel before a load."""
+        """The calls of the kernel that runs before a load."""
         mask = self.target.mask_register
-        held = [("SET", (mask,))] if load.masked and mask is not None else []
-        return [*held, ("CLR", load.cleared)]
+        mask_call = [("SET", (mask,))] if load.masked and mask is not None else []
+        return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """The kernel that adds one pattern."""
+        """The calls of the kernel that adds one pattern."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
     def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
-        """All kernels of one load."""
+        """The kernels of one load."""
         kernels = [self.clear_calls(load)]
         if load.gathered and load.scratch:
             kernels.append(self.add_calls(load))
@@ -111,11 +109,9 @@ class Loading:
         return kernels
 
 
-def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> Loading:
-    """How to fill the code registers with `planes`, given in the order of loading.
-
-    Images are named after `stem`.
-    """
+def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
+    """Choose how to load `planes`, which are in loading order. File names of images start with
+    `stem`."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -129,13 +125,13 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
                 usable[0] if usable else None, f"{stem}.{register}.bmp",
             )
         )  # fmt: skip
-    return Loading(target, tuple(loads))
+    return CodeLoading(target, tuple(loads))
 
 
-def loading_lines(loading: Loading) -> Iterator[str]:
-    """Tables and functions, the last of which is `load_codes`."""
+def loading_lines(loading: CodeLoading) -> Iterator[str]:
+    """The C++ tables and functions for loading; the last function is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
-    yield from part("fading")
+    yield from template_lines("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
         yield from comment(
             f"{loading.target.masked_register} takes a write only where "
@@ -148,11 +144,11 @@ def loading_lines(loading: Loading) -> Iterator[str]:
         yield ""
         yield f"const int rows = {rows}, cols = {cols};"
     if any(load.gathered for load in loading.loads):
-        yield from ["", *part("match")]
+        yield from ["", *template_lines("match")]
     if any(load.drawn for load in loading.loads):
-        yield from ["", *part("among")]
+        yield from ["", *template_lines("among")]
     if loading.images:
-        yield from ["", *part("images", width=image_width(cols))]
+        yield from ["", *template_lines("images", width=image_width(cols))]
     for load in loading.loads:
         yield ""
         yield from _load_lines(loading, load)
@@ -164,15 +160,15 @@ def loading_lines(loading: Loading) -> Iterator[str]:
     yield "}"
 
 
-def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
+def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     register, patterns = load.register, load.patterns
     name = register.lower()
     if load.gathered:
         assert patterns is not None
         yield f"const Match code_{name}[] = {{"
         for start in range(0, len(patterns.matches), 4):
-            some = patterns.matches[start : start + 4]
-            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in some)
+            row_matches = patterns.matches[start : start + 4]
+            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in row_matches)
         yield "};"
         yield ""
     yield f"void load_{name}() {{"
@@ -180,13 +176,13 @@ def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
     if patterns is None:
         yield f"    load_image({literal(load.file)}, {register});"
     elif load.drawn:
-        # At once, for want of a register in which to gather the patterns.
-        yield from part(
+        # Drawn at once, because no register is free to gather the patterns.
+        yield from template_lines(
             "drawn", register=register, codes=f"code_{name}", inverted="!" * patterns.inverted
         )
     elif load.gathered:
         add = "\n".join(section(loading.add_calls(load), " " * 8))
-        yield from part("gathered", scratch=load.scratch, codes=f"code_{name}", add=add)
+        yield from template_lines("gathered", scratch=load.scratch, codes=f"code_{name}", add=add)
     else:
         for match in patterns.matches:
             yield f"    scamp5_load_pattern({register}, {_operands(match)});"
@@ -200,6 +196,7 @@ def _operands(match: Match) -> str:
 
 
 def loading_rate(target: Target) -> int:
-    """A rate in Hz for the loop that awaits images: several refreshes in the life of a bit."""
+    """The rate in Hz of the loop that waits for images: several refreshes within the retention
+    time."""
     life_us = RETENTION_SHARE * target.digital_retention_us
     return max(1, ceil(_REFRESHES_IN_A_LIFE * 1e6 / life_us))

@@ -1,4 +1,4 @@
-"""The devkits that programs are written for, by what their libraries call things in public."""
+"""The supported devkits, described by the public names in their libraries."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ _NAMES = re.compile(r"\bscamp5(_\w+(?=\()|\.hpp)")
 
 @dataclass(frozen=True)
 class Devkit:
-    """A chip's library: `library` begins its names. It has `digital` registers R0, R1, ..; with
-    `tables` kernels may be constant tables of words, whose layout is then public."""
+    """The library of a chip's devkit; its names start with `library`. The library names `digital`
+    registers R0, R1, ... With `tables` the layout of its constant kernel tables is public."""
 
     name: str
     library: str
@@ -27,12 +27,12 @@ class Devkit:
 
     @property
     def registers(self) -> frozenset[str]:
-        """The registers that it has names for."""
+        """The registers that the library names."""
         return frozenset(ANALOG_WRITE) | {f"R{i}" for i in range(self.digital)}
 
     def named(self, line: str) -> str:
-        """A line of C++, written for the SCAMP-5d's library, for this one's."""
-        return _NAMES.sub(lambda found: f"{self.library}{found[1]}", line).replace(
+        """Translate a line of C++ from the SCAMP-5d library's names to this library's."""
+        return _NAMES.sub(lambda match: f"{self.library}{match[1]}", line).replace(
             "SCAMP5_PE", f"{self.library.upper()}_PE"
         )
 
@@ -44,13 +44,13 @@ DEVKITS = (
 
 
 def devkit_of(target: Target) -> Devkit:
-    """The first devkit that has the target's registers; the last one where none has."""
-    own = {*target.analog_registers, *target.digital_registers}
-    return next((each for each in DEVKITS if own <= each.registers), DEVKITS[-1])
+    """The first devkit that has all registers of the target, else the last devkit."""
+    registers = {*target.analog_registers, *target.digital_registers}
+    return next((devkit for devkit in DEVKITS if registers <= devkit.registers), DEVKITS[-1])
 
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
-    """Why a devkit's chip cannot stand in for the container's, as half a sentence."""
+    """Why the devkit's chip cannot run the container, as half a sentence; None if it can."""
     target = container.target
     names = (*target.analog_registers, *target.digital_registers)
     extra = [name for name in names if name not in devkit.registers]
@@ -71,7 +71,7 @@ def devkit_fault(container: Container, devkit: Devkit) -> str | None:
             f"has {target.rows} x {target.cols} pixels, but the {devkit.name} devkit has "
             f"{_SIDE} x {_SIDE}"
         )
-    levels = [each.level for each in container.launches if each.level is not None]
+    levels = [launch.level for launch in container.launches if launch.level is not None]
     if levels and not _IN_LOW <= min(levels) <= max(levels) <= _IN_HIGH:
         return (
             f"sets IN to {min(levels)} to {max(levels)} steps, but the {devkit.name} devkit "

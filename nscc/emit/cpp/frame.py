@@ -1,9 +1,8 @@
-"""The schedule of a frame: which kernel at what moment, with which value of IN, as rows of a table.
+"""The launch schedule of a frame as a C++ table: time, kernel and value of IN of each launch.
 
-Moments are absolute: each launch waits for a clock that runs from the frame's first word on, so
-that no error of a wait, a launch or a word adds up. The exposure begins a whole number of
-microseconds after the first word, and launches come at the microsecond at which their boundary is
-over, never before it.
+Times are absolute, measured from the frame's first word, so that errors of waits, launches and
+words do not accumulate. The exposure begins a whole number of microseconds after the first word.
+Each launch comes in the first whole microsecond after its boundary, never before it.
 """
 
 from __future__ import annotations
@@ -16,47 +15,45 @@ from itertools import accumulate
 from math import ceil
 
 from nscc.chips.target import Target
-from nscc.emit.cpp.text import part, remarked
+from nscc.emit.cpp.cpp_text import remarked, template_lines
 from nscc.operations import Effect
+from nscc.words.assembly_text import ranges_text
 from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
-from nscc.words.text import ranges_text
 
 LONGEST_GAP_US = 1 << 30
-"""A clock of 32 bits tells what is before from what is behind within half of its range."""
+"""A 32-bit clock orders times that differ by less than half of its range."""
 MOST_TIMES = (1 << 16) - 1
 AS_IT_IS = -32768
-"""Stands for a launch that leaves IN alone."""
+"""The level of a launch that does not set IN."""
 _COMMENTED_ROWS = 256
 _ROWS_A_LINE = 6
 _PART = 1 << 32
 _US = 1 << 32
-"""Where the clock goes round."""
+"""The period of the clock."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """`times` launches, the first one `at` microseconds after the frame's first word, and `every`
-    microseconds from one to the next. `kernel` None only waits.
-
-    `instants` are the boundaries of the launches.
-    """
+    """`times` launches of a kernel: the first `at` microseconds after the frame's first word, each
+    next one `interval_us` later. `kernel` None only waits. `instants` are the boundaries of the
+    launches."""
 
     at: Fraction
-    every: Fraction
+    interval_us: Fraction
     kernel: int | None
     level: int | None
     instants: tuple[int, ...]
 
     @property
     def times(self) -> int:
-        """How often."""
         return len(self.instants)
 
 
 @dataclass(frozen=True)
-class Schedule:
-    """The rows of a frame. It exposes from `begin_us` on, and its last slot ends at `end`."""
+class LaunchSchedule:
+    """The rows of a frame, whose exposure begins at `begin_us` and whose last slot ends at
+    `end`."""
 
     rows: tuple[Row, ...]
     begin_us: int
@@ -64,22 +61,24 @@ class Schedule:
 
     @property
     def waits(self) -> bool:
-        """Whether it has moments at which nothing is launched."""
+        """Whether some rows only wait."""
         return any(row.kernel is None for row in self.rows)
 
     @property
-    def whole(self) -> bool:
-        """Whether all moments are whole microseconds."""
-        return all(each.denominator == 1 for row in self.rows for each in (row.at, row.every))
+    def in_whole_us(self) -> bool:
+        """Whether all times are whole microseconds."""
+        return all(
+            moment.denominator == 1 for row in self.rows for moment in (row.at, row.interval_us)
+        )
 
     @property
     def sets_in(self) -> bool:
-        """Whether launches set IN."""
+        """Whether some launches set IN."""
         return any(row.level is not None for row in self.rows)
 
 
-def schedule_of(container: Container) -> Schedule:
-    """The schedule of a container's launches."""
+def schedule_of(container: Container) -> LaunchSchedule:
+    """The launch schedule of a container."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -92,16 +91,16 @@ def schedule_of(container: Container) -> Schedule:
     rows += _rests(before, boundary[-1], container.slots)
     if not rows or rows[-1].at < boundary[-1]:
         rows.append(Row(boundary[-1], Fraction(0), None, None, (container.slots,)))
-    return Schedule(tuple(_repeated(rows)), begin_us, boundary[-1])
+    return LaunchSchedule(tuple(_repeated(rows)), begin_us, boundary[-1])
 
 
 def exact(value: float) -> Fraction:
-    """The decimal fraction that a number was written as."""
+    """The decimal fraction that prints as `value`."""
     return Fraction(Decimal(repr(float(value))))
 
 
 def kernel_us(kernel: Kernel, target: Target) -> Fraction:
-    """Time of one launch of a kernel."""
+    """Time of one launch of a kernel, in microseconds."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (
@@ -127,38 +126,38 @@ def _setup_us(container: Container) -> Fraction:
 
 
 def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
-    """The moments in between where the clock could go round unseen."""
+    """The extra waits between two launches that keep each interval below the clock's period."""
     while at - before > LONGEST_GAP_US:
         before += LONGEST_GAP_US
         yield Row(before, Fraction(0), None, None, (instant,))
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Launches of one kernel, with one level, that follow each other in equal steps, as one row."""
+    """Merge launches of one kernel and one level at equal intervals into one row."""
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
-        every = rows[end].at - first.at if end < len(rows) else Fraction(0)
+        interval_us = rows[end].at - first.at if end < len(rows) else Fraction(0)
         while (
             end < len(rows)
             and end - start < MOST_TIMES
             and (rows[end].kernel, rows[end].level) == (first.kernel, first.level)
-            and rows[end].at - rows[end - 1].at == every
+            and rows[end].at - rows[end - 1].at == interval_us
         ):
             end += 1
         instants = tuple(row.instants[0] for row in rows[start:end])
-        every = every if end - start > 1 else Fraction(0)
-        yield Row(first.at, every, first.kernel, first.level, instants)
+        interval_us = interval_us if end - start > 1 else Fraction(0)
+        yield Row(first.at, interval_us, first.kernel, first.level, instants)
         start = end
 
 
 def kernel_name(number: int) -> str:
-    """What the function of a container's kernel is called."""
+    """The C++ name of a kernel."""
     return f"k{number}"
 
 
-def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
-    """The table of kernels, the schedule and the function that runs a frame."""
+def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
+    """The C++ table of kernels, the schedule and the function that runs a frame."""
     count = len(container.kernels)
     if schedule.waits:
         yield "void rest() {}                      // no kernel: a moment to wait for"
@@ -170,12 +169,12 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
     yield "};"
     yield ""
     settings = {"begin": schedule.begin_us, "end": float(schedule.end)}
-    yield from part("await", **settings)
+    yield from template_lines("await", **settings)
     yield ""
-    fields = "step" if schedule.whole else "step_parts"
+    fields = "step" if schedule.in_whole_us else "step_parts"
     if schedule.sets_in:
         fields += "_in"
-    yield from part(fields)
+    yield from template_lines(fields)
     yield ""
     yield "const Step schedule[] = {"
     texts = [_row_text(row, count, schedule) for row in schedule.rows]
@@ -189,8 +188,8 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
         )
     else:
         for start in range(0, len(texts), _ROWS_A_LINE):
-            some = schedule.rows[start : start + _ROWS_A_LINE]
-            first, last = some[0].instants[0], some[-1].instants[-1]
+            line_rows = schedule.rows[start : start + _ROWS_A_LINE]
+            first, last = line_rows[0].instants[0], line_rows[-1].instants[-1]
             line = f"    {' '.join(texts[start : start + _ROWS_A_LINE])}"
             yield f"{line}  // boundary {first} to {last}"
     yield "};"
@@ -198,27 +197,31 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
     yield from _expose(schedule, container.target)
 
 
-def _row_text(row: Row, rest: int, schedule: Schedule) -> str:
-    """A row as C++: moments in microseconds, and in 2^-32 of one where some are not whole."""
+def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
+    """A row as C++: times in microseconds, plus units of 2^-32 us if some times are fractional."""
     numbers: list[int] = []
-    for moment in (row.at, row.every):
+    for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)
         numbers.append(fixed // _PART % _US)
-        if not schedule.whole:
+        if not schedule.in_whole_us:
             numbers.append(fixed % _PART)
-    numbers += [rest if row.kernel is None else row.kernel, row.times]
+    numbers += [rest_kernel if row.kernel is None else row.kernel, row.times]
     if schedule.sets_in:
         numbers.append(AS_IT_IS if row.level is None else row.level)
     return f"{{{', '.join(map(str, numbers))}}},"
 
 
-def _expose(schedule: Schedule, target: Target) -> Iterator[str]:
-    """The function that runs a frame."""
-    moment = part("moment" if schedule.whole else "moment_parts")
-    after = part("after" if schedule.whole else "after_parts")
-    settle = part("settle", settle=ceil(exact(target.in_settle_us))) if schedule.sets_in else []
-    begin = part("begin_in") if schedule.sets_in else []
-    lines = part("expose")
+def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
+    """The C++ function that runs a frame."""
+    moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
+    after = template_lines("after" if schedule.in_whole_us else "after_parts")
+    settle = (
+        template_lines("settle", settle=ceil(exact(target.in_settle_us)))
+        if schedule.sets_in
+        else []
+    )
+    begin = template_lines("begin_in") if schedule.sets_in else []
+    lines = template_lines("expose")
     inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
     for line in lines:
         yield from inserted.get(line.strip(), [line])

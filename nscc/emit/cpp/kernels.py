@@ -1,9 +1,9 @@
-"""Kernels as C++: calls of the devkit's library where they say exactly the words, else tables.
+"""Kernels as C++: calls of the devkit's library if these record exactly the words, else tables.
 
-A call is taken only if `nscc.macros` writes it out as just these words and the library has it
-with so many operands; a kernel with one word that no call says is a constant table as a whole.
-Where tables are not known, as in the devkit's simulator, such a word is several calls that do the
-same (`nscc.emit.cpp.narrow`).
+A call is used only if `nscc.macros` expands it to exactly these words and the library accepts that
+number of operands. If one word of a kernel has no call, the whole kernel is a constant table. Where
+the table layout is unknown, as in the devkit's simulator, several equivalent calls replace such a
+word (`nscc.emit.cpp.narrow`).
 """
 
 from __future__ import annotations
@@ -12,22 +12,22 @@ from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
 from itertools import product
 
-from nscc.emit.cpp.text import Call, call_text, remarked
+from nscc.emit.cpp.cpp_text import Call, call_text, remarked
 from nscc.macros import MNEMONICS, OperandError, expand
 from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Word
 from nscc.words.encoding import encode, word_text
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
-"""Most sources that the library's calls take; the array itself takes any number."""
+"""Most sources that the library's calls accept; the array accepts any number."""
 
 TOO_WIDE = "a word has more sources than a call: set or_sources = 4, where_sources = 3 in a target"
-"""What the compiler of such a program says."""
+"""The error when such a program is compiled."""
 
 MOST_DESTINATIONS = 4
-"""Most registers that one call of SET or CLR takes."""
+"""Most registers that one call of SET or CLR accepts."""
 
-# What reads best comes first where two macros are the same words: getpix is sub of PIX.
+# If two macros expand to the same words, the more readable one comes first: getpix is sub of PIX.
 _MACROS = (
     "respix", "get_image", "res", "getpix", "neg", "mov", "add", "sub", "abs", "div", "diva",
     "AND", "NAND", "ANDX", "NANDX", "IMP", "NIMP", "CLR_IF", "XORX", "MUX",
@@ -37,8 +37,8 @@ _MOST_OPERANDS = 4
 
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
-    """Library calls that record exactly these words, each with its words; None: there are none."""
-    found: list[tuple[Call, tuple[Op, ...]]] = []
+    """The library calls that record exactly `ops`, each with its words; None if there are none."""
+    recorded: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
         for length in _lengths():
@@ -47,30 +47,28 @@ def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
             if length == 1:
                 call = _single(ops[at])
             if call is not None:
-                found.append((call, window))
+                recorded.append((call, window))
                 at += length
                 break
         else:
             return None
-    return found
+    return recorded
 
 
-def calls_words(made: Sequence[Call]) -> int:
-    """Number of words that calls record."""
-    return sum(len(expand(name, operands)) for name, operands in made)
+def calls_words(recorded: Sequence[Call]) -> int:
+    """Number of words that the calls record."""
+    return sum(len(expand(name, operands)) for name, operands in recorded)
 
 
 def kernel_lines(
     name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
 ) -> Iterator[str]:
-    """The definition of a function `name` that launches a kernel of these words.
-
-    `narrow` are words that do the same and have calls, None where there are none: they take the
-    place of what no call says in the simulator, and on every chip whose `tables` are not known.
-    """
-    said = calls(ops)
-    if said is not None:
-        yield from _recorded(name, said)
+    """The C++ function `name`, which launches a kernel of the words `ops`. `narrow` are equivalent
+    words that all have calls, or None. They replace words without a call in the simulator, and on
+    chips whose `tables` are unknown."""
+    recorded = calls(ops)
+    if recorded is not None:
+        yield from _recorded(name, recorded)
         return
     if tables:
         yield "#ifdef __LPC43XX__"
@@ -80,20 +78,22 @@ def kernel_lines(
         yield "};"
         yield f"void {name}() {{ scamp5_kernel({name}_words, {len(ops)}), Run(); }}"
         yield "#else"
-    said = None if narrow is None else calls(narrow)
-    if said is None:
+    recorded = None if narrow is None else calls(narrow)
+    if recorded is None:
         yield f'#error "{TOO_WIDE}"'
     else:
-        yield from _recorded(name, said)
+        yield from _recorded(name, recorded)
     if tables:
         yield "#endif"
 
 
-def _recorded(name: str, said: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
-    body = [(f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in said]
+def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
+    body = [
+        (f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in recorded
+    ]
     yield f"void {name}() {{"
     yield "    scamp5_kernel_begin();"
-    if any(word.analog for _, window in said for word in window):
+    if any(word.analog for _, window in recorded for word in window):
         yield "        SLOW_CLOCK"
     yield from remarked(body)
     yield "    scamp5_kernel_end();"
@@ -106,13 +106,14 @@ def _integers(word: Word) -> str:
 
 @cache
 def _lengths() -> tuple[int, ...]:
-    """Numbers of words that a macro may have, the largest first."""
+    """Possible numbers of words of a macro, descending."""
     return tuple(sorted({1, *map(len, _shapes())}, reverse=True))
 
 
 @cache
 def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
-    """Macros with their numbers of operands, by the names of the operations they stand for."""
+    """Macros and their numbers of operands, keyed by the names of the operations in their
+    expansion."""
     shapes: dict[tuple[str, ...], list[tuple[str, int]]] = {}
     for name in _MACROS:
         least, most = MNEMONICS[name].least, MNEMONICS[name].most or 2
@@ -130,7 +131,7 @@ def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
 
 @lru_cache(maxsize=1 << 14)
 def _macro(window: tuple[Op, ...]) -> Call | None:
-    """The macro that stands for just these words, if one does."""
+    """The macro that expands to exactly `window`, or None."""
     registers = list(dict.fromkeys(r for o in window for r in (*o.destinations, *o.sources)))
     for name, count in _shapes().get(tuple(operation.name for operation in window), []):
         usable = [r for r in registers if r not in MNEMONICS[name].scratch]
@@ -144,7 +145,7 @@ def _macro(window: tuple[Op, ...]) -> Call | None:
 
 
 def _single(operation: Op) -> Call | None:
-    """The call of one word by itself, if the library has it with so many operands."""
+    """The library call for one word, or None if the library has none for its operands."""
     if operation.operation.phase is not Phase.WHOLE:
         return None
     if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):

@@ -1,7 +1,7 @@
-"""Words with more sources than a call takes, as several words that do the same.
+"""Replace words with more sources than a library call accepts by several equivalent words.
 
-A result gathers in the register that it goes to, for no native word reads that; FLAG can gather
-nothing, so that a WHERE of many sources goes through a register that the program does not use.
+The result accumulates in the destination register, which no native word reads. FLAG cannot
+accumulate, so a WHERE with many sources uses a register that the program does not use.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from nscc.words.encoding import decode
 
 
 def narrowed(container: Container) -> list[list[Op]] | None:
-    """The kernels in words that all have calls; None where a WHERE lacks a register."""
+    """The kernels in words that all have calls; None if a WHERE needs a register and none is
+    free."""
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     scratch = _unused(container, kernels)
     try:
@@ -25,60 +26,65 @@ def narrowed(container: Container) -> list[list[Op]] | None:
 
 
 class _NoRegister(Exception):
-    """No register is left."""
+    """There is no free register."""
 
 
 def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None:
     target = container.target
-    used = {r for kernel in kernels for each in kernel for r in (*each.destinations, *each.sources)}
-    taken = (*used, *container.code_registers, target.mask_register, target.masked_register)
-    return next((r for r in target.digital_registers if r not in taken), None)
+    used = {r for kernel in kernels for word in kernel for r in (*word.destinations, *word.sources)}
+    used_registers = (
+        *used,
+        *container.code_registers,
+        target.mask_register,
+        target.masked_register,
+    )
+    return next((r for r in target.digital_registers if r not in used_registers), None)
 
 
 def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
     read: Op | None = None
-    for each in kernel:
-        if each.operation.phase is Phase.READ:
-            read = each
-        elif each.operation.phase is Phase.WRITE:
+    for word in kernel:
+        if word.operation.phase is Phase.READ:
+            read = word
+        elif word.operation.phase is Phase.WRITE:
             assert read is not None
-            yield from _in_place(read, each)
-        elif each.name == "WHERE" and len(each.sources) > MOST_SOURCES["WHERE"]:
+            yield from _in_place(read, word)
+        elif word.name == "WHERE" and len(word.sources) > MOST_SOURCES["WHERE"]:
             if scratch is None:
                 raise _NoRegister
-            yield from _gathered("OR", scratch, each.sources)
+            yield from _gathered("OR", scratch, word.sources)
             yield op("WHERE", (), (scratch,))
-        elif each.name in ("OR", "NOR") and len(each.sources) > MOST_SOURCES[each.name]:
-            yield from _gathered(each.name, each.destinations[0], each.sources)
-        elif each.name in ("SET", "CLR") and len(each.destinations) > MOST_DESTINATIONS:
-            for at in range(0, len(each.destinations), MOST_DESTINATIONS):
-                yield op(each.name, each.destinations[at : at + MOST_DESTINATIONS])
+        elif word.name in ("OR", "NOR") and len(word.sources) > MOST_SOURCES[word.name]:
+            yield from _gathered(word.name, word.destinations[0], word.sources)
+        elif word.name in ("SET", "CLR") and len(word.destinations) > MOST_DESTINATIONS:
+            for at in range(0, len(word.destinations), MOST_DESTINATIONS):
+                yield op(word.name, word.destinations[at : at + MOST_DESTINATIONS])
         else:
-            yield each
+            yield word
 
 
 def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """`register` := `kind` of many sources, none of which it is."""
+    """`register` := `kind` of `sources`, which do not include `register`."""
     most = MOST_SOURCES["OR"]
     if len(sources) <= most:
         yield op(kind, (register,), sources)
     else:
         yield op("OR", (register,), sources[:most])
-        yield from _more(kind, register, sources[most:])
+        yield from _accumulate_sources(kind, register, sources[most:])
 
 
 def _in_place(read: Op, write: Op) -> Iterator[Op]:
-    """A pair that reads its own register and at most one more has a call."""
+    """A read-write pair, unchanged if the library has a call for it, else split."""
     (register,) = write.destinations
-    others = tuple(name for name in read.sources if name != register)
-    if len(others) < 2 or register not in read.sources:
+    other_sources = tuple(name for name in read.sources if name != register)
+    if len(other_sources) < 2 or register not in read.sources:
         yield from (read, write)
     else:
-        yield from _more(read.name.partition(".")[0], register, others)
+        yield from _accumulate_sources(read.name.partition(".")[0], register, other_sources)
 
 
-def _more(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """`register` := `kind` of itself and the sources, one at a time."""
+def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
+    """`register` := `kind` of itself and `sources`, one source at a time."""
     for source in sources[:-1]:
         yield from pair("OR", register, (register, source))
     yield from pair(kind, register, (register, sources[-1]))

@@ -1,7 +1,7 @@
-"""Planes as unions of address patterns: what the array's row and column match can set at once.
+"""Planes as unions of address patterns, each of which the array can set at once.
 
 The devkit counts rows from the top and columns from the right: pixel (row y, column x) has the
-address (y, cols - 1 - x). A pattern names some bits of both and leaves the others open.
+address (y, cols - 1 - x). A pattern fixes some address bits and ignores the others.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ ADDRESS_BITS = 8
 """Bits of a row's address, and of a column's."""
 
 MOST_BITS = 12
-"""Most address bits that a plane may hang on to be made of patterns: a tile of 64 x 64 pixels, and
-some 700 patterns at worst. Beyond that an image, drawn pixel by pixel, is no slower."""
+"""Most address bits of a plane that is loaded by patterns: a tile of 64 x 64 pixels, at most some
+700 patterns. For more, an image, drawn pixel by pixel, is no slower."""
 
 _SIDE = 1 << ADDRESS_BITS
 _OPEN = _SIDE - 1
@@ -24,7 +24,7 @@ _OPEN = _SIDE - 1
 
 @dataclass(frozen=True, slots=True, order=True)
 class Match:
-    """All pixels whose address agrees with (row, col) in the bits that are not set in the masks."""
+    """All pixels whose address equals (row, col) in the bits that the masks do not ignore."""
 
     row: int
     col: int
@@ -34,41 +34,40 @@ class Match:
 
 @dataclass(frozen=True, slots=True)
 class Patterns:
-    """A plane as the union of `matches`, or as what they leave out if `inverted`."""
+    """A plane as the union of `matches`, or as its complement if `inverted`."""
 
     matches: tuple[Match, ...]
     inverted: bool
 
 
 def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
-    """`plane` bool (rows, cols) as address patterns; None if it hangs on too many address bits.
-
-    Addresses outside the array are free to match.
-    """
+    """`plane` bool (rows, cols) as address patterns; None if it depends on too many address bits.
+    Addresses outside the array are don't-cares."""
     rows, cols = plane.shape
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]
     off[:rows, :cols] = ~plane[:, ::-1]
-    one, zero, bits = _support(on, off)
+    ones, zeros, bits = _support(on, off)
     if len(bits) > MOST_BITS:
         return None
     everything = (1 << (1 << len(bits))) - 1
-    plain, _ = _cover(one, everything & ~zero, len(bits))
-    other, _ = _cover(zero, everything & ~one, len(bits))
-    inverted = len(other) + 1 < len(plain)  # inverting is a kernel of its own
-    cubes = other if inverted else plain
+    plain, _ = _cover(ones, everything & ~zeros, len(bits))
+    complement, _ = _cover(zeros, everything & ~ones, len(bits))
+    inverted = len(complement) + 1 < len(plain)  # inverting is a kernel of its own
+    cubes = complement if inverted else plain
     return Patterns(tuple(sorted(_match(cube, bits) for cube in cubes)), inverted)
 
 
 _Bit = tuple[bool, int]
-"""An address bit: whether it is the column's, and its value."""
+"""An address bit: whether it is a column bit, and its value."""
 
 _Cube = tuple[int, int]
-"""Variables that are named, and those of them that are 1."""
+"""The variables of a cube, and those of them that are 1."""
 
 
 def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:
-    """Truth tables of both planes over the address bits they hang on, and these, lowest first."""
+    """The address bits that the planes depend on, lowest first, and both truth tables over these
+    bits."""
     cube = (2,) * (2 * ADDRESS_BITS)
     on, off = on.reshape(cube), off.reshape(cube)
     bits: list[_Bit] = []
@@ -87,7 +86,8 @@ def _table(plane: NDArray[np.bool_]) -> int:
 
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
-    """An irredundant union of cubes between two truth tables, and its own (Minato, Morreale)."""
+    """An irredundant union of cubes between two truth tables, and the table of the union (Minato,
+    Morreale)."""
     if not needed:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:
@@ -98,8 +98,8 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
     allowed_0, allowed_1 = allowed & low, allowed >> half
     cubes_0, covered_0 = _cover(needed_0 & ~allowed_1, allowed_0, bits - 1)
     cubes_1, covered_1 = _cover(needed_1 & ~allowed_0, allowed_1, bits - 1)
-    left = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
-    both, covered = _cover(left, allowed_0 & allowed_1, bits - 1)
+    uncovered = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
+    both, covered = _cover(uncovered, allowed_0 & allowed_1, bits - 1)
     cubes = [
         *((named | variable, ones) for named, ones in cubes_0),
         *((named | variable, ones | variable) for named, ones in cubes_1),

@@ -15,10 +15,11 @@ from pathlib import PurePath
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.emit.cpp.bitmap import bitmap
-from nscc.emit.cpp.codes import Loading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.codes import CodeLoading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.cpp_text import comment, entry, literal, safe, section, template_lines
 from nscc.emit.cpp.devkit import Devkit, devkit_fault, devkit_of
 from nscc.emit.cpp.frame import (
-    Schedule,
+    LaunchSchedule,
     exact,
     kernel_name,
     kernel_us,
@@ -28,17 +29,17 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import comment, entry, literal, part, safe, section
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
+from nscc.words.assembly_text import number_text, ranges_text
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
+from nscc.words.legality import refuse_pictures
 from nscc.words.readout import converter_of, preparation_of
-from nscc.words.text import number_text, ranges_text
 
 _SIDE = 1 << ADDRESS_BITS
 _WORDS = {
@@ -62,6 +63,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     Raises Rejected (NS0520) where it cannot run it: another chip's registers or array, no pixel
     data, no room for the kernels that load the codes; NS0521 for words that its library lacks.
     """
+    refuse_pictures(container, "there is no C++ of this program", "run it on the emulator")
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
     fault = devkit_fault(container, devkit)
@@ -83,7 +85,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         "",
         "using namespace SCAMP5_PE;",
         "",
-        *part("clock"),
+        *template_lines("clock"),
         "",
         "namespace {",
         "",
@@ -117,7 +119,9 @@ def _no_cpp(
     )
 
 
-def _check_store(program: Program, container: Container, loading: Loading, devkit: Devkit) -> None:
+def _check_store(
+    program: Program, container: Container, loading: CodeLoading, devkit: Devkit
+) -> None:
     """Refuses what the frame's kernels leave no room to load."""
     target = container.target
     frame = sum(
@@ -143,7 +147,11 @@ def ops_of(kernel: Kernel) -> list[Op]:
 
 
 def _header(
-    lowered: Lowered, container: Container, schedule: Schedule, loading: Loading, devkit: Devkit
+    lowered: Lowered,
+    container: Container,
+    schedule: LaunchSchedule,
+    loading: CodeLoading,
+    devkit: Devkit,
 ) -> Iterator[str]:
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
@@ -200,7 +208,7 @@ def _slots_text(container: Container) -> str:
     return f"{container.slots} {each}, {total} us in all"
 
 
-def _time_text(container: Container, schedule: Schedule) -> str:
+def _time_text(container: Container, schedule: LaunchSchedule) -> str:
     target = container.target
     return (
         f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
@@ -267,7 +275,7 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
     if any(calls(ops) is None for ops in kernels):
         narrow = _narrow(program, container, devkit)
         if devkit.tables:
-            yield from ["#ifdef __LPC43XX__", *part("run"), "#endif", ""]
+            yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]
     launched: dict[int, list[int]] = {}
     for launch in container.launches:
         launched.setdefault(launch.kernel, []).append(launch.instant)
@@ -311,7 +319,7 @@ def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list
     return found
 
 
-def _main(container: Container, loading: Loading) -> Iterator[str]:
+def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     shown += [(register, register) for register in state_registers(container)]
     yield "int main() {"
@@ -323,20 +331,20 @@ def _main(container: Container, loading: Loading) -> Iterator[str]:
             f"vs_gui_add_display({literal(name)}, {2 * row}, {2 * col}, 2);"
         )
     yield ""
-    yield from part("record")
+    yield from template_lines("record")
     if loading.images:
-        yield from ["", *part("awaiting", rate=loading_rate(container.target))]
+        yield from ["", *template_lines("awaiting", rate=loading_rate(container.target))]
     if loading.loads:
         yield "    load_codes();"
     preparing = preparation_of(container)
     prepare = []
     if preparing.level is not None:
         settle = ceil(exact(container.target.in_settle_us))
-        prepare = part("spread", level=preparing.level, settle=settle)
+        prepare = template_lines("spread", level=preparing.level, settle=settle)
     made = calls(preparing.words)
     assert made is not None, "every bus of at most four registers has a call"
     prepare += section((call for call, _ in made), " " * 8)
-    yield from ["", *part("frames", prepare="\n".join(prepare))]
+    yield from ["", *template_lines("frames", prepare="\n".join(prepare))]
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):
         gain = gains.get(register, 1.0)

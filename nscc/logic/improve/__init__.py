@@ -1,4 +1,5 @@
-"""Fewer words for a finished solution: what its gates compute is known for every shutter."""
+"""Improve finished solutions by local changes, which are checked for every shutter by truth
+vectors."""
 
 from nscc.logic.improve.balance import balance
 from nscc.logic.improve.refine import refine

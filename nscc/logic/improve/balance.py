@@ -1,4 +1,4 @@
-"""Work moved to earlier slots: the slot with most words sets how short slots may be."""
+"""Move work to earlier slots, since the slot with most words limits the slot time."""
 
 from __future__ import annotations
 
@@ -8,13 +8,22 @@ from dataclasses import replace
 from itertools import islice
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import CLOSING, OPENING, Check, Frame, Illegal, Item, Op, flatten
+from nscc.logic.improve.code import (
+    CLOSING,
+    OPENING,
+    Check,
+    FrameContext,
+    GateOp,
+    Illegal,
+    Item,
+    flatten,
+)
 from nscc.logic.improve.rewrite import Rewrite, rewrite
-from nscc.logic.improve.run import Run
 from nscc.logic.improve.search import settled
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# How many answers earlier a gate may go: its value takes a register all the way.
+# How many answers a gate may move forward; its value needs a register in between.
 REACH = 6
 
 
@@ -23,21 +32,18 @@ def balance(
     problem: Problem,
     machine: Machine,
     budget: Budget,
-    others: Sequence[int],
+    other_words: Sequence[int],
     limit: int = 0,
 ) -> Solution:
-    """The solution with gates moved to earlier boundaries, in no more words a frame.
-
-    `others` says how many words run at each boundary 0..N besides the solution's gates. The largest
-    boundary gets as small as was found, but nothing is done below `limit` words. Comes back itself
-    where nothing can be moved.
-    """
+    """Move gates to earlier boundaries without adding words to the frame. `other_words` gives the
+    words at each boundary 0..N besides the solution's gates. The words of the largest boundary
+    decrease, but not below `limit`. Returns `solution` if no gate can move."""
     frame, items = flatten(solution, problem, machine)
     try:
-        run = Run(frame, items, budget)
+        run = TrackedRun(frame, items, budget)
     except Illegal:
         return solution
-    loads = _Loads(frame, items, others)
+    loads = _Loads(frame, items, other_words)
     with suppress(GaveUp):
         while max(loads.words) > limit and _flatten_one(run, loads, max(loads.words)):
             pass
@@ -47,7 +53,7 @@ def balance(
 
 
 def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
-    """Words of a solution's gates at each boundary 0..slots."""
+    """The words of a solution's gates at each boundary 0..slots."""
     frame, items = flatten(solution, problem, machine)
     return _Loads(frame, items, [0] * (slots + 1)).words
 
@@ -55,34 +61,36 @@ def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int)
 class _Loads:
     """Words at each boundary."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], others: Sequence[int]) -> None:
+    def __init__(
+        self, frame: FrameContext, items: Sequence[Item], other_words: Sequence[int]
+    ) -> None:
         self._frame = frame
         self._boundaries = [demand.boundary for demand in frame.problem.demands]
-        self._others = others
+        self._other_words = other_words
         self.words = self.counted(items)
 
     def boundary(self, place: int) -> int:
-        """The boundary at which a place runs."""
+        """The boundary of a place."""
         if place == OPENING:
             return 0
-        return len(self._others) - 1 if place == CLOSING else self._boundaries[place]
+        return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
 
     def counted(self, items: Sequence[Item]) -> list[int]:
-        """Words at each boundary with these items."""
-        words = list(self._others)
+        """The words at each boundary with these items."""
+        words = list(self._other_words)
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
         return words
 
 
-def _flatten_one(run: Run, loads: _Loads, most: int) -> bool:
-    """Moves one gate away from each boundary of `most` words; False where that fails."""
-    # All of them, or the largest one is as large as before.
+def _flatten_one(run: TrackedRun, loads: _Loads, most: int) -> bool:
+    """Move one gate away from each boundary with `most` words; False if that fails."""
+    # All gates must move, otherwise the largest boundary stays as large.
     full = [n for n, words in enumerate(loads.words) if words >= most]
     return all(_relieve(run, loads, n, most) for n in full)
 
 
-def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
+def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue
@@ -91,35 +99,38 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
         for start, place, segment in _earlier(run, k, loads, most):
             for target in (item.destination, *run.free(start, {item.destination})):
                 moved = replace(item, destination=target, place=place, segment=segment)
-                done = rewrite(run, start, (moved,), (k,), least=0)
-                if done is not None and _take(run, loads, done, boundary, most):
+                rewriting = rewrite(run, start, (moved,), (k,), least=0)
+                if rewriting is not None and _take(run, loads, rewriting, boundary, most):
                     return True
     return False
 
 
-def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
+def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
     """(item, place, segment) at the ends of earlier answers with room for another word."""
-    found = []
-    own = loads.boundary(run.items[k].place)
+    places = []
+    own_boundary = loads.boundary(run.items[k].place)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
     for at in islice(checks, REACH):
         item = run.items[at]
         boundary = loads.boundary(item.place)
-        if boundary == own or loads.words[boundary] + 1 >= most:
+        if boundary == own_boundary or loads.words[boundary] + 1 >= most:
             continue
         before = run.items[at - 1] if at else item
-        segment = before.segment if isinstance(before, Op) else 0
-        found.append((at, item.place, segment))
-    return found
+        segment = before.segment if isinstance(before, GateOp) else 0
+        places.append((at, item.place, segment))
+    return places
 
 
-def _take(run: Run, loads: _Loads, done: Rewrite, boundary: int, most: int) -> bool:
-    """Accepts a rewriting that leaves the boundary below `most` and fills no other up to it."""
-    words = loads.counted([*run.items[: done.start], *done.items, *run.items[done.end :]])
+def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
+    """Apply a rewriting if the boundary then has fewer than `most` words and no other boundary
+    grows to `most`."""
+    words = loads.counted(
+        [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
+    )
     if words[boundary] >= most or any(
         now >= most and now > was for now, was in zip(words, loads.words, strict=True)
     ):
         return False
-    run.splice(done.start, done.end, done.items)
+    run.splice(rewriting.start, rewriting.end, rewriting.items)
     loads.words = loads.counted(run.items)
     return True

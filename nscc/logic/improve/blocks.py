@@ -1,8 +1,8 @@
-"""Sequences of segments that come again and again, found by merging the most frequent pairs.
+"""Repeated sequences of segments, found by merging the most frequent pairs.
 
-(Re-Pair; Larsson and Moffat, Proc. IEEE 2000.) Rewritten as one, a sequence gains more than its
-segments do each alone; but every sequence that is treated by itself has segments of its own in the
-store.
+This is Re-Pair (Larsson and Moffat, Proc. IEEE 2000). Improving a whole sequence gains more than
+improving its segments separately. But every sequence that is treated separately has its own
+segments in the store.
 """
 
 from __future__ import annotations
@@ -12,34 +12,35 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from nscc.logic.improve.code import Check, Frame, Item
+from nscc.logic.improve.code import Check, FrameContext, Item
 
 FEWEST = 2
-"""A pair that comes less often is not merged: it has no second place to serve."""
+"""Pairs with fewer occurrences are not merged."""
 
 
 @dataclass(frozen=True, slots=True)
-class Token:
-    """items[start:end] of a run: a segment, or one check. `key` says what it does."""
+class SegmentToken:
+    """items[start:end] of a run: a segment, or one check. Tokens with the same `key` do the
+    same."""
 
     start: int
     end: int
     key: Hashable
 
 
-Block = list[tuple[Token, ...]]
+Block = list[tuple[SegmentToken, ...]]
 """Equal sequences of tokens, one for each place."""
 
 
-def tokens_of(items: Sequence[Item]) -> list[Token]:
+def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
     """The segments and checks of a run."""
-    found = []
+    tokens = []
     k = 0
     while k < len(items):
         first = items[k]
         end = k + 1
         if isinstance(first, Check):
-            found.append(Token(k, end, (first.need is None, first.forgets)))
+            tokens.append(SegmentToken(k, end, (first.need is None, first.forgets)))
         else:
             while end < len(items):
                 item = items[end]
@@ -47,17 +48,14 @@ def tokens_of(items: Sequence[Item]) -> list[Token]:
                     break
                 end += 1
             key = tuple(item.function for item in items[k:end] if not isinstance(item, Check))
-            found.append(Token(k, end, key))
+            tokens.append(SegmentToken(k, end, key))
         k = end
-    return found
+    return tokens
 
 
-def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
-    """Every distinct sequence; all their distinct segments stay within `room` words.
-
-    Without room, every segment is a sequence of its own. Those that take most words a frame come
-    first.
-    """
+def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
+    """The distinct sequences, most words a frame first; all their segments take at most `room`
+    words. Without room, every segment is a sequence."""
     tokens = tokens_of(items)
     merger = _Merger(frame, items, tokens)
     while merger.merge(room):
@@ -73,9 +71,11 @@ def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
 
 
 class _Merger:
-    """The run as a sequence of symbols, each standing for some tokens."""
+    """The run as a sequence of symbols, each of which stands for several tokens."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], tokens: Sequence[Token]) -> None:
+    def __init__(
+        self, frame: FrameContext, items: Sequence[Item], tokens: Sequence[SegmentToken]
+    ) -> None:
         number: dict[Hashable, int] = {}
         self.sequence = [number.setdefault(token.key, len(number)) for token in tokens]
         self.lengths = [1] * len(number)
@@ -85,39 +85,39 @@ class _Merger:
             self.words[number[token.key]] = words
 
     def merge(self, room: int) -> bool:
-        """Merges the pair of symbols that comes most often; False where nothing is to be done."""
+        """Merge the most frequent pair of symbols; False if no pair is worth it."""
         pairs = self._pairs()
         counts = Counter(self.sequence)
         stored = sum(self.words[symbol] for symbol in counts)
-        for (left, right), times in pairs.most_common():
+        for (first, second), times in pairs.most_common():
             if times < FEWEST:
                 return False
-            merged = self.words[left] + self.words[right]
-            each = 2 if left == right else 1
-            # A symbol that comes only in this pair needs no words of its own any more.
-            gone = sum(self.words[s] for s in {left, right} if counts[s] == times * each)
+            merged = self.words[first] + self.words[second]
+            uses_per_pair = 2 if first == second else 1
+            # A symbol that occurs only in this pair needs no separate words after the merge.
+            gone = sum(self.words[s] for s in {first, second} if counts[s] == times * uses_per_pair)
             if stored + merged - gone <= room:
-                self._replace(left, right, merged)
+                self._replace(first, second, merged)
                 return True
         return False
 
     def _pairs(self) -> Counter[tuple[int, int]]:
-        """How often each pair of neighbours comes, of equal ones those that do not overlap."""
+        """Counts of neighbouring pairs; overlapping pairs of equal symbols count once."""
         pairs: Counter[tuple[int, int]] = Counter()
         run = 1
-        for left, right in pairwise(self.sequence):
-            run = run + 1 if left == right else 1
-            if run % 2 == 0 or left != right:
-                pairs[left, right] += 1
+        for first, second in pairwise(self.sequence):
+            run = run + 1 if first == second else 1
+            if run % 2 == 0 or first != second:
+                pairs[first, second] += 1
         return pairs
 
-    def _replace(self, left: int, right: int, words: int) -> None:
+    def _replace(self, first: int, second: int, words: int) -> None:
         symbol = len(self.words)
         self.words.append(words)
-        self.lengths.append(self.lengths[left] + self.lengths[right])
+        self.lengths.append(self.lengths[first] + self.lengths[second])
         out: list[int] = []
         for following in self.sequence:
-            if out and (out[-1], following) == (left, right):
+            if out and (out[-1], following) == (first, second):
                 out[-1] = symbol
             else:
                 out.append(following)

@@ -1,10 +1,9 @@
-"""A solution as one straight run of operations on numbered registers, and back again.
+"""A solution as straight-line code on numbered registers, and back.
 
-Registers are numbered: planes, states, scratch, FLAG last. Because the shutters are known, what a
-register holds at any point is a truth vector, or None where nothing is known about it. There are no
-branches and no loops, so running the code once over truth vectors says all there is to know: two
-values are equal if and only if their vectors are, and whether a change is right is seen by running
-on from it. No Boolean reasoning about gates is needed anywhere in this folder.
+Registers are numbered: planes, states, scratch, FLAG last. Since all shutters are known, the
+content of a register is a truth vector, or None if it is unknown. The code has no branches, so one
+run over truth vectors is exact: two values are equal if and only if their vectors are, and a change
+is checked by running on from it.
 """
 
 from __future__ import annotations
@@ -16,26 +15,26 @@ from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quiete
 from nscc.truth import set_bits
 
 Content = int | None
-"""What a register holds: a truth vector, None if unknown."""
+"""The content of a register: a truth vector, None if unknown."""
 
 OPENING, CLOSING = -1, -2
 """Places of operations that belong to no answer."""
 
 REFRESH_WORDS = 2
-"""What the schedule adds at the end of a frame for every plane that the frame does not write."""
+"""Words that the schedule adds for every plane that the frame does not write."""
 
 
 class Illegal(Exception):
-    """Operations that do not meet the problem, or that hang on what nobody knows."""
+    """Operations that do not solve the problem, or that depend on unknown contents."""
 
 
 @dataclass(frozen=True, slots=True)
-class Op:
-    """destination := OR(sources), or NOR if `inverted`; sources in rising order, without doubles.
+class GateOp:
+    """destination := OR(sources), or NOR if `inverted`; sources are ascending and distinct.
 
-    `place` is the answer to which the operation belongs, OPENING or CLOSING, and `segment` its
-    segment there. `reads` is the set of registers, as a bit mask, whose content decides the result:
-    the sources and, of a masked operation, its mask and its destination.
+    `place` is the answer that the operation belongs to, OPENING or CLOSING; `segment` is its
+    segment there. `reads` is the bit mask of registers that the result depends on: sources and, if
+    masked, also mask and destination.
     """
 
     inverted: bool
@@ -47,32 +46,30 @@ class Op:
 
     @property
     def function(self) -> tuple[bool, int, tuple[int, ...]]:
-        """What the operation does, wherever it stands."""
+        """What the operation does, without its place."""
         return self.inverted, self.destination, self.sources
 
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point where FLAG must equal `need` (if not None), and what is unknown after it.
-
-    It ends `place`. `forgets` is a bit mask of registers.
-    """
+    """A point at which FLAG must equal `need` (if not None), at the end of `place`. `forgets` is
+    the bit mask of registers whose contents are unknown afterwards."""
 
     need: int | None
     forgets: int
     place: int
 
 
-Item = Op | Check
+Item = GateOp | Check
 
 
 @dataclass(frozen=True)
-class Frame:
-    """What does not change while a solution is improved: problem, registers, limits, first state.
+class FrameContext:
+    """The constants of an improvement: problem, registers, limits, initial state.
 
-    Operations that write `masked`, the register in the masked place if there is one, are masked:
-    they write where `mask` is 1. `ends` is None for a whole frame, at whose end the planes must be
-    as they were; for a part of one, the registers (a bit mask) that are read after it.
+    Operations that write `masked` (if not None) are masked: they write only where `mask` is 1. For
+    a whole frame `ends` is None, and the planes must be restored at its end; for a part of a frame
+    it is the bit mask of registers that are read afterwards.
     """
 
     solution: Solution
@@ -94,48 +91,48 @@ class Frame:
 
     @property
     def unscathed(self) -> int:
-        """Registers, as a bit mask, whose content matters at the end."""
+        """The bit mask of registers whose content matters at the end."""
         return (1 << self.planes) - 1 if self.ends is None else self.ends
 
     def words(self, item: Item) -> int:
-        """ICWs that an item takes."""
+        """The words of an item."""
         if isinstance(item, Check):
             return 0
         return 1 + (item.destination != self.flag and item.destination in item.sources)
 
     def total(self, items: Sequence[Item]) -> int:
-        """ICWs of a frame, with those that refresh planes nobody writes, or in some pixels only."""
+        """The words of a frame, including refresh of planes that are not written in all pixels."""
         left_alone = self.writes(items).count(0) if self.ends is None else 0
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def op(
         self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
-    ) -> Op:
-        """An operation; sources in any order."""
+    ) -> GateOp:
+        """An operation with sources in any order."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
         if destination == self.masked and self.mask is not None:
             reads |= 1 << destination | 1 << self.mask
-        return Op(inverted, destination, sources, place, segment, reads)
+        return GateOp(inverted, destination, sources, place, segment, reads)
 
-    def value(self, item: Op, state: Sequence[Content]) -> Content:
-        """What the destination holds after an operation in a state; None if that is unknown."""
-        some = 0
+    def value(self, item: GateOp, state: Sequence[Content]) -> Content:
+        """The content of the destination after an operation; None if unknown."""
+        disjunction = 0
         for source in item.sources:
             content = state[source]
             if content is None:
                 return None
-            some |= content
-        result = some ^ self.everything if item.inverted else some
+            disjunction |= content
+        result = disjunction ^ self.everything if item.inverted else disjunction
         if item.destination != self.masked or self.mask is None:
             return result
-        mask, kept = state[self.mask], state[item.destination]
+        mask, previous = state[self.mask], state[item.destination]
         if mask == self.everything:
             return result
-        return None if mask is None or kept is None else result & mask | kept & ~mask
+        return None if mask is None or previous is None else result & mask | previous & ~mask
 
-    def legal(self, item: Op) -> bool:
-        """Whether the machine has a word, or a pair, for an operation."""
+    def legal(self, item: GateOp) -> bool:
+        """Whether the machine has a word, or a pair of words, for an operation."""
         count = len(item.sources)
         if item.destination == self.flag:
             limit = self.machine.where_sources
@@ -146,12 +143,12 @@ class Frame:
         if item.destination == self.masked and self.mask is None:
             return False
         limit = self.machine.or_sources
-        # A register copied onto itself would be a refresh, which is none of the gates' business.
+        # Copying a register to itself would be a refresh, which is not the gates' task.
         alone = item.sources == (item.destination,)
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
     def apply(self, item: Item, state: list[Content]) -> None:
-        """Brings a state from before an item to after it."""
+        """Update `state` by an item."""
         if isinstance(item, Check):
             for register in set_bits(item.forgets):
                 state[register] = None
@@ -159,10 +156,10 @@ class Frame:
         state[item.destination] = self.value(item, state)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """How often items write each plane in every pixel."""
+        """How often the items write each plane in every pixel."""
         times = [0] * self.planes
         for item in items:
-            if isinstance(item, Op) and item.destination < self.planes:
+            if isinstance(item, GateOp) and item.destination < self.planes:
                 times[item.destination] += item.destination != self.masked
         return times
 
@@ -172,16 +169,16 @@ class Frame:
         return [*(f"{kind}{i}" for kind, count in kinds for i in range(count)), "FLAG"]
 
 
-def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:
-    """A solution as items, with as much scratch as the machine leaves room for.
-
-    Where its gates are not masked and yet write the masked register, SET of the mask precedes them.
-    """
+def flatten(
+    solution: Solution, problem: Problem, machine: Machine
+) -> tuple[FrameContext, list[Item]]:
+    """A solution as items, with as many scratch registers as the machine allows. If gates without
+    masks write the masked register, the items include SET of the mask before them."""
     planes, states = len(solution.planes), solution.states
     scratch, masked, mask = _room(solution, machine)
     everything = problem.everything
     flag: Content = everything if solution.state_in_flag else None
-    frame = Frame(
+    frame = FrameContext(
         solution, problem, machine, planes, states, scratch, everything,
         (*solution.planes, *[None] * (states + scratch), flag), masked, mask,
     )  # fmt: skip
@@ -208,8 +205,8 @@ def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Fra
 
 
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | None]:
-    """How many scratch registers there may be; the registers in the masked place and in its mask,
-    by number, if any."""
+    """The number of possible scratch registers, and the numbers of the masked register and of its
+    mask, if any."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     room = machine.registers - planes - states
     mask = planes + states if scratch else None
@@ -222,41 +219,47 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | 
         return max(scratch, room - (machine.masked and not planes)), None, None
     writes = solution.writes()
     quiet = quietest(writes)
-    # Where all registers are taken, or a plane is never written, the masked register holds a plane
-    # and every other one is free; else it stays empty.
+    # If all registers are used, or a plane is never written, the masked register holds a plane and
+    # all others are free; otherwise it is empty.
     if scratch == room or (writes[quiet] == 0 and room > 0):
         return room, quiet, planes + states if room else None
     return max(scratch, room - 1), None, None
 
 
-def _forgotten(frame: Frame, coming: int) -> int:
-    """Registers of which nothing is known when the answer `coming` begins."""
+def _forgotten(frame: FrameContext, coming: int) -> int:
+    """The registers whose contents are unknown when answer number `coming` begins."""
     demands = frame.problem.demands
     forgets = 0
     if frame.solution.state_in_flag:
-        # Analog words meanwhile may keep FLAG in t0.
+        # Analog words in between may keep FLAG in t0.
         forgets |= (frame.scratch > 0) << frame.planes + frame.states
     elif coming == len(demands) or not demands[coming].flag_kept:
         forgets |= 1 << frame.flag
-    # Only planes and states are refreshed in a frame that is longer than memory lasts.
+    # In a frame longer than the retention, only planes and states are refreshed.
     last = coming == len(demands)
-    kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
-    return forgets if kept else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
+    scratch_kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
+    return (
+        forgets
+        if scratch_kept
+        else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
+    )
 
 
-def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
-    """Items as a solution again; raises Illegal where no answer is left for a demand's segment."""
+def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
+    """The solution of these items; raises Illegal if a demand's segment has no answer."""
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
-    parts: dict[int, list[list[Gate]]] = {place: [[] for _ in run] for place, run in runs.items()}
+    segments_at: dict[int, list[list[Gate]]] = {
+        place: [[] for _ in run] for place, run in runs.items()
+    }
     names = frame.names()
     used = 0
     for item in items:
         if isinstance(item, Check):
             continue
-        segments = parts[item.place]
-        # An operation that moved stays behind those that it follows now.
+        segments = segments_at[item.place]
+        # A moved operation stays after the operations that precede it.
         last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
             segments.append([])
@@ -266,17 +269,17 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
     return replace(
         solution,
         scratch=max(spare.bit_length(), 1 if solution.state_in_flag else 0),
-        opening=_kept(parts[OPENING]),
-        answers=tuple(_kept(parts[i]) for i in range(len(solution.answers))),
-        closing=_kept(parts[CLOSING]),
+        opening=_without_empty(segments_at[OPENING]),
+        answers=tuple(_without_empty(segments_at[i]) for i in range(len(solution.answers))),
+        closing=_without_empty(segments_at[CLOSING]),
     )
 
 
-def _kept(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
+def _without_empty(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
     return tuple(tuple(segment) for segment in segments if segment)
 
 
-def _gate(item: Op, names: Sequence[str], frame: Frame) -> Gate:
+def _gate(item: GateOp, names: Sequence[str], frame: FrameContext) -> Gate:
     sources = tuple(names[i] for i in item.sources)
     if item.destination == frame.flag:
         return Gate("WHERE", "FLAG", sources)
@@ -286,23 +289,23 @@ def _gate(item: Op, names: Sequence[str], frame: Frame) -> Gate:
     return Gate(kinds[min(len(sources), 2)], names[item.destination], sources, mask)
 
 
-def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ...]]:
-    """The state before every item, and after the last; raises Illegal on anything wrong."""
+def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:
+    """The state before every item, and after the last; raises Illegal for an invalid item."""
     state = list(frame.start)
-    found = []
+    states = []
     for item in items:
-        found.append(tuple(state))
+        states.append(tuple(state))
         if isinstance(item, Check):
             if item.need is not None and state[frame.flag] != item.need:
                 raise Illegal("FLAG is not what the demand asks for")
         elif not frame.legal(item):
             raise Illegal("the machine has no such word")
         frame.apply(item, state)
-        if isinstance(item, Op) and state[item.destination] is None:
+        if isinstance(item, GateOp) and state[item.destination] is None:
             raise Illegal("an operation reads what nobody knows")
-    found.append(tuple(state))
+    states.append(tuple(state))
     if frame.ends is not None:
-        return found
+        return states
     if state[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
-    return found
+    return states

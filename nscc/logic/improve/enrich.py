@@ -1,7 +1,7 @@
-"""Spare registers filled before the frame: what many gates compute is part of the code instead.
+"""Use free registers for values that the host loads before the frame.
 
-A plane that no word writes costs its refresh and nothing else, and it may live in the masked
-register. So wherever a register can be spared, it may hold any truth vector from the start.
+A plane that no word writes costs only its refresh, and can be in the masked register. So a free
+register can hold any truth vector from the start.
 """
 
 from __future__ import annotations
@@ -13,22 +13,28 @@ from dataclasses import replace
 from itertools import chain
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import REFRESH_WORDS, Illegal, Op, flatten, states_before, unflatten
+from nscc.logic.improve.code import (
+    REFRESH_WORDS,
+    GateOp,
+    Illegal,
+    flatten,
+    states_before,
+    unflatten,
+)
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import shrink
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# So many of the most promising vectors are tried for each register: each try is a search of its
-# own.
+# Number of promising vectors to try for each register; each try is a search.
 TRIED = 12
-# Operations this far apart are dropped together; fewer than in `search`, which comes afterwards.
+# Most distance of operations dropped together, smaller than in `search`, which runs afterwards.
 NEAR = 3
 HOLDER = "computed before the frame"
 
 
 def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """A solution with more planes and fewer words, or `solution` itself where none was found."""
+    """A solution with more planes and fewer words; `solution` if none is found."""
     with suppress(GaveUp, Illegal):
         while (richer := _richer(solution, problem, machine, budget)) is not None:
             solution = richer
@@ -38,42 +44,42 @@ def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budge
 def _richer(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> Solution | None:
-    """The best solution with one more plane; None if it is no better."""
+    """The best solution with one more plane; None if it is not better."""
     slim = _with_room(solution, problem, machine)
     if slim is None:
         return None
     frame, items = flatten(solution, problem, machine)
-    run = Run(frame, items, budget)
+    run = TrackedRun(frame, items, budget)
     best: Solution | None = None
     least = run.words()
     for vector in _promising(run)[:TRIED]:
         planes = (*slim.planes, vector)
         wider = replace(slim, planes=planes, holders=(*slim.holders, HOLDER))
         try:
-            found, words = _shortened(wider, problem, machine, budget)
+            shorter, words = _shortened(wider, problem, machine, budget)
         except GaveUp:
             break
         except Illegal:
             continue
         if words < least:
-            best, least = found, words
+            best, least = shorter, words
     return best
 
 
 def _shortened(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> tuple[Solution, int]:
-    """A shorter solution, and its words."""
-    run = Run(*flatten(solution, problem, machine), budget)
+    """A shortened solution, and its words."""
+    run = TrackedRun(*flatten(solution, problem, machine), budget)
     shrink(run, NEAR)
-    found = unflatten(run.frame, run.items)
-    frame, items = flatten(found, problem, machine)
+    shorter = unflatten(run.frame, run.items)
+    frame, items = flatten(shorter, problem, machine)
     states_before(frame, items)
-    return found, frame.total(items)
+    return shorter, frame.total(items)
 
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
-    """The solution with a register to spare, its work done in fewer where need be."""
+    """The solution with a free register, obtained by recolouring if necessary."""
     used = len(solution.planes) + solution.states + solution.scratch
     if used < machine.registers:
         return solution
@@ -81,36 +87,35 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
     if solution.scratch <= least:
         return None
     frame, items = flatten(solution, problem, machine)
-    items = Run(frame, items, Budget(1)).items
+    items = TrackedRun(frame, items, Budget(1)).items
     narrow = recoloured(frame, items, 1 << (frame.flag - 1))
     return None if narrow is None else unflatten(frame, narrow)
 
 
-def _promising(run: Run) -> list[int]:
-    """Truth vectors, those first that would save most words if they were there from the start."""
+def _promising(run: TrackedRun) -> list[int]:
+    """Truth vectors that would save words if loaded before the frame, most words first."""
     frame = run.frame
     makers, feeds, readers = _flow(run)
-    held = set(frame.start[: frame.planes])
+    stored = set(frame.start[: frame.planes])
     gains = {
-        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in held
+        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in stored
     }
     worth = [vector for vector, gain in gains.items() if gain > REFRESH_WORDS]
     return sorted(worth, key=lambda vector: -gains[vector])
 
 
-def _flow(run: Run) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
-    """Which items write each vector; whose values each item reads; and how many read its own.
-
-    A plane that holds an item's value at the end counts as one that reads it.
-    """
+def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
+    """The items that write each vector, the items whose values each item reads, and the number of
+    readers of each item. A plane whose final value an item writes counts as a reader. A plane that
+    holds an item's value at the end counts as one that reads it."""
     frame = run.frame
     makers: dict[int, list[int]] = {}
     feeds: list[set[int]] = []
     writer = [-1] * (frame.flag + 1)
     for k, item in enumerate(run.items):
-        read = item.sources if isinstance(item, Op) else (frame.flag,) * (item.need is not None)
+        read = item.sources if isinstance(item, GateOp) else (frame.flag,) * (item.need is not None)
         feeds.append({writer[r] for r in read if writer[r] >= 0})
-        if isinstance(item, Op):
+        if isinstance(item, GateOp):
             value = run.before[k + 1][item.destination]
             assert value is not None
             makers.setdefault(value, []).append(k)
@@ -121,24 +126,22 @@ def _flow(run: Run) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]
 
 
 def _saved(
-    run: Run, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
+    run: TrackedRun, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
 ) -> int:
-    """Words that fall away with items whose results could be read elsewhere.
-
-    These are the items' fan-out-free cone: what feeds nothing else falls away with them.
-    """
-    left: dict[int, int] = {}
-    # FLAG must be loaded all the same.
-    written = [item.destination for k in numbers if isinstance(item := run.items[k], Op)]
+    """The words of items that become unused if their results are available elsewhere. This is the
+    fan-out-free cone of the items."""
+    readers_left: dict[int, int] = {}
+    # FLAG must be loaded in any case.
+    written = [item.destination for k in numbers if isinstance(item := run.items[k], GateOp)]
     saved = -written.count(run.frame.flag)
     gone = list(numbers)
-    seen = set(gone)
+    visited = set(gone)
     while gone:
         k = gone.pop()
         saved += run.frame.words(run.items[k])
         for source in feeds[k]:
-            left[source] = left.get(source, readers[source]) - 1
-            if left[source] == 0 and source not in seen:
-                seen.add(source)
+            readers_left[source] = readers_left.get(source, readers[source]) - 1
+            if readers_left[source] == 0 and source not in visited:
+                visited.add(source)
                 gone.append(source)
     return saved

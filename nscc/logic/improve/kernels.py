@@ -1,8 +1,8 @@
-"""Segments that are equal stay equal: one rewriting serves all places where a kernel runs.
+"""Improve kernels so that equal segments stay equal: one rewriting serves all their places.
 
-What a sequence of segments does is a problem of its own, in which every shutter counts once for
-each place where the sequence runs: the truth vectors of all places are laid end to end. A rewriting
-that is right for these is right in every place, and all passes work on it unchanged.
+The problem of a sequence of segments has one shutter for each pair of shutter and place: the truth
+vectors of all places are concatenated. A rewriting that is correct for these is correct in every
+place, and all passes work unchanged.
 """
 
 from __future__ import annotations
@@ -12,39 +12,40 @@ from dataclasses import replace
 from itertools import chain
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.blocks import Block, Token, blocks_of
-from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item
-from nscc.logic.improve.run import Run
+from nscc.logic.improve.blocks import Block, SegmentToken, blocks_of
+from nscc.logic.improve.code import Check, Content, FrameContext, Illegal, Item
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.truth import union
 
-Pass = Callable[[Frame, list[Item], Budget], list[Item]]
-"""Makes items shorter that a frame, or a part of one, consists of."""
+Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
+"""A pass that shortens the items of a frame or a part of one."""
 
 
 def improve_kernels(
-    frame: Frame, items: list[Item], budget: Budget, shorten: Pass, room: int
+    frame: FrameContext, items: list[Item], budget: Budget, shorten: Pass, room: int
 ) -> list[Item]:
-    """`items` with each kernel shortened by `shorten`, in all its places alike.
-
-    Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
-    """
-    run = Run(frame, items, budget)
-    # Where each item of the run has gone: rewriting a block replaces its items by others.
-    parts: list[list[Item]] = [[item] for item in run.items]
+    """Shorten each kernel by the pass `shorten`, in the same way in all places. Sequences of
+    kernels are improved as one if `room` allows (see `blocks_of`)."""
+    run = TrackedRun(frame, items, budget)
+    # The current items for each original item: rewriting a block replaces them.
+    replacements: list[list[Item]] = [[item] for item in run.items]
     for block in blocks_of(frame, run.items, room):
         new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
         for tokens in block:
             start, end = tokens[0].start, tokens[-1].end
-            parts[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
-    return list(chain.from_iterable(parts))
+            replacements[start:end] = [
+                _moved(run.items, block[0], tokens, new),
+                *[[]] * (end - start - 1),
+            ]
+    return list(chain.from_iterable(replacements))
 
 
 def _shortened(
-    frame: Frame, run: Run, block: Block, budget: Budget, shorten: Pass
+    frame: FrameContext, run: TrackedRun, block: Block, budget: Budget, shorten: Pass
 ) -> list[Item] | None:
-    """Items in place of those of the block's first place; None if there are no shorter ones."""
+    """Shorter items for the first place of a block; None if not found."""
     size = (frame.everything.bit_length() + 7) // 8
     starts = [tokens[0].start for tokens in block]
     length = block[0][-1].end - starts[0]
@@ -53,7 +54,7 @@ def _shortened(
     start = tuple(_joined(contents, size) for contents in states)
     everything = _joined([frame.everything] * len(starts), size)
     assert everything is not None
-    part = replace(frame, everything=everything, start=start, ends=live)
+    block_frame = replace(frame, everything=everything, start=start, ends=live)
     items = run.items[starts[0] : starts[0] + length]
     for offset, item in enumerate(items):
         if isinstance(item, Check) and item.need is not None:
@@ -61,26 +62,29 @@ def _shortened(
             needs = [check.need for check in checks if isinstance(check, Check)]
             items[offset] = replace(item, need=_joined(needs, size))
     try:
-        found = shorten(part, items, budget)
+        shorter = shorten(block_frame, items, budget)
     except Illegal:
         return None
-    return found if part.total(found) < part.total(items) else None
+    return shorter if block_frame.total(shorter) < block_frame.total(items) else None
 
 
 def _joined(contents: Sequence[Content], size: int) -> Content:
-    """Truth vectors end to end, each in `size` bytes; None if one of them is unknown."""
+    """Concatenated truth vectors, each in `size` bytes; None if one of them is unknown."""
     known = [content.to_bytes(size, "little") for content in contents if content is not None]
     return int.from_bytes(b"".join(known), "little") if len(known) == len(contents) else None
 
 
 def _moved(
-    items: Sequence[Item], first: Sequence[Token], here: Sequence[Token], new: Sequence[Item]
+    items: Sequence[Item],
+    first: Sequence[SegmentToken],
+    target_tokens: Sequence[SegmentToken],
+    new: Sequence[Item],
 ) -> list[Item]:
-    """Items written for the block's first place, in another one."""
+    """Items for the block's first place, moved to another place."""
     segments: dict[tuple[int, int], tuple[int, int]] = {}
     checks = []
-    for one, other in zip(first, here, strict=True):
-        a, b = items[one.start], items[other.start]
+    for token, target_token in zip(first, target_tokens, strict=True):
+        a, b = items[token.start], items[target_token.start]
         if isinstance(a, Check) or isinstance(b, Check):
             checks.append(b)
         else:

@@ -1,13 +1,11 @@
-"""Registers given out anew: a value written in place goes where a register is free instead.
+"""Register allocation: values written in place get free registers instead.
 
-NOT of a plane in place is two words; NOT of it into a free register is one, and leaves the old
-place free for the next. So planes wander in the frame; those that are not at home when it ends are
-copied there.
+NOT of a plane in place takes two words. NOT into a free register takes one, and frees the old
+register. So planes move in the frame, and are copied to their homes at the end.
 
-The code is straight, so a value lives from one point to another, and giving out registers is the
-colouring of intervals from left to right (linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It
-never fails for lack of registers, since there is a solution to begin with, unless some are left out
-or a value may not be everywhere; what is chosen among the free ones decides the words.
+In straight-line code live ranges are intervals, so this is interval colouring from left to right
+(linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It fails only if registers are excluded or
+values have banned registers. The choice among free registers determines the words.
 """
 
 from __future__ import annotations
@@ -16,18 +14,15 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op
+from nscc.logic.improve.code import CLOSING, Check, FrameContext, GateOp, Item
 from nscc.truth import set_bits
 
 
 @dataclass(slots=True)
 class _Value:
-    """What one operation writes, or what a register holds at the start.
-
-    `last` is the last item that reads it; `home` the register in which it is needed at the end.
-    `banned` are the registers (a bit mask) in which it would be lost meanwhile, or in the way of a
-    value that `masks` writes and so must be in the mask's register.
-    """
+    """The result of an operation, or the initial content of a register. `last` is the last item
+    that reads it; `home` the register required at the end. `banned` is the bit mask of registers in
+    which it would be overwritten, or would block a mask."""
 
     first: int
     last: int
@@ -37,12 +32,9 @@ class _Value:
     sources: tuple[int, ...] = ()
 
 
-def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[Item] | None:
-    """The same operations in other registers; None where registers do not go round.
-
-    Every operation's result must be read by somebody. No value is put into the registers `without`
-    (a bit mask).
-    """
+def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
+    """The same operations with other registers; None if there are too few. Every result must be
+    read. The registers `without` (a bit mask) are not used."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]
@@ -55,8 +47,8 @@ def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[It
     return _Painter(frame, items, values, written).paint()
 
 
-def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
-    """All values, those of the start first, and for each item the number of what it writes."""
+def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
+    """All values, initial ones first, and for each item the number of its result."""
     values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
     holds = list(range(frame.flag + 1))
     written = []
@@ -95,25 +87,25 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
 
 
 class _Painter:
-    """Gives out registers from front to back."""
+    """Assigns registers from front to back."""
 
     def __init__(
-        self, frame: Frame, items: Sequence[Item], values: list[_Value], written: list[int]
+        self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
         self.frame, self.items = frame, items
         self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
-        # Which value a register holds; the first ones that nobody reads do not count.
+        # The value in each register; initial values without a reader do not count.
         self.holds: list[int] = list(range(frame.flag))
         self.masks_from = {value.first for value in values if value.masks}
-        # Where the value is written that must be in a register at the end.
+        # Where the value is written that a register must hold at the end.
         self.homing = [-1] * frame.flag
         for value in values:
             if value.home >= 0:
                 self.homing[value.home] = value.first
 
     def paint(self) -> list[Item] | None:
-        """The items with new registers, planes brought home at the end."""
+        """The items with new registers and copies of planes to their homes."""
         out: list[Item] = []
         for k, item in enumerate(self.items):
             if isinstance(item, Check):
@@ -135,7 +127,7 @@ class _Painter:
                 out.append(self.frame.op(item.inverted, target, sources, item.place, item.segment))
         return self._bring_home(out)
 
-    def _choose(self, k: int, item: Op, value: _Value, sources: Sequence[int]) -> int | None:
+    def _choose(self, k: int, item: GateOp, value: _Value, sources: Sequence[int]) -> int | None:
         masked, mask = self.frame.masked, self.frame.mask
         if item.destination == masked:
             return masked
@@ -145,16 +137,16 @@ class _Painter:
         def price(register: int) -> tuple[int, bool, bool, int]:
             in_place = int(register in sources)
             if in_place and _copies(item):
-                in_place = -1  # nothing to do at all
-            # What a mask is made from would be read in place if it were in the mask's register.
+                in_place = -1  # no operation
+            # In the mask's register, a source of the mask would be read in place.
             in_place += register == mask and value.last in self.masks_from
             away = value.home >= 0 and register != value.home
-            # A value in the way when a plane comes home makes that plane go elsewhere first.
+            # A value in a plane's home makes that plane go elsewhere first.
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
-            # Words first, the copy home among them (a part of a frame has no place for one, so away
-            # is dearer there). Then no plane's way home is blocked, then as little as can be is
-            # changed, then a register is taken that no plane needs, or only late.
+            # Sort key: words, including the copy home (impossible in a part of a frame, so away is
+            # more expensive there); then no plane's home blocked; then few changes; then a register
+            # that no plane needs, or only late.
             return (
                 in_place + away * (1 if self.frame.ends is None else 2),
                 in_the_way,
@@ -172,28 +164,27 @@ class _Painter:
         return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
-        """Copies every plane that is astray to its home; None where that takes a register more.
+        """Append copies of all displaced planes to their homes; None if a register is missing.
 
-        All copies should happen at once (a parallel move). One after the other, a plane comes when
-        the plane in its home has left: a topological order of the graph whose edges lead from each
-        plane to that in whose home it is. Every plane is in one place and has one home, so what has
-        no such order are plain circles; of each, one plane waits in a free register.
+        This is a parallel move. A plane is copied after the plane in its home has left, which is a
+        topological order of the graph "plane -> plane in its home". The rest are cycles; one plane
+        of each waits in a free register.
         """
         frame = self.frame
-        where = {
+        current_place = {
             value.home: self.place[number]
             for number, value in enumerate(self.values)
             if value.home >= 0
         }
-        astray = {plane: at for plane, at in where.items() if plane != at}
+        astray = {plane: at for plane, at in current_place.items() if plane != at}
         if not astray:
             return out
         if frame.ends is not None:
             return None
-        import networkx as nx  # most builds end without it, a tenth of a second sooner
+        import networkx as nx  # slow to import, and most builds do not need it
 
         segment = max(
-            (item.segment for item in out if isinstance(item, Op) and item.place == CLOSING),
+            (item.segment for item in out if isinstance(item, GateOp) and item.place == CLOSING),
             default=0,
         )
 
@@ -208,22 +199,22 @@ class _Painter:
         waits.remove_nodes_from([plane for circle in circles for plane in circle])
         for plane in nx.lexicographical_topological_sort(waits, rank.__getitem__):
             copy(plane, astray[plane])
-        free = [r for r in range(frame.flag) if r not in where and r != frame.masked]
+        free = [r for r in range(frame.flag) if r not in current_place and r != frame.masked]
         if circles and not free:
             return None
-        for first, *others in sorted(circles, key=lambda circle: rank[circle[0]]):
+        for first, *followers in sorted(circles, key=lambda circle: rank[circle[0]]):
             copy(free[0], astray[first])
-            for plane in others:
+            for plane in followers:
                 copy(plane, astray[plane])
             copy(first, free[0])
         return out
 
 
 def _from_first(circle: list[int], rank: dict[int, int]) -> list[int]:
-    """The circle from its plane of the lowest rank on."""
+    """The cycle, starting with its plane of lowest rank."""
     first = min(range(len(circle)), key=lambda i: rank[circle[i]])
     return circle[first:] + circle[:first]
 
 
-def _copies(item: Op) -> bool:
+def _copies(item: GateOp) -> bool:
     return not item.inverted and len(item.sources) == 1

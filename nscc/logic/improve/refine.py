@@ -1,4 +1,4 @@
-"""Which of several solutions are worth how many steps of improvement, at each level of effort."""
+"""How many improvement steps each of several solutions gets, at each level of effort."""
 
 from __future__ import annotations
 
@@ -13,28 +13,27 @@ from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 
-# Levels differ in steps only, never in seconds: the same input gives the same words everywhere.
-# Every solution gets so many steps before the best go on; which is best shows only then.
+# Levels differ in steps, not in seconds, so the same input gives the same words everywhere. First
+# every solution gets this many steps, because only then their order is known.
 FIRST_STEPS = {2: 8_000, 3: 60_000}
-# Each of the best gets so many more. A hundred thousand steps are about a second.
+# Further steps for each of the best. A hundred thousand steps take about a second.
 MORE_STEPS = {2: 60_000, 3: 2_000_000}
 ENRICH_STEPS = {2: 20_000, 3: 400_000}
-# Where kernels are kept, the first steps are so many times more: less is left to chance.
+# With kernels kept, the first steps are multiplied by this.
 KERNEL_SHARE = 4
-# The store's share for gates when segments are given kernels of their own; the rest is for analog
-# words.
+# The share of the store for gates if segments have separate kernels; the rest is for analog words.
 ROOM_SHARE = 0.75
 BEST = {2: 1, 3: 3}
-# Where words do not fit, so many of the cheapest are improved with their kernels kept as well.
+# If words do not fit, this many of the cheapest are also improved with kernels kept.
 MOST_KEPT = 2
 
 
 Price = tuple[bool, float, int, int, int]
-"""Sort key of a solution: less is better; the first part is False where everything fits."""
+"""Sort key of a solution, smallest first; the first part is False if everything fits."""
 
 
 class Priced(Protocol):
-    """A solution with what it costs."""
+    """A solution with its price."""
 
     @property
     def solution(self) -> Solution:
@@ -46,7 +45,7 @@ class Priced(Protocol):
 
     @property
     def words_per_boundary(self) -> Sequence[int]:
-        """Words, gates and all others, at each boundary 0..N."""
+        """All words at each boundary 0..N."""
 
 
 P = TypeVar("P", bound=Priced)
@@ -61,12 +60,10 @@ def refine(
     priced: Callable[[Solution], P],
     store_words: int,
 ) -> P:
-    """The best candidate, or the best that improvement makes of one; levels 2 and 3.
-
-    `store_words` is how many words all kernels may have.
-    """
-    # With more demands than words in the store, kernels must come again and again: few of them
-    # are worth more than the words that many would save.
+    """The best candidate after improvement, at levels 2 and 3. `store_words` is the number of words
+    that all kernels may take."""
+    # With more demands than stored words, kernels must repeat: few distinct kernels matter more
+    # than few words.
     scarce = len(problem.demands) > store_words
     room = 0 if scarce else int(store_words * ROOM_SHARE)
     return _Refinery(problem, machine, level, priced, scarce, room).best(candidates)
@@ -82,33 +79,34 @@ class _Refinery(Generic[P]):
     room: int
 
     def best(self, candidates: Sequence[P]) -> P:
-        """Improves all a little and the best of them more."""
+        """Improve all candidates a little, and the best of them more."""
         steps = FIRST_STEPS[self.level]
         first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
         first.sort(key=lambda pair: pair[0].price)
-        more = [self._more(found, kept) for found, kept in first[: BEST[self.level]]]
-        best = min([*more, *(found for found, _ in first), *candidates], key=_PRICE)
+        refined = [
+            self._improve_further(improved, keep_kernels)
+            for improved, keep_kernels in first[: BEST[self.level]]
+        ]
+        best = min([*refined, *(improved for improved, _ in first), *candidates], key=_PRICE)
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
-        """(improved, whether equal segments had to be kept equal).
-
-        Unless `patient`, they are not: what does not fit then is given up.
-        """
+        """(improved candidate, whether equal segments had to stay equal). Unless `patient`,
+        segments may differ, and a result that does not fit is given up."""
         if self.scarce:
-            return self._kept(candidate.solution, steps), True
-        found = self._form(self._improved(candidate.solution, steps))
-        if found.price[0] and patient:
-            # Rewritten freely, segments share no kernels any more.
-            other = self._kept(candidate.solution, KERNEL_SHARE * steps)
-            if other.price < found.price:
-                return other, True
-        return found, False
+            return self._improve_keeping_kernels(candidate.solution, steps), True
+        improved = self._form(self._improved(candidate.solution, steps))
+        if improved.price[0] and patient:
+            # After free rewriting, segments rarely share kernels.
+            with_kernels = self._improve_keeping_kernels(candidate.solution, KERNEL_SHARE * steps)
+            if with_kernels.price < improved.price:
+                return with_kernels, True
+        return improved, False
 
-    def _more(self, candidate: P, kept: bool) -> P:
+    def _improve_further(self, candidate: P, keep_kernels: bool) -> P:
         steps = MORE_STEPS[self.level]
-        if kept:
-            return self._kept(candidate.solution, steps)
+        if keep_kernels:
+            return self._improve_keeping_kernels(candidate.solution, steps)
         solution = self._improved(candidate.solution, steps // 2)
         budget = Budget(ENRICH_STEPS[self.level])
         richer = enrich(solution, self.problem, self.machine, budget)
@@ -117,37 +115,40 @@ class _Refinery(Generic[P]):
     def _improved(self, solution: Solution, steps: int) -> Solution:
         return improve(solution, self.problem, self.machine, Budget(steps))
 
-    def _kept(self, solution: Solution, steps: int) -> P:
-        """The solution improved with equal segments kept equal: with room for more of them than
-        there are now, and without."""
-        found = []
+    def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
+        """Improve a solution so that equal segments stay equal, with and without room for more
+        segments."""
+        priced_solutions = []
         for room in sorted({self.room, 0}, reverse=True):
             budget = Budget(steps)
             shorter = improve(
                 solution, self.problem, self.machine, budget, keep_kernels=True, room=room
             )
-            found.append(self._form(shorter))
-            if not found[-1].price[0]:
+            priced_solutions.append(self._form(shorter))
+            if not priced_solutions[-1].price[0]:
                 break
-        return min(found, key=_PRICE)
+        return min(priced_solutions, key=_PRICE)
 
     def _form(self, solution: Solution) -> P:
-        """The solution priced; if its words do not fit, with gates and analog words apart."""
-        found = self.priced(solution)
-        return min(found, self.priced(apart(solution)), key=_PRICE) if found.price[0] else found
+        """Price a solution; if it does not fit, also with gates and analog words in separate
+        segments."""
+        priced = self.priced(solution)
+        return min(priced, self.priced(apart(solution)), key=_PRICE) if priced.price[0] else priced
 
     def _balanced(self, candidate: P) -> P:
-        """The candidate with its largest boundary made smaller."""
+        """Reduce the words of the candidate's largest boundary."""
         solution = candidate.solution
-        others = list(candidate.words_per_boundary)
-        gates = words_at(solution, self.problem, self.machine, len(others) - 1)
-        others = [all_ - own for all_, own in zip(others, gates, strict=True)]
+        other_words = list(candidate.words_per_boundary)
+        gates = words_at(solution, self.problem, self.machine, len(other_words) - 1)
+        other_words = [
+            all_ - gate_words for all_, gate_words in zip(other_words, gates, strict=True)
+        ]
         budget = Budget(FIRST_STEPS[self.level])
-        return self._form(balance(solution, self.problem, self.machine, budget, others))
+        return self._form(balance(solution, self.problem, self.machine, budget, other_words))
 
 
 def apart(solution: Solution) -> Solution:
-    """The solution with no gates in the segments that precede analog words: these are the same in
-    every slot, and stored once."""
+    """Separate gates from the segments before analog words, so that these are equal in all slots
+    and stored once."""
     answers = tuple((*answer, ()) if answer else answer for answer in solution.answers)
     return replace(solution, answers=answers)

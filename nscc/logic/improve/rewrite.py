@@ -1,14 +1,13 @@
-"""One change, and the repair of everything behind it until the run is as it was again.
+"""A local change, and the repair of the code after it.
 
-A change drops operations or puts others in front. From there the run is followed with the changed
-registers: an operation that would now write something else than before is given other sources, is
-preceded by a new gate in a free register, or is dropped, if its register holds what is wanted
-already. Only what matters later must come out the same.
+A change drops operations or inserts others. Then the code is followed with the changed registers.
+An operation whose result would change gets other sources, is preceded by a new gate in a free
+register, or is dropped if its register already holds the needed value. Only values that matter
+later must stay equal.
 
-(Resubstitution with don't-cares, and close to the transduction method for networks of NOR gates:
-Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989. There a gate's permissible
-functions are found first; here a change is tried, and followed for as long as it makes a
-difference.)
+This is resubstitution with don't-cares, and close to the transduction method for NOR networks
+(Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989), which computes a gate's
+permissible functions first; here a change is tried and followed while it makes a difference.
 """
 
 from __future__ import annotations
@@ -16,14 +15,14 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from nscc.logic.improve.code import Check, Content, Item, Op
+from nscc.logic.improve.code import Check, Content, GateOp, Item
 from nscc.logic.improve.covers import gate, inner
-from nscc.logic.improve.run import HORIZON, Run
+from nscc.logic.improve.tracked_run import HORIZON, TrackedRun
 
 
 @dataclass(frozen=True)
 class Rewrite:
-    """`items` in place of items[start:end] of a run; `gain` words fewer."""
+    """Replacement of items[start:end] of a run by `items`, which saves `gain` words."""
 
     start: int
     end: int
@@ -32,26 +31,24 @@ class Rewrite:
 
 
 def rewrite(
-    run: Run,
+    run: TrackedRun,
     start: int,
-    lead: Sequence[Op],
+    lead: Sequence[GateOp],
     dropped: Collection[int],
     *,
     least: int,
     deepen: bool = False,
     order: Sequence[int] | None = None,
 ) -> Rewrite | None:
-    """`lead` in front of item `start`, without the items `dropped`: at least `least` words gained.
-
-    None if no repair was found. With `deepen`, new gates may be put in. `order` is the registers
-    in the order in which they are preferred as sources.
-    """
+    """Insert `lead` before item `start`, drop the items `dropped`, and repair; None if it does not
+    save `least` words. With `deepen`, the repair may insert gates. `order` lists the registers by
+    preference as sources."""
     return _Walk(run, start, least, deepen, order).go(lead, dropped)
 
 
 class _Walk:
     def __init__(
-        self, run: Run, start: int, least: int, deepen: bool, order: Sequence[int] | None
+        self, run: TrackedRun, start: int, least: int, deepen: bool, order: Sequence[int] | None
     ) -> None:
         self.run = run
         self.frame = run.frame
@@ -64,13 +61,13 @@ class _Walk:
         self.gain = 0
         self.out: list[Item] = []
 
-    def go(self, lead: Sequence[Op], dropped: Collection[int]) -> Rewrite | None:
+    def go(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
         run, frame, items = self.run, self.frame, self.run.items
         run.budget.spend(run.step)
         self.gain = sum(frame.words(items[k]) for k in dropped)
         last = max(dropped, default=self.start - 1)
         for new in lead:
-            if not frame.legal(new) or not self._put(new):
+            if not frame.legal(new) or not self._insert(new):
                 return None
         self._compare(run.before[self.start], -1)
         k = self.start
@@ -97,7 +94,7 @@ class _Walk:
         return Rewrite(self.start, k, self.out, gain)
 
     def _compare(self, reference: Sequence[Content], register: int) -> None:
-        """Brings `changed` up to date where `register` (-1: any) may have been written."""
+        """Update `changed` after a possible write to `register` (-1: any)."""
         if register < 0:
             self.changed = 0
             for i, content in enumerate(self.state):
@@ -108,7 +105,7 @@ class _Walk:
         else:
             self.changed |= 1 << register
 
-    def _put(self, item: Op) -> bool:
+    def _insert(self, item: GateOp) -> bool:
         value = self.frame.value(item, self.state)
         if value is None:
             return False
@@ -116,43 +113,44 @@ class _Walk:
         self.gain -= self.frame.words(item)
         return True
 
-    def _store(self, item: Op, value: Content) -> None:
+    def _store(self, item: GateOp, value: Content) -> None:
         self.out.append(item)
         self.state[item.destination] = value
 
-    def _follow(self, k: int, item: Op) -> bool:
-        """Operation k in the present state: as it is, dropped or repaired."""
+    def _follow(self, k: int, item: GateOp) -> bool:
+        """Process operation k in the current state: keep, drop or repair it."""
         target = item.destination
-        # In this order: nothing to do any more; as before; what it would overwrite is as good; its
-        # own new result is as good; other sources.
-        wanted = self.run.before[k + 1][target]
-        assert wanted is not None
-        held = self.state[target]
-        value = self.frame.value(item, self.state) if item.reads & self.changed else wanted
-        if held == wanted and self.changed >> target & 1:
+        # In order: drop if the register already holds the result; keep if the result is equal; drop
+        # if the old content is equivalent; keep if the new result is equivalent; find other
+        # sources.
+        required = self.run.before[k + 1][target]
+        assert required is not None
+        current = self.state[target]
+        value = self.frame.value(item, self.state) if item.reads & self.changed else required
+        if current == required and self.changed >> target & 1:
             self.gain += self.frame.words(item)
             return True
-        if value == wanted:
+        if value == required:
             self._store(item, value)
             return True
         matters = self.run.care(k)
-        if held is not None and not (held ^ wanted) & matters:
+        if current is not None and not (current ^ required) & matters:
             self.gain += self.frame.words(item)
             return True
-        if value is not None and not (value ^ wanted) & matters:
+        if value is not None and not (value ^ required) & matters:
             self._store(item, value)
             return True
         self.gain += self.frame.words(item)
-        return self._repair(k, item, wanted & matters, matters & ~wanted)
+        return self._repair(k, item, required & matters, matters & ~required)
 
-    def _repair(self, k: int, item: Op, one: int, zero: int) -> bool:
-        """Other sources for operation k, or another gate before it; `gain` is kept up to date."""
+    def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
+        """Find other sources for operation k, or another gate before it; updates `gain`."""
         self.run.budget.spend(self.run.step)
-        new = self._single(item, one, zero, in_place=False)
+        new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:
             return False
-        new = new or self._single(item, one, zero, in_place=True)
-        return self._put(new) if new else self.deepen and self._double(k, item, one, zero)
+        new = new or self._single(item, ones, zeros, in_place=True)
+        return self._insert(new) if new else self.deepen and self._double(k, item, ones, zeros)
 
     def _readable(self, target: int) -> list[int]:
         frame = self.frame
@@ -161,62 +159,64 @@ class _Walk:
             banned = frame.flag
         return [r for r in self.order if self.state[r] is not None and r != banned]
 
-    def _written(self, target: int, one: int, zero: int) -> tuple[int, int] | None:
-        """What a gate must write into `target` for (one, zero) to stand there; None if a mask keeps
-        it from doing so."""
+    def _written(self, target: int, ones: int, zeros: int) -> tuple[int, int] | None:
+        """Return (ones, zeros) that a gate must write so that `target` is 1 on `ones` and 0 on
+        `zeros`; None if a mask prevents it."""
         frame = self.frame
         if target != frame.masked or frame.mask is None:
-            return one, zero
-        mask, kept = self.state[frame.mask], self.state[target]
-        if mask is None or (kept is None and mask != frame.everything):
+            return ones, zeros
+        mask, previous = self.state[frame.mask], self.state[target]
+        if mask is None or (previous is None and mask != frame.everything):
             return None
-        wrong = ((kept or 0) & zero | ~(kept or 0) & one) & ~mask
-        return None if wrong else (one & mask, zero & mask)
+        conflicts = ((previous or 0) & zeros | ~(previous or 0) & ones) & ~mask
+        return None if conflicts else (ones & mask, zeros & mask)
 
-    def _single(self, item: Op, one: int, zero: int, *, in_place: bool) -> Op | None:
+    def _single(self, item: GateOp, ones: int, zeros: int, *, in_place: bool) -> GateOp | None:
         frame, target = self.frame, item.destination
-        written = self._written(target, one, zero)
+        written = self._written(target, ones, zeros)
         if written is None:
             return None
-        one, zero = written
+        ones, zeros = written
         readable = self._readable(target)
         if target == frame.flag:
             if in_place:
                 return None
             limit = frame.machine.where_sources
-            found = gate(one, zero, self.state, readable, limit, inverted=(False,), fewest=1)
+            chosen = gate(ones, zeros, self.state, readable, limit, inverted=(False,), fewest=1)
         else:
             if not in_place:
                 readable = [r for r in readable if r != target]
-            found = gate(one, zero, self.state, readable, frame.machine.or_sources)
-        if found is None:
+            chosen = gate(ones, zeros, self.state, readable, frame.machine.or_sources)
+        if chosen is None:
             return None
-        new = frame.op(found[0], target, found[1], item.place, item.segment)
+        new = frame.op(chosen[0], target, chosen[1], item.place, item.segment)
         return new if frame.legal(new) else None
 
-    def _double(self, k: int, item: Op, one: int, zero: int) -> bool:
-        """A new gate in a free register, then operation k with other sources."""
+    def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
+        """Insert a gate in a free register, then operation k with other sources."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]
-        written = self._written(target, one, zero)
+        written = self._written(target, ones, zeros)
         if written is None:
             return False
         busy = {target, frame.mask} if target == frame.masked else {target}
-        for _, one_, zero_ in inner(*written, self.state, readable, kinds):
+        for _, inner_ones, inner_zeros in inner(*written, self.state, readable, kinds):
             for spare in self.run.free(k + 1, busy):
                 sources = [r for r in self._readable(spare) if r != spare]
-                found = gate(one_, zero_, self.state, sources, frame.machine.or_sources)
-                if found is None:
+                chosen = gate(
+                    inner_ones, inner_zeros, self.state, sources, frame.machine.or_sources
+                )
+                if chosen is None:
                     continue
-                new = frame.op(found[0], spare, found[1], item.place, item.segment)
+                new = frame.op(chosen[0], spare, chosen[1], item.place, item.segment)
                 value = frame.value(new, self.state)
-                held = self.state[spare]
+                previous = self.state[spare]
                 self.state[spare] = value
-                outer = self._single(item, one, zero, in_place=False)
-                self.state[spare] = held
+                outer = self._single(item, ones, zeros, in_place=False)
+                self.state[spare] = previous
                 if outer is not None and frame.legal(new):
-                    self._put(new)
+                    self._insert(new)
                     self._compare(self.run.before[k], spare)
-                    return self._put(outer)
+                    return self._insert(outer)
         return False

@@ -1,4 +1,4 @@
-"""The passes over a finished solution, in turn for as long as they gain and steps are left."""
+"""The improvement passes in turn, while they save words and steps are left."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from contextlib import suppress
 from itertools import count
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before, unflatten
+from nscc.logic.improve.code import FrameContext, Illegal, Item, flatten, states_before, unflatten
 from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import shrink
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.improve.wander import wander
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# Operations this far apart are dropped together: what belongs together lies within an answer or in
-# the next one.
+# Most distance of operations dropped together: they belong to one answer or to two consecutive
+# ones.
 PAIR_SPAN = 8
-# Steps of one walk, half a second; after it the sweeps follow.
+# Steps of one walk, half a second, before the next sweeps.
 WALK_STEPS = 50_000
-# So many walks in vain are the last.
+# Number of walks without gain before giving up.
 PATIENCE = 6
 # Steps of a walk over one kernel.
 KERNEL_STEPS = 2_000
@@ -34,27 +34,26 @@ def improve(
     keep_kernels: bool = False,
     room: int = 0,
 ) -> Solution:
-    """A solution of the same problem in as many words a frame or fewer.
+    """A solution of the same problem with at most as many words a frame.
 
-    The encoding stays as it is. Steps of `budget` are taken until nothing seems left to gain; the
-    same input gives the same result. Segments that were equal may no longer be so, and then share
-    no kernel. With `keep_kernels` they stay equal: kernels are rewritten in all places alike, and
-    sequences of kernels that come again are rewritten as one while all distinct segments together
-    take no more than `room` words.
+    The encoding is unchanged. Deterministic: steps of `budget` are used until nothing is gained.
+    Equal segments may become different. With `keep_kernels` they stay equal: kernels are rewritten
+    in all places, and repeated sequences of kernels as one while all distinct segments take at most
+    `room` words.
     """
     frame, items = flatten(solution, problem, machine)
     try:
         if keep_kernels:
             items = _kernels(frame, items, budget, room)
         else:
-            items = _exhausted(Run(frame, items, budget), WALK_STEPS, PATIENCE)
+            items = _exhausted(TrackedRun(frame, items, budget), WALK_STEPS, PATIENCE)
     except Illegal:
         return solution
     return settled(frame, items)
 
 
-def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list[Item]:
-    """Kernels made shorter until that gains nothing: what is shorter leaves room for more."""
+def _kernels(frame: FrameContext, items: list[Item], budget: Budget, room: int) -> list[Item]:
+    """Shorten kernels until nothing is gained, since shorter kernels leave more room."""
     words = frame.total(items) + 1
     while frame.total(items) < words and budget.left > 0:
         words = frame.total(items)
@@ -62,29 +61,29 @@ def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list
     return items
 
 
-def _kernel(frame: Frame, items: list[Item], budget: Budget) -> list[Item]:
-    """Shorter items, found by sweeps and a short walk."""
-    return _exhausted(Run(frame, items, budget), KERNEL_STEPS, patience=1)
+def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item]:
+    """Shorten the items of one kernel by sweeps and a short walk."""
+    return _exhausted(TrackedRun(frame, items, budget), KERNEL_STEPS, patience=1)
 
 
-def settled(frame: Frame, items: list[Item], *, as_long: bool = False) -> Solution:
-    """`items` as a solution if they are one and take fewer words than that of the frame (`as_long`:
-    or as many), which otherwise comes back itself."""
+def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
+    """The solution of `items` if valid and shorter than the frame's solution (with `as_long`: or
+    equal), else the frame's solution."""
     solution = frame.solution
     try:
-        found = unflatten(frame, items)
-        checked, again = flatten(found, frame.problem, frame.machine)
+        candidate = unflatten(frame, items)
+        checked, again = flatten(candidate, frame.problem, frame.machine)
         states_before(checked, again)
     except Illegal:
         return solution
     before, gates = flatten(solution, frame.problem, frame.machine)
     gain = before.total(gates) - checked.total(again)
-    return found if gain > 0 or (as_long and gain == 0) else solution
+    return candidate if gain > 0 or (as_long and gain == 0) else solution
 
 
-def _exhausted(run: Run, steps: int, patience: int) -> list[Item]:
-    """The items of a run after sweeps until they gain nothing, then walks of so many steps and
-    sweeps, until no step is left or `patience` walks gained nothing."""
+def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
+    """The items after alternating sweeps and walks of `steps` steps, until the budget ends or
+    `patience` walks gain nothing."""
     try:
         _sweep(run)
         idle = 0
@@ -100,7 +99,7 @@ def _exhausted(run: Run, steps: int, patience: int) -> list[Item]:
     return run.items
 
 
-def _sweep(run: Run) -> None:
+def _sweep(run: TrackedRun) -> None:
     words = run.words() + 1
     while run.words() < words:
         words = run.words()
@@ -108,7 +107,7 @@ def _sweep(run: Run) -> None:
         _recolour(run)
 
 
-def _recolour(run: Run) -> None:
+def _recolour(run: TrackedRun) -> None:
     items = recoloured(run.frame, run.items)
     if items is not None and run.frame.total(items) < run.words():
         with suppress(Illegal):

@@ -1,11 +1,10 @@
-"""A walk among solutions of the same price, in search of a cheaper one nearby.
+"""A random walk among solutions of equal price, in search of a cheaper one nearby.
 
-Every step drops one to three operations, or puts one elsewhere, and keeps what the repair makes of
-it unless it costs more words. The walk is random and the same every time.
+Every step drops one to three operations, or moves one, and keeps the repaired result unless it
+costs more words. The random sequence is fixed.
 
-Most changes gain nothing by themselves, but they move values to other registers and other moments,
-and a plateau has far more ways down than a point of it. Costlier neighbours are never taken: with a
-repair behind every step the plateau is wide enough, and what is found never has to be given back.
+Most changes save nothing, but they move values to other registers and times, so that another point
+of the plateau may have a cheaper neighbour. Costlier neighbours are never accepted.
 """
 
 from __future__ import annotations
@@ -13,28 +12,28 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from nscc.logic.improve.code import Check, Op
+from nscc.logic.improve.code import Check, GateOp
 from nscc.logic.improve.rewrite import Rewrite, rewrite
-from nscc.logic.improve.run import Run
+from nscc.logic.improve.tracked_run import TrackedRun
 
-# Operations so far from one another are dropped together, or change places: an answer, mostly.
+# Most distance of operations that are dropped together or exchanged, about one answer.
 SPAN = 12
 
 
-def wander(run: Run, seed: int, steps: int) -> int:
-    """At most `steps` steps of the budget; returns the words gained."""
+def wander(run: TrackedRun, seed: int, steps: int) -> int:
+    """Walk at most `steps` steps of the budget; returns the words saved."""
     choose = random.Random(seed)
     until = max(run.budget.left - steps, 0)
     gained = 0
     while run.budget.left > until and run.items:
-        done = _try(run, choose)
-        if done is not None:
-            run.splice(done.start, done.end, done.items)
-            gained += done.gain
+        rewriting = _try(run, choose)
+        if rewriting is not None:
+            run.splice(rewriting.start, rewriting.end, rewriting.items)
+            gained += rewriting.gain
     return gained
 
 
-def _try(run: Run, choose: random.Random) -> Rewrite | None:
+def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
     k = choose.randrange(len(run.items))
     item = run.items[k]
     run.budget.spend(1)
@@ -42,16 +41,17 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         return None
     order = list(range(run.frame.flag + 1))
     choose.shuffle(order)
-    # Half of the steps drop one to three operations; a quarter write elsewhere, an eighth earlier,
-    # and an eighth put in a NOR of some registers in place of one or two operations.
+    # Half of the steps drop one to three operations; a quarter change the destination, an eighth
+    # move an operation forward, and an eighth replace one or two operations by a NOR of some
+    # registers.
     kind = choose.randrange(8)
-    lead: tuple[Op, ...] = ()
+    lead: tuple[GateOp, ...] = ()
     dropped = [k]
     start = k
     if kind <= 3:
-        others = _near(run, k)
-        choose.shuffle(others)
-        dropped += others[: choose.randrange(3)]
+        nearby = _nearby_operations(run, k)
+        choose.shuffle(nearby)
+        dropped += nearby[: choose.randrange(3)]
         start = min(dropped)
     elif kind <= 5:
         target = choose.choice(order)
@@ -65,7 +65,7 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         if start == k:
             return None
         first = run.items[start]
-        assert isinstance(first, Op)
+        assert isinstance(first, GateOp)
         lead = (replace(item, segment=first.segment),)
     else:
         target = choose.randrange(run.frame.flag)
@@ -74,29 +74,34 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         known = [r for r in order if run.before[k][r] is not None]
         sources = known[: choose.randrange(1, 4)]
         lead = (run.frame.op(True, target, sources, item.place, item.segment),)
-        dropped = _near(run, k)
+        dropped = _nearby_operations(run, k)
         choose.shuffle(dropped)
         dropped = dropped[: choose.randrange(1, 3)]
         start = min([k, *dropped])
-    done = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
-    if done is None or (done.gain == 0 and done.items == run.items[done.start : done.end]):
+    rewriting = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
+    if rewriting is None or (
+        rewriting.gain == 0 and rewriting.items == run.items[rewriting.start : rewriting.end]
+    ):
         return None
-    return done
+    return rewriting
 
 
-def _near(run: Run, k: int) -> list[int]:
-    """Operations of the same answer around k, without k."""
-    found: list[int] = []
-    for way in (range(k - 1, max(-1, k - SPAN), -1), range(k + 1, min(len(run.items), k + SPAN))):
-        for j in way:
+def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
+    """Operations of the same answer near k, without k."""
+    operations: list[int] = []
+    for indices in (
+        range(k - 1, max(-1, k - SPAN), -1),
+        range(k + 1, min(len(run.items), k + SPAN)),
+    ):
+        for j in indices:
             if isinstance(run.items[j], Check):
                 break
-            found.append(j)
-    return found
+            operations.append(j)
+    return operations
 
 
-def _earlier(run: Run, k: int, choose: random.Random) -> int:
-    """A place before k in the same answer."""
+def _earlier(run: TrackedRun, k: int, choose: random.Random) -> int:
+    """A random place before k in the same answer."""
     low = k
     while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
         low -= 1

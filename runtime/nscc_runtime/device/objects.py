@@ -34,7 +34,7 @@ from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers
-from nscc.words.legality import refuse_planes
+from nscc.words.legality import refuse_pictures, refuse_planes
 from nscc_runtime.device.messages import Begin, ObjectEntry
 
 MOST_TIMES = (1 << 16) - 1
@@ -139,6 +139,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
         "the loader runs words, but this program has planes of bits",
         "`nscc build --emit planes` writes an .npz for a driver of the chip",
     )
+    refuse_pictures(container, "the loader cannot be sent this program", "run it on the emulator")
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
 from nscc.words.machine import StatePlanes
-from nscc.words.planes import codes_of_planes
+from nscc.words.plane_files import codes_of_planes
 from nscc_runtime.device.objects import RUN, WORD, unpacked_plane
 
 if TYPE_CHECKING:

@@ -143,6 +143,8 @@ class _Translator:
         match op.operation.effect:
             case Effect.NONE:
                 return []
+            case Effect.DIGITAL_NEIGHBOURS:
+                raise AssertionError(f"`{op}` has no place in an exposure")
             case Effect.RESET_PIX:
                 # "unknown" is taken as "yes": the chip that resets less.
                 if self.target.reset_honours_flag == "no":

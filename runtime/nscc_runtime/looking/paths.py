@@ -123,7 +123,7 @@ def start_bits(container: Container) -> dict[str, Bits]:
     column = {name: i for i, name in enumerate(container.target.digital_registers)}
     bits_by_register = {name: encoding[:, column[name]] for name in container.code_registers}
     for k, state in enumerate(machine.states):
-        if state.kept:
+        if state.is_kept:
             planes = container.state_planes[state.name]
             rows = dict(zip(planes.values, planes.bits, strict=True))
             bits = np.array([rows[value] for value in machine.values[nodes, k].tolist()])

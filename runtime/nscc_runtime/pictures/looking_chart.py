@@ -96,7 +96,7 @@ def _shown(container: Container) -> list[_Shown]:
         code = int(np.flatnonzero(table.shutter_of_code == behaviour)[0])
         values = zip(table.fields, table.codes[code].tolist(), strict=True)
         name = ", ".join(f"{field} = {value}" for field, value in values)
-        if any(state.kept for state in machine.states):
+        if any(state.is_kept for state in machine.states):
             frames = {0: "the first frame", _LATER: f"the same light {_LATER} frames later"}
             chosen_frames = frames if count == 1 else {0: frames[0]}
             for frame, frame_text in chosen_frames.items():

@@ -306,7 +306,7 @@ def _table(plan: Plan) -> str:
         (name, "", "", "", description, f"{cost_ms:.2f}", *(("",) if looks else ()))
         for name, description, cost_ms in plan.costs
     ]
-    lines = [columns(rows, left=(0, 3, 4)), *_errors(plan), *approximation_lines(plan)]
+    lines = [columns(rows, left_aligned=(0, 3, 4)), *_errors(plan), *approximation_lines(plan)]
     lines.append(
         ": ".join(filter(None, (_LOOPS[plan.slot_loop], "; ".join(plan.slot_loop_reasons))))
     )

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc.words.legality import refuse_pictures
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
@@ -243,6 +244,7 @@ def planning_of(
 ) -> PlannedScene:
     """A program on a scene, to be planned, exposed and audited. Pixels that look are exposed on the
     processor, whatever device of torch is named."""
+    refuse_pictures(container, "there is no plan of this program", "simulate all its effects")
     if container.machine is None:
         return FixedShutters(container, sensor, light, device_seed, threads, torch_device)
     return LookingPixels(container, sensor, light, device_seed, threads)

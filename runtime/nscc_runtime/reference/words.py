@@ -102,19 +102,24 @@ class WordPixels(Pixels):
     effects: Selection
 
     def __post_init__(self) -> None:
-        self.at, self.target = self.effects.at, self.container.target
-        self.most = most_destinations(self.target)
-        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
+        self.begin()
         names = ("PIX", *self.target.analog_registers)
-        start = {
-            name: uniforms(key(self.device_seed, START, group=i), self.places)
-            for i, name in enumerate(names)
-        }
+        start = {name: self.arbitrary(i) for i, name in enumerate(names)}
         # Well inside the range, so that a program that reads what it has not written is far off.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.resets = Resets(self.effects, len(self.places))
         self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
+
+    def begin(self) -> None:
+        """Looks up what does not depend on pixels."""
+        self.at, self.target = self.effects.at, self.container.target
+        self.most = most_destinations(self.target)
+        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
+
+    def arbitrary(self, group: int) -> Values:
+        """Uniform numbers, fixed by the device, of which a register's first value is made."""
+        return uniforms(key(self.device_seed, START, group=group), self.places)
 
     @abstractmethod
     def draw(self, name: str, number: int) -> Values:
@@ -147,15 +152,19 @@ class WordPixels(Pixels):
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name == "IN":
-                total = total + word.in_e
+                total += word.in_e
             elif name == "PIX":
                 level = self.resets.read_level(self, self.charge, word, word.boundary)
                 for found in self.at("reads"):
                     level = found(self, level, word)
-                total = total + level
+                total += level
             else:
-                total = total + self.register[name]
+                total += self.source(name)
         return total
+
+    def source(self, name: str) -> Values:
+        """What a word reads of an analog register."""
+        return self.register[name]
 
     def bus(self, word: RunningWord, here: Bits) -> None:
         """The destinations of a word get the sum of its sources there."""
@@ -173,12 +182,13 @@ class WordPixels(Pixels):
         """The exposures of the frame, and what cut them off."""
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
+        stays = self.container.pictures is not None  # images are made of it before readout
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
-            for held in self.at("hold"):
+            for held in () if stays else self.at("hold"):
                 value = value * held(self, order * self.target.readout_us * 1e-6)
             bucket = self.container.buckets.index(readout.bucket)
-            for leaves in self.at("readout"):
+            for leaves in () if stays else self.at("readout"):
                 value = leaves(self, value, bucket)
             exposures[bucket] = value + 0.0  # -0 + 0 is +0
             marked[bucket] = self.marks.read_out(readout.register, readout.gain)

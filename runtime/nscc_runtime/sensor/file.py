@@ -12,8 +12,8 @@ from pathlib import Path
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.toml.files import WIDTH, file_bytes, file_text, file_values
-from nscc.toml.schema import Codes, Schema
+from nscc.toml.schema import FileCodes, Schema
+from nscc.toml.schema_files import WIDTH, file_bytes, file_text, file_values
 from nscc_runtime.effects.effect import Effect
 from nscc_runtime.effects.parameters import HEADINGS, Parameter
 from nscc_runtime.effects.registry import parameters, registered
@@ -32,7 +32,7 @@ def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
         "sensor",
         rows,
         HEADINGS,
-        Codes("NS0751", "NS0752", unknown="NS0753", wrong="NS0754", change="NS0755"),
+        FileCodes("NS0751", "NS0752", unknown="NS0753", wrong_value="NS0754", change="NS0755"),
         "`nscc effects --toml > sensor.toml` writes a complete file to start from",
         noun="parameter",
         option="--sensor-set",

@@ -10,6 +10,7 @@ import torch
 from torch import Tensor
 
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
+from nscc_training.any_code.readouts import FIRST_STAGE, always_open, joined
 from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.baselines.gap_tv import gap_tv_of
@@ -54,18 +55,33 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
     """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages;
     at last it is led to the frames once more.
 
+    Where one of several frames was always open, `joined` takes what stands still from all of them.
+
     The whites of the light need not be 1 here, as a denoiser wants them: what the brightest pixels
     say is taken for that.
     """
     unit = white(measured)
     measured = measured.over(unit)
+    number = always_open(measured)
+    if number is None:
+        clip = _coded_clip(measured, count, count)
+    else:
+        clip = joined(measured, _coded_clip(measured, count, min(count, FIRST_STAGE)), number)
+    return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
+
+
+def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
+    """Return the mean of the clips after stage `first` to `count`, led to the frames; the unit of
+    light has a white of 1."""
     clip, target = gap_tv_of(measured)
+    mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
         for number, sigma in enumerate(schedule(count)):
             denoiser = mirrored(shipped("clip"), number)
             clip, target = stage(measured, denoiser, clip, target, sigma)
-        clip = led(measured, clip)
-    return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
+            if number + 1 >= first:
+                mean += clip / (count + 1 - first)
+        return led(measured, mean)
 
 
 @torch.no_grad()

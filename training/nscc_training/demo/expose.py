@@ -28,11 +28,17 @@ from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.demo.subject import Subject
+from nscc_training.design.chip import Chip, Curve
+from nscc_training.design.scene import best_stop
 from nscc_training.design.text import frame_text
 from nscc_training.run_files import RunCapture, run_capture
 
 RUNS = {True: Path("hdr"), False: Path("clip")}
-"""The run for stills, and that for clips."""
+"""The run for stills, and that for clips, whose exposure and sensor the programs below have too."""
+CLIPS = {1: "searched_bits", 2: "two_readouts", 3: "three_readouts", 4: "four_readouts"}
+"""The example that a clip is exposed through, by the number of readouts."""
+BEST_READOUTS = 4
+"""Of these the number with the largest PSNR."""
 LOOKING = "float_pixel"
 """The example whose pixels look at the light: what a still is exposed through beside the run."""
 DARK_FRAMES, DARK_SEED = 16, 1 << 20
@@ -45,7 +51,8 @@ _BRIGHTER = ("@99", "@100")
 class Settings:
     """How a scene is shown. `exposure` is text as `--exposure` takes it (None: the run's), `tone` a
     curve (None: sRGB for what was made for screens, a logarithm for light), `learned` decodes by
-    the run's decoder, which needs torch; else frames are merged."""
+    the run's network, which needs
+    torch; else frames are merged."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -53,6 +60,12 @@ class Settings:
     tone: str | None = None
     seed: int = 0
     learned: bool = field(default_factory=lambda: find_spec("torch") is not None)
+    readouts: int | None = None
+
+    @property
+    def program(self) -> Path:
+        """The program for clips."""
+        return examples()[CLIPS[(self.readouts or BEST_READOUTS) if self.learned else 1]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,10 +83,13 @@ class Exposed:
     """What was exposed, and how: `scene` with its exposure on the arrays (`laid`, one for each
     colour), the coded frame (`taken`) and that of always open pixels (`usual`), each with its
     frames without light; `seconds` that the coded frame took; `looked`, a still as pixels that
-    look have it.
+    look have it; `fair`, what an ordinary camera does at its best, and that without light: a still
+    at the one stop that suits its light, a clip in a burst of as many frames as `program` has
+    readouts, if these are several. `run` is a still's, None for a clip.
     """
 
-    run: Path
+    run: Path | None
+    program: Path
     scene: Scene
     laid: tuple[PlacedLight, ...]
     container: Container
@@ -84,6 +100,7 @@ class Exposed:
     usual_dark: Taken
     seconds: float
     looked: Looked | None
+    fair: tuple[Taken, Taken] | None
 
     @property
     def still(self) -> bool:
@@ -103,9 +120,14 @@ class Exposed:
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 
-    def codes(self, taken: Taken) -> NDArray[np.uint8]:
-        """A frame's codes (rows, cols), or (rows, cols, 3) in colours."""
-        codes = taken.simulated.frame.frame[..., 0, :, :]
+    @property
+    def readouts(self) -> int:
+        """How many readouts the coded frame has."""
+        return len(self.container.table.shutters[0])
+
+    def codes(self, taken: Taken, readout: int = 0) -> NDArray[np.uint8]:
+        """A readout's codes (rows, cols), or (rows, cols, 3) in colours."""
+        codes = taken.simulated.frame.frame[..., readout, :, :]
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
     def files(self) -> tuple[FrameFile, FrameFile]:
@@ -115,12 +137,13 @@ class Exposed:
 
 
 def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
-    """A subject through the run that is for it, under the default sensor, with the effects that it
-    calls for. Raises Rejected for a scene that is dark or cannot be read."""
-    run = RUNS[found.still]
-    like = run_capture(run)
-    compiled = compile_file(like.program, Options()).container
-    assert compiled is not None  # a run's program has compiled before
+    """A still through its run, a clip through the program with the asked for readouts, under the
+    default sensor, with the effects that it calls for. Raises Rejected for a scene that is dark or
+    cannot be read."""
+    like = run_capture(RUNS[found.still])
+    program = like.program if found.still else settings.program
+    compiled = compile_file(program, Options()).container
+    assert compiled is not None  # what comes with nscc has compiled before
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(found, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
@@ -134,9 +157,18 @@ def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
         _dark(each, sensor, settings, listener) for each in (compiled, usual_camera)
     )
     looked = _looked(scene, sensor, request, listener) if found.still else None
+    count, stop = len(compiled.table.shutters[0]), like.slots
+    if found.still:
+        stop = _metered(laid, compiled, sensor, "linear" if found.transfer == "srgb" else "mu")
+    fair = None
+    if found.still or count > 1:
+        ordinary = camera(like.slots, like.slot_us, target, count, stop)
+        fair = (simulate_scene(ordinary, laid, sensor, request, listener),
+                _dark(ordinary, sensor, settings, listener))  # fmt: skip
     return Exposed(
-        run, scene, laid, compiled, sensor, taken, dark, usual, usual_dark, seconds, looked
-    )
+        RUNS[True] if found.still else None, program, scene, laid, compiled, sensor, taken, dark,
+        usual, usual_dark, seconds, looked, fair,
+    )  # fmt: skip
 
 
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
@@ -180,9 +212,25 @@ def _laid(
     raise AssertionError("there is an exposure to ask for")
 
 
-def camera(slots: int, slot_us: float, target: str | None = None) -> Container:
-    """An ordinary camera: every shutter is open in all `slots` of `slot_us`."""
-    text = f"nsl 1\n{frame_text(slots, slot_us)}\nopen when true\n"
+def _metered(
+    laid: Sequence[PlacedLight], container: Container, sensor: Sensor, curve: Curve
+) -> int:
+    """Return the slots for which a camera with automatic exposure opens."""
+    light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
+    return best_stop(Chip.of(container.target, sensor), light_e, container.slots, curve)
+
+
+def camera(
+    slots: int, slot_us: float, target: str | None = None, frames: int = 1, stop: int | None = None
+) -> Container:
+    """An ordinary camera: every shutter is open in all `slots` of `slot_us`, or until `stop`; or
+    they are shared out to so many `frames`, one after the other."""
+    rules = f"open when n < {stop or slots}\n"
+    if frames > 1:
+        ends = [slots * k // frames for k in range(frames + 1)]
+        rules = "".join(f"bucket frame{k + 1} open when {ends[k]} <= n < {ends[k + 1]}\n"
+                        for k in range(frames))  # fmt: skip
+    text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
     made = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
     assert made.container is not None  # one shutter fits wherever any does
     return made.container

@@ -17,7 +17,7 @@ from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
 from nscc_training.demo.expose import DARK_FRAMES, DARK_SEED, Exposed, Settings, exposed
 from nscc_training.demo.merge import dark_codes, merged_light
-from nscc_training.demo.sheet import Shown, demo_sheet
+from nscc_training.demo.sheet import Shown, demo_sheet, readouts_text
 from nscc_training.demo.subject import subject
 from nscc_training.run_files import run_capture
 
@@ -28,13 +28,16 @@ BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
 @dataclass(frozen=True)
 class Demo:
     """What a demo left: its `files`, the sheet first, PSNR in dB of the always open pixels, of the
-    reconstruction and, of a still, of pixels that look; and the commands that make the same step by
-    step."""
+    reconstruction, of a still through pixels that look, and of an ordinary camera at its best: a
+    still at one stop for the scene, a clip in a burst of as many frames as `readouts`; and the
+    commands that make the same step by step."""
 
     files: tuple[Path, ...]
     open_db: float
     psnr_db: float
     looked_db: float | None
+    fair_db: float | None
+    readouts: int
     commands: tuple[str, ...]
 
 
@@ -44,7 +47,8 @@ def demo(
     """Expose a scene with a run that comes with nscc, reconstruct it, and write both into `out`.
 
     A still leaves `picture_sheet.png`, `picture.hdr` and `picture.png`, a clip `clip_sheet.png`,
-    `clip.mp4` and `clip.gif`; both their frame files, `.._frame.npz` and `.._dark.npz`. Raises
+    `clip.mp4`, `clip.gif` and its program `clip.nsl`; both their frame files, `.._frame.npz` and
+    `.._dark.npz`. Raises
     Rejected for scenes that cannot be read or are dark.
     """
     settings, listener = settings or Settings(), listener or Listener()
@@ -66,22 +70,30 @@ def demo(
     paths = [out / (name + end) for end in ((".hdr", ".png") if made.still else (".mp4", ".gif"))]
     products: dict[Path, Product] = {out / f"{name}_sheet.png": png_of(demo_sheet, shown)}
     products |= {path: file_of(path, content, "it") for path in paths}
+    if made.run is None:
+        products[out / f"{name}.nsl"] = made.program.read_bytes()
     write_together(products)
     files = (*products, *frames)
     return Demo(
-        files, shown.open_db, shown.psnr_db, shown.looked_db, _commands(made, settings, files)
-    )
+        files, shown.open_db, shown.psnr_db, shown.looked_db, shown.fair_db, made.readouts,
+        _commands(made, settings, files),
+    )  # fmt: skip
 
 
 def _reconstructed(
     made: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
     """The light, in the shape of the truth; the seconds that it took; by what."""
-    if settings.learned:
+    if settings.learned and made.run is not None:
         from nscc_training.reconstruct import reconstruct
 
         found = reconstruct(made.run, frames[0], force=False, dark=frames[1])
         return found.light, found.decode_s, f"U-Net of run {made.run.name}"
+    if settings.learned:
+        from nscc_training.reconstruct_any import reconstruct_any
+
+        found = reconstruct_any(frames[0], kind="video", dark=frames[1])
+        return found.light, found.decode_s, f"{readouts_text(made.readouts)}, decoder for any code"
     begin = working_s()
     light, how = merged_light(made.taken, dark_codes(made.dark), made.sensor)
     return light, working_s() - begin, how
@@ -89,7 +101,8 @@ def _reconstructed(
 
 def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tuple[str, ...]:
     """What does the same step by step."""
-    scene, run = made.scene, made.run
+    scene = made.scene
+    program = quote(files[3].as_posix()) if made.run is None else f"--like {made.run}"
     options = {
         "--scene": scene.name, "--exposure": scene.exposure, "--fit": scene.fit,
         "--fps": scene.fps, "--first": scene.first or None, "--transfer": scene.transfer,
@@ -100,7 +113,7 @@ def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tup
     product, frame, dark = (quote(files[k].as_posix()) for k in (1, -2, -1))
     seed = settings.seed + DARK_SEED
     night = f"--scene builtin:dark --effects auto --repeat {DARK_FRAMES} --seed {seed}"
-    expose = f"nscc run --like {run} {' '.join(said)} -o {frame}"
-    darkness = f"nscc run --like {run} {night} -o {dark}"
-    decode = f"nscc reconstruct {run} {frame} --dark {dark} -o {product}"
+    expose = f"nscc run {program} {' '.join(said)} -o {frame}"
+    darkness = f"nscc run {program} {night} -o {dark}"
+    decode = f"nscc reconstruct {made.run or 'any'} {frame} --dark {dark} -o {product}"
     return (expose, darkness, decode) if settings.learned else (expose, darkness)

@@ -1,4 +1,4 @@
-"""The sheet of a demo: truth, always open, readout, reconstruction, error, and what they count."""
+"""The sheet of a demo: truth, an ordinary camera, readout, reconstruction, error, and PSNR."""
 
 from __future__ import annotations
 
@@ -82,6 +82,27 @@ class Shown:
             return light
         return np.broadcast_to(light / len(self.truth), self.truth.shape)
 
+    @cached_property
+    def fair_light(self) -> NDArray[np.float64] | None:
+        """The light that an ordinary camera at its best tells of, in the shape of the truth; the
+        frames of a burst are shown for as long as they were open. None if that is `usual_light`."""
+        if self.made.fair is None:
+            return None
+        taken, dark = self.made.fair
+        shutters = taken.container.table.shutters[0]
+        dark_codes = dark.simulated.frame.frame.mean(axis=0)
+        frames = []
+        for k, open_slots in enumerate(shutters.sum(axis=-1)):
+            codes = self.made.codes(taken, k)
+            light = (codes - laid_like(dark_codes[k], codes)) / open_slots
+            frames += [light * self.made.sensor.electrons_per_lsb] * int(open_slots)
+        return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
+
+    @property
+    def fair_db(self) -> float | None:
+        """Of an ordinary camera at its best, a still's stop or a clip's burst."""
+        return None if self.fair_light is None else self.decibels(self.fair_light)
+
     @property
     def psnr_db(self) -> float:
         """Of the reconstruction."""
@@ -118,38 +139,80 @@ class Shown:
 
 
 def demo_sheet(shown: Shown) -> Figure:
-    """The sheet."""
-    made, name = shown.made, shown.made.scene.name
+    """The sheet; its headline is the best picture on it, beside that of an ordinary camera."""
+    name = shown.made.scene.name
+    results = [(shown.psnr_db, shown.how)]
+    if shown.looked_db is not None:
+        results.append((shown.looked_db, "pixels that look"))
+    best_db, how = max(results)
+    plain_db = shown.open_db if shown.fair_db is None else max(shown.open_db, shown.fair_db)
+    title = (
+        f"{name if name.startswith('builtin:') else Path(name).name}: {shown.measure} "
+        f"{best_db:.1f} dB by {how}; an ordinary camera {plain_db:.1f} dB"
+    )
+    rows = _still_rows(shown) if shown.still else _clip_rows(shown)
+    return image_sheet(rows, title, _SIDE_INCHES)
+
+
+def _readout(shown: Shown) -> Image:
+    """The coded readout, of several the last."""
+    made, last = shown.made, shown.made.readouts - 1
     codes = fitted("srgb", np.array([0.0]), float(made.container.target.top_code))
-    panels = {
-        "usual": Image(_fit(codes(made.codes(made.usual))), "always open",
-                       f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB"),
-        "frame": Image(_fit(codes(made.codes(made.taken))), "readout",
-                       f"one exposure through the shutters, emulated in {_time(made.seconds)}"),
-    }  # fmt: skip
-    reached = f"{shown.measure} {shown.psnr_db:.1f} dB"
-    told = f"{shown.how}: {reached}, in {_time(shown.decode_s)}"
-    title = f"{name if name.startswith('builtin:') else Path(name).name}: {reached}"
-    tone = f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
-    if shown.still:
-        truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
-        rows: list[list[Image]] = [
-            [Image(_fit(truth), "truth", tone), panels["usual"], panels["frame"]],
-            [Image(_fit(light), "reconstruction", told), _error(truth, light), _shutters(shown)],
-        ]
-        if made.looked is not None:
-            title += f"; {shown.looked_db:.1f} dB by pixels that look"
-            rows.append(_of_looks(shown, made.looked, truth))
-        return image_sheet(rows, title, _SIDE_INCHES)
+    title = "readout" if last == 0 else f"the last of {readouts_text(made.readouts)}"
+    note = f"one exposure through the shutters, emulated in {_time(made.seconds)}"
+    return Image(_fit(codes(made.codes(made.taken, last))), title, note)
+
+
+def _told(shown: Shown) -> str:
+    return f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB, in {_time(shown.decode_s)}"
+
+
+def _tone(shown: Shown) -> str:
+    return f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
+
+
+def _still_rows(shown: Shown) -> list[list[Image]]:
+    """Truth and an ordinary camera; pixels that look; the shutters of the run."""
+    truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
+    rows = [
+        [Image(_fit(light), "reconstruction", _told(shown)), _error(truth, light),
+         _shutters(shown), _readout(shown)]
+    ]  # fmt: skip
+    if shown.made.looked is not None:
+        rows.insert(0, _of_looks(shown, shown.made.looked, truth))
+    first = [Image(_fit(truth), "truth", _tone(shown))]
+    if shown.made.fair is not None and shown.fair_light is not None:
+        container = shown.made.fair[0].container
+        part = float(container.table.shutters[0, 0].mean())
+        usual = shown.fitted(np.maximum(shown.fair_light, 0))
+        note = (
+            f"automatic exposure, {sum(container.slot_us) * part * 1e-3:.3g} ms for all pixels: "
+            f"{shown.measure} {shown.fair_db:.1f} dB; always open {shown.open_db:.1f} dB"
+        )
+        first += [Image(_fit(usual), "an ordinary camera", note), _error(truth, usual)]
+    return [first, *rows]
+
+
+def _clip_rows(shown: Shown) -> list[list[Image]]:
+    """An ordinary camera, readout and shutters; moments of truth, reconstruction and burst."""
+    made = shown.made
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
+    codes = fitted("srgb", np.array([0.0]), float(made.container.target.top_code))
+    usual = Image(_fit(codes(made.codes(made.usual))), "always open",
+                  f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB")  # fmt: skip
     rows = [
-        [panels["usual"], panels["frame"], _shutters(shown)],
-        _row(truth, [f"truth, frame {k + 1} of {len(shown.truth)}" for k in moments], tone),
-        _row(light, ["reconstruction", *[""] * (_MOMENTS - 1)], told),
+        [usual, _readout(shown), _shutters(shown)],
+        _row(truth, [f"truth, frame {k + 1} of {len(shown.truth)}" for k in moments], _tone(shown)),
+        _row(light, ["reconstruction", *[""] * (_MOMENTS - 1)], _told(shown)),
         [_error(a, b, k > 0) for k, (a, b) in enumerate(zip(truth, light, strict=True))],
     ]
-    return image_sheet(rows, title, _SIDE_INCHES)
+    if shown.fair_light is not None:
+        note = f"as many readouts, nothing coded: {shown.measure} {shown.fair_db:.1f} dB"
+        titles = [f"a burst of {made.readouts} ordinary frames", *[""] * (_MOMENTS - 1)]
+        burst = np.maximum(shown.fair_light[moments], 0)
+        rows.append(_row(shown.fitted(burst), titles, note))
+    return rows
 
 
 def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
@@ -166,6 +229,12 @@ def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Im
         Image(_fit(light), "pixels that look", note), _error(truth, light),
         Image(_fit(_coloured(times)), "when they closed", closed),
     ]  # fmt: skip
+
+
+def readouts_text(count: int) -> str:
+    """The number of readouts in words."""
+    words = {1: "one readout", 2: "two readouts", 3: "three readouts", 4: "four readouts"}
+    return f"{words[count]} of one exposure"
 
 
 def _time(seconds: float) -> str:
@@ -197,7 +266,8 @@ def _shutters(shown: Shown) -> Image:
     assert container.pixel_codes is not None  # it has been exposed
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
-    corner, slot_us = container.table.shutters[:, 0][lanes], np.array(container.slot_us)
+    # The last readout: the first of several is always open.
+    corner, slot_us = container.table.shutters[:, -1][lanes], np.array(container.slot_us)
     open_us = corner @ slot_us
     shortest, longest = (f"{time_us * 1e-3:.3g}" for time_us in (open_us.min(), open_us.max()))
     length = longest if shortest == longest else f"{shortest} to {longest}"

@@ -15,8 +15,10 @@ from nscc_training.design.make import (
     Design,
     Frame,
     LookingDesign,
+    PatternDesign,
     TileDesign,
     design_looks,
+    design_pattern,
     design_tile,
 )
 
@@ -27,7 +29,9 @@ __all__ = [
     "Design",
     "Frame",
     "LookingDesign",
+    "PatternDesign",
     "TileDesign",
     "design_looks",
+    "design_pattern",
     "design_tile",
 ]

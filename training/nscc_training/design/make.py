@@ -15,10 +15,12 @@ from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.pipeline import Compiled, Options
 from nscc.source import Source
+from nscc.words.container import Container
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.design.chip import CURVES, Chip, Curve
 from nscc_training.design.looking import Expected, Model, Schedule
 from nscc_training.design.scene import histogram
+from nscc_training.design.stop_patterns import Pattern, Progress, cheapest, judged
 from nscc_training.design.text import level_text, looking_text, tile_text
 from nscc_training.design.tile import Tile, best_tile
 from nscc_training.metrics import psnr_of_mse
@@ -80,6 +82,14 @@ class LookingDesign(Design):
 
 
 @dataclass(frozen=True, eq=False)
+class PatternDesign(Design):
+    """A program of the `pattern` that a search chose; `ranked` are all patterns, the best first."""
+
+    pattern: Pattern
+    ranked: tuple[Pattern, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class TileDesign(Design):
     """One of fixed stops."""
 
@@ -128,13 +138,66 @@ def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu")
         f"The 2 x 2 tile of stops with the least risk ({_CALLED[curve]}) of {tried}: what the best "
         "pixel of a\ntile leaves open."
     )
-    text = tile_text(tile, frame.slots, frame.slot_us, frame.named, remark)
+    a, b, c, d = tile.stops
+    text = tile_text([[a, b], [c, d]], frame.slots, frame.slot_us, frame.named, remark)
     lines = (
         ("stops", f"{', '.join(map(str, tile.stops))} of {frame.slots} slots"),
         ("tried", f"{tried} tiles of half stops"),
         ("risk", expected_text({curve: tile.risk}) + ", by an ideal decoder"),
     )
     return TileDesign(text, frame.compiled("sve-risk.nsl", text), lines, tile)
+
+
+def design_pattern(
+    scenes: Scenes, frame: Frame | None = None, progress: Progress = iter
+) -> PatternDesign:
+    """The program of the pattern of stops that is best by merging under every effect, its words
+    weighed, of all that `nscc_training.design.stop_patterns` tries. `scenes` and what is raised as
+    for `design_looks`."""
+    frame = frame or Frame()
+
+    def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
+        return tile_text(stops, frame.slots, frame.slot_us, frame.named, remark)
+
+    def made_of(stops: Sequence[Sequence[int]]) -> Compiled:
+        return frame.compiled("pattern.nsl", text_of(stops))
+
+    def container_of(stop: int) -> Container:
+        container = made_of([[stop]]).container
+        assert container is not None  # what does not fit is rejected
+        return container
+
+    def words_of(pattern: Pattern) -> int:
+        container = made_of(pattern.stops.tolist()).container
+        assert container is not None
+        return container.words_per_frame
+
+    ranked = judged(
+        frame.chip(), [np.asarray(scene, np.float64) for scene in scenes], frame.slots,
+        frame.slot_us, container_of, progress,
+    )  # fmt: skip
+    best = cheapest(ranked, words_of)
+    uniform = next(pattern for pattern in ranked if pattern.name == "uniform")
+    tile = next(pattern for pattern in ranked if pattern.name == "2 x 2")
+    remark = f"The pattern of stops that merging is best behind, of {len(ranked)}: {best.name}."
+    text = text_of(best.stops.tolist(), remark)
+    lines = (
+        ("pattern", _pattern_text(best, frame.slots)),
+        ("tried", f"{len(ranked)} patterns, by merging under every effect"),
+        ("reached", _reached_text(best)),
+        ("uniform", f"{_pattern_text(uniform, frame.slots)}: {_reached_text(uniform)}"),
+        ("2 x 2", f"{_pattern_text(tile, frame.slots)}: {_reached_text(tile)}"),
+    )
+    return PatternDesign(text, frame.compiled("pattern.nsl", text), lines, best, tuple(ranked))
+
+
+def _pattern_text(pattern: Pattern, slots: int) -> str:
+    stops = sorted({int(stop) for stop in pattern.stops.flat}, reverse=True)
+    return f"{pattern.name}, {', '.join(map(str, stops))} of {slots} slots"
+
+
+def _reached_text(pattern: Pattern) -> str:
+    return f"{pattern.linear_db:.1f} dB PSNR linear, {pattern.mu_db:.1f} dB PSNR mu-law"
 
 
 _CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarithm"}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.design.chip import PERCENTILE
+from nscc_training.design.chip import PERCENTILE, Chip, Curve
 
 Values = NDArray[np.float64]
 
@@ -57,6 +57,24 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
         part = held[there] / (len(light) * len(scenes))
         parts.append((mean, np.full(len(mean), peak), part, np.full(len(mean), number)))
     return Histogram(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+
+
+def best_stop(chip: Chip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
+    """Return the slots that an ordinary camera opens all its pixels for: of half stops, from one
+    slot to all, the one of least expected error on `curve` over the light's histogram.
+
+    `light_e` (rows, cols) are electrons over all slots. Raises Rejected as `histogram`.
+    """
+    light = histogram([light_e])
+    stops = stops_tried(slots)
+    errors = chip.errors(light.light_e, light.peak_e, np.array(stops) / slots, curve)
+    return stops[int((light.weight[:, None] * errors).sum(axis=0).argmin())]
+
+
+def stops_tried(slots: int) -> list[int]:
+    """Return half stops from one slot to all of them."""
+    count = int(2 * np.log2(slots)) + 1
+    return sorted({slots, *(round(2 ** (k / 2)) for k in range(count))})
 
 
 def peak_of(light: Values, number: int = 0) -> float:

@@ -10,7 +10,6 @@ from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc_training.design.looking import Schedule
-from nscc_training.design.tile import Tile
 
 SLOT_DECIMALS = 6
 """Of a slot's microseconds in a program's text: far below a chip's clock, and readable."""
@@ -36,16 +35,17 @@ def looking_text(
     ])  # fmt: skip
 
 
-def tile_text(tile: Tile, slots: int, slot_us: float, chip: str | None, remark: str) -> str:
-    """The program of a fixed tile of stops."""
-    a, b, c, d = tile.stops
+def tile_text(
+    stops: Sequence[Sequence[int]], slots: int, slot_us: float, chip: str | None, remark: str
+) -> str:
+    """The program of a fixed tile of stops, row by row."""
+    rows = [f"[{', '.join(map(str, row))}]" for row in stops]
     return _formatted([
         *_head("nsl 1", remark, chip, slots, slot_us),
         "code stop : 1..N",
         "open when n < stop",
         "",
-        f"pixels stop = tile [[{a}, {b}],",
-        f"                    [{c}, {d}]]",
+        f"pixels stop = tile [{', '.join(rows)}]",
     ])  # fmt: skip
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training.design.chip import Chip, Curve, on_curve
-from nscc_training.design.scene import peak_of
+from nscc_training.design.scene import peak_of, stops_tried
 
 Values = NDArray[np.float64]
 
@@ -32,12 +32,6 @@ class Tile:
 
     stops: tuple[int, int, int, int]
     risk: float
-
-
-def stops_tried(slots: int) -> list[int]:
-    """Half stops from one slot to all of them."""
-    count = int(2 * np.log2(slots)) + 1
-    return sorted({slots, *(round(2 ** (k / 2)) for k in range(count))})
 
 
 def best_tile(

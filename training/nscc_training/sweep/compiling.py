@@ -7,7 +7,7 @@ from hashlib import sha256
 from typing import Any
 
 from nscc.emit.report import report
-from nscc.emit.stream import stream_report
+from nscc.emit.sending_report import stream_report
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
 from nscc.pipeline import Compiled, Options
@@ -81,7 +81,7 @@ def _limit_keys() -> tuple[Key, ...]:
     names = tuple(family.name for family in families())
     return (
         axis("family", Text(names), "a class at every size"),
-        axis("slot", Text(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", said="a time: 10us"),
+        axis("slot", Text(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
              "the length of its slots", "1ms"),
         axis("level", Integer(0, 3), "as -O", 1),
         *target_keys(),

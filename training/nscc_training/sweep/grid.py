@@ -25,16 +25,16 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
-from nscc.toml.files import file_bytes, file_table, file_text
 from nscc.toml.kinds import Axis, Several, Text
-from nscc.toml.schema import Codes, Key, Schema
+from nscc.toml.schema import FileCodes, Key, Schema
+from nscc.toml.schema_files import file_bytes, file_table, file_text
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointFault, Values
 
 MOST_POINTS = 100_000
 
-_CODES = Codes("NS0830", "NS0830", unknown="NS0831", wrong="NS0832", missing="NS0832")
+_CODES = FileCodes("NS0830", "NS0830", unknown="NS0831", wrong_value="NS0832", missing="NS0832")
 _START = "`nscc sweep --schema KIND` prints a complete part to start from"
 _KIND = Key(
     "", "kind", Text(tuple(KINDS)), "; ".join(f"{k.name}: {k.summary}" for k in KINDS.values()), ""
@@ -45,7 +45,7 @@ _PLOT = "plot"
 _CALLED = Key(
     "", "name", Text(
         pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
-        said='a name, "{KEY}" in it for a value',
+        phrase='a name, "{KEY}" in it for a value',
     ), "what its points are called, instead of part and axes", "",
 )  # fmt: skip
 _LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has none", "")
@@ -56,14 +56,14 @@ _PLOT_KEYS = (
     Key(
         _PLOT,
         "y",
-        Several(Text(), said="a list of results"),
+        Several(Text(), text="a list of results"),
         "the results on the vertical axis",
         (),
     ),
     Key(
         _PLOT,
         "line",
-        Several(Text(), said="a list of axes"),
+        Several(Text(), text="a list of axes"),
         "the axes with one line per value",
         (),
     ),
@@ -110,7 +110,7 @@ def read_grid(path: Path) -> Grid:
         if like is not None and like not in grid_parts:
             message = f"[{name}]: there is no part {str(like)[:60]!a} above it"
             unknown_parts.append(
-                head.problem(_CODES.wrong, message, name, _LIKE.name, source, _START)
+                head.problem(_CODES.wrong_value, message, name, _LIKE.name, source, _START)
             )
         grid_parts[name] = {**grid_parts.get(str(like), {}), **part_keys}
     if unknown_parts:
@@ -166,7 +166,7 @@ def part_text(kind: str) -> str:
 
     def remark(key: Key) -> str:
         axis = key.kind
-        return f"{key.meaning} ({axis.each.allowed})" if isinstance(axis, Axis) else ""
+        return f"{key.meaning} ({axis.element.allowed})" if isinstance(axis, Axis) else ""
 
     head = (
         f"A part of a grid for `nscc sweep`, of kind {kind}: {KINDS[kind].summary}.",
@@ -206,7 +206,9 @@ def _kinds(
         kind = keys.get(_KIND.name, common)
         if not re.fullmatch(_NAME, grid_part):
             message = f"a part cannot be called {grid_part[:60]!a}: files are named after it"
-            problems.append(head.problem(_CODES.wrong, message, grid_part, "", source, _NAME_SAID))
+            problems.append(
+                head.problem(_CODES.wrong_value, message, grid_part, "", source, _NAME_SAID)
+            )
             continue
         if isinstance(kind, str) and kind in KINDS:
             kinds[grid_part] = kind
@@ -215,7 +217,9 @@ def _kinds(
         fault_text = "is missing" if kind is None else f"is not {str(kind)[:60]!a}"
         message = f"the kind of [{grid_part}] {fault_text}: it is {_KIND.kind.allowed}"
         help_text = 'write kind = "compile" above all parts, or in this one'
-        problems.append(head.problem(_CODES.wrong, message, section, _KIND.name, source, help_text))
+        problems.append(
+            head.problem(_CODES.wrong_value, message, section, _KIND.name, source, help_text)
+        )
     if problems:
         raise Rejected(problems, status=2)
     return kinds
@@ -241,7 +245,9 @@ def _points(
     if count > MOST_POINTS:
         message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
         help_text = "split it into several files"
-        raise Rejected(schema.problem(_CODES.wrong, message, "", "", source, help_text), status=2)
+        raise Rejected(
+            schema.problem(_CODES.wrong_value, message, "", "", source, help_text), status=2
+        )
     problems: dict[tuple[str, str, str], Diagnostic] = {}
     points_by_part: dict[str, list[GridPoint]] = {}
     for grid_part in sorted(axes_by_part, key=lambda grid_part: RUN in axes_by_part[grid_part]):
@@ -256,7 +262,7 @@ def _points(
                 problems.setdefault(
                     (grid_part, fault.key, fault.message),
                     schema.problem(
-                        _CODES.wrong,
+                        _CODES.wrong_value,
                         f"[{grid_part}]: {fault.message}",
                         grid_part,
                         fault.key,
@@ -274,7 +280,7 @@ def _points(
                 trains = [name for name, kind in kinds.items() if kind == "train"]
                 help_text = f"such parts are {', '.join(trains)}" if trains else "add such a part"
                 problems[grid_part, RUN, message] = schema.problem(
-                    _CODES.wrong, message, grid_part, RUN, source, help_text
+                    _CODES.wrong_value, message, grid_part, RUN, source, help_text
                 )
             points_by_part[grid_part] += (
                 _about(point, run, axes_by_part[grid_part], called[grid_part]) for run in runs
@@ -299,7 +305,8 @@ def _linked(
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
         help_text = "name a point of kind train, with what stands in its `name`"
         return Rejected(
-            schema.problem(_CODES.wrong, message, point.grid_part, key, source, help_text), status=2
+            schema.problem(_CODES.wrong_value, message, point.grid_part, key, source, help_text),
+            status=2,
         )
 
     def link(point: GridPoint, above: tuple[str, ...] = ()) -> GridPoint:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.files import write_together
-from nscc.toml.text import written
+from nscc.toml.toml_text import written
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.evaluation.pages import Page
 from nscc_training.evaluation.results import read_result

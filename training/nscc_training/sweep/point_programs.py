@@ -11,7 +11,7 @@ from pathlib import Path
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
 from nscc.limits.families import program_text
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source

@@ -35,7 +35,7 @@ def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
 def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
     """Store a row with the seconds that a worker took; it is on the disk on return."""
     value = {"figures": row.figures, "code": row.code, "error": row.error}
-    store.put(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
+    store.keep(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
 
 
 def times_csv(store: ExperimentStore) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from nscc.toml.kinds import Axis, Text
 from nscc.toml.schema import Key
-from nscc.toml.text import written
+from nscc.toml.toml_text import written
 from nscc_training.config import load_config, settings_of
 from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path

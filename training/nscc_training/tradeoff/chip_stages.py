@@ -11,7 +11,7 @@ import numpy as np
 
 from nscc.containers import with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.tradeoff.points import Point, Refused

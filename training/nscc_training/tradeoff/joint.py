@@ -143,7 +143,7 @@ def joint_text(joint: Joint) -> str:
         for each in joint.misfits
     ]
     points = table_text(joint.points, ("method", "setting", "error %"))
-    parts = [head, columns(rows, left=(0, 1, 4, 5, 6)), points]
+    parts = [head, columns(rows, left_aligned=(0, 1, 4, 5, 6)), points]
     return "\n\n".join([*parts, *("\n".join(told) for told in (misfits, joint.notes) if told)])
 
 

@@ -16,13 +16,13 @@ import numpy as np
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.lower.plan import Lowering
+from nscc.lower.exposure_plan import Lowering
 from nscc.pipeline import Compiled
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.rows import Rows
-from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
+from nscc.tradeoff.synthesis import CompileVariant, SynthesisCase, compiled_or_not
 from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, load_sensor
@@ -189,8 +189,8 @@ def compiled_for(
         else:
             text = program_of(shutters, chip).text
         source = Source("shutter.nsl", text)
-        case = Case(each.method, source, Path(), each.codes, chip.file)
-        return compiled_or_not(Way(case, each.lowering, settings.level))
+        case = SynthesisCase(each.method, source, Path(), each.codes, chip.file)
+        return compiled_or_not(CompileVariant(case, each.lowering, settings.level))
 
     if settings.slot_us is not None:
         return compiled(settings.slot_us)

@@ -1,0 +1,83 @@
+"""C++ text: safe comments, string literals, kernel sections."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
+from pathlib import Path
+from textwrap import wrap
+
+WIDTH = 100
+
+Call = tuple[str, tuple[str, ...]]
+"""A call of the devkit's kernel library: name and operands."""
+
+
+@cache
+def _templates() -> dict[str, str]:
+    _, *sections = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
+    split = (section.partition("\n") for section in sections)
+    return {name: text.rstrip("\n") for name, _, text in split}
+
+
+def template_lines(name: str, **values: object) -> list[str]:
+    """The lines of the section `name` of `parts.cpp`, with `@KEY@` replaced by values."""
+    text = _templates()[name]
+    for key, value in values.items():
+        text = text.replace(f"@{key}@", str(value))
+    return text.split("\n")
+
+
+def safe(text: str) -> str:
+    """`text` as part of a `//` comment: one line of printable ASCII. Backslashes and `??/` are
+    replaced, because they would continue the comment on the next line."""
+    shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
+    return shown.replace("\\", "/").replace("??", "? ?").strip()
+
+
+def comment(text: str, indent: str = "") -> list[str]:
+    """A `//` comment, wrapped to several lines."""
+    head = f"{indent}// "
+    return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
+
+
+def entry(title: str, text: str) -> list[str]:
+    """An entry of the header comment: a title column and wrapped text."""
+    first, *following_lines = comment(text, " " * 11)
+    return [
+        f"// {title:<11}{first[14:]}",
+        *("// " + " " * 11 + line[14:] for line in following_lines),
+    ]
+
+
+def literal(text: str) -> str:
+    """`text` as a C string literal, in UTF-8."""
+    return '"' + "".join(map(_literal_byte, text.encode("utf-8", "replace"))) + '"'
+
+
+def _literal_byte(byte: int) -> str:
+    if byte in b'"\\?' or not 0x20 <= byte <= 0x7E:
+        return f"\\{byte:03o}"  # three digits: a following digit cannot belong to it
+    return chr(byte)
+
+
+def call_text(call: Call) -> str:
+    """A library call as C++."""
+    name, operands = call
+    return f"{name}({', '.join(operands)});"
+
+
+def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
+    """A kernel that is recorded inline at the first run and launched."""
+    return [
+        f"{indent}scamp5_kernel_begin();",
+        *(f"{indent}    {call_text(call)}" for call in calls),
+        f"{indent}scamp5_kernel_end();",
+    ]
+
+
+def remarked(lines: Sequence[tuple[str, str]], column: int = 44) -> Iterator[str]:
+    """Lines with aligned comments."""
+    at = max([column, *(len(text) + 2 for text, remark in lines if remark and len(text) < 76)])
+    for text, remark in lines:
+        yield f"{text:<{at}}// {safe(remark)}" if remark else text

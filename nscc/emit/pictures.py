@@ -1,0 +1,68 @@
+"""What reports and summaries say of images and planes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from nscc.chips.target import Target
+from nscc.lower.resources import time_text
+from nscc.program.problems import counted
+from nscc.prove.meaning import reaches
+from nscc.words.container import Container
+from nscc.words.cost import words_us
+from nscc.words.encoding import matching
+from nscc.words.pictures import Picture, Pictures
+
+
+def pictures_us(pictures: Pictures, target: Target) -> float:
+    """The time from the last slot to the first readout: words, launches, and IN."""
+    kernels = [[matching(word, target.words) for word in kernel] for kernel in pictures.kernels]
+    total_us, level = 0.0, None
+    for launch in pictures.launches:
+        words = kernels[launch.kernel]
+        analog = sum(1 for word in words if word is not None and word.analog)
+        total_us += target.launch_us + words_us(analog, len(words) - analog, target)
+        if launch.level not in (None, level):
+            level = launch.level
+            total_us += target.in_settle_us
+    return total_us
+
+
+def picture_report(container: Container) -> dict[str, Any]:
+    """The part of `--emit report` that is about images and planes; empty where there are none."""
+    pictures = container.pictures
+    if pictures is None:
+        return {}
+    costs = {cost.name: cost for cost in pictures.costs}
+    reach = reaches(pictures)
+
+    def told(item: Picture) -> dict[str, Any]:
+        cost = costs[item.name]
+        found: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
+        if not item.is_plane:
+            found |= {"peak_gain": cost.peak_gain, "noise_gain": cost.noise_gain}
+        return found
+
+    return {
+        "images": {item.name: told(item) for item in pictures.items if not item.is_plane},
+        "planes": {item.name: told(item) for item in pictures.items if item.is_plane},
+        "images_words_total": pictures.words,
+        "images_us": pictures_us(pictures, container.target),
+    }
+
+
+def picture_rows(pictures: Pictures, target: Target) -> list[tuple[str, str]]:
+    """Labels with what a summary says of images and planes."""
+    reach = reaches(pictures)
+    kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}
+    rows = []
+    for cost in pictures.costs:
+        text = f"{cost.name}: {counted(cost.words, 'word')}, reach {max(reach[cost.name])}"
+        if kinds[cost.name] == "image":
+            text += f", peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
+        rows.append((kinds[cost.name], text))
+    total = counted(pictures.words, "word")
+    rows.append(
+        ("after", f"{total} after the last slot, {time_text(pictures_us(pictures, target))}")
+    )
+    return rows

@@ -1,0 +1,159 @@
+"""Reports and driver files of programs for chips without logic."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+
+from nscc.chips.target import Target
+from nscc.diagnostics.rejection import rejected
+from nscc.emit.subject import subject
+from nscc.lower.resources import time_text
+from nscc.program.problems import counted
+from nscc.prove.proof import Proof
+from nscc.stream.sending import Sending
+from nscc.words.container import Container
+from nscc.words.stream import DRAIN
+
+PLANES_FORMAT = "nscc-planes-1"
+
+
+def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
+    """Rows (label, text) that `nscc check` prints after class and codes."""
+    program, target = sending.program, sending.program.target
+    slots = len(program.frame.slot_us)
+    taps = target.taps[: len(program.buckets)]
+    places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
+    closed_places = sorted(
+        {int(place) for place in sending.route.zeros} - {*range(len(program.buckets))}
+    )
+    places += [f"the rest to {_place(place, target)}" for place in closed_places]
+    pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
+    pixels_note = "" if proof.pixels else ", no pixels yet"
+    return [
+        ("light", "; ".join(places)),
+        (
+            "planes",
+            f"{slots} of {target.rows} x {target.cols} bits, {rate_text(sending.bits_per_us)} "
+            "while one loads",
+        ),
+        (
+            "time",
+            f"shortest slot {time_text(min(program.frame.slot_us))}, loading a plane "
+            f"{time_text(sending.shortest_slot_us)}"
+            + (" meanwhile" if target.pipelined else " of its slot, light led away"),
+        ),
+        ("proved", f"{pixels}{counted(proof.slots, 'slot')}{pixels_note}"),
+    ]
+
+
+def rate_text(bits_per_us: float) -> str:
+    """A data rate with a suitable unit."""
+    if bits_per_us >= 1e3:
+        return f"{bits_per_us / 1e3:.4g} Gbit/s"
+    return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
+
+
+def _place(place: int, target: Target) -> str:
+    return "the drain" if place == DRAIN else f"{target.taps[place]}, which is not read"
+
+
+def sending_text(sending: Sending) -> str:
+    """One line for each slot: when its plane is sent and acts, and where bits 1 and 0 send the
+    light."""
+    target, way = sending.program.target, sending.route
+    lines = [
+        f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
+        f"{sending.bits_a_frame} bits a frame, {time_text(sending.shortest_slot_us)} each"
+    ]
+    named = {DRAIN: "drain", **dict(enumerate(target.taps))}
+    for slot, loading in enumerate(sending.loadings):
+        ones, zeros = named[int(way.ones[slot])], named[int(way.zeros[slot])]
+        lines.append(
+            f"slot {slot:>4}: sent at {loading.load_us:g} us, acts at {loading.acts_us:g} us: "
+            f"1 {ones}, 0 {zeros}"
+        )
+    return "\n".join(lines) + "\n"
+
+
+def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
+    """The build report as JSON values: the applicable keys of other chips, and the planes."""
+    program, target = sending.program, sending.program.target
+    names = [bucket.name for bucket in program.buckets]
+    return {
+        **subject(program),
+        "taps": dict(zip(names, target.taps[: len(names)], strict=True)),
+        "lowering": "stream",
+        "planes": {
+            "rows": target.rows,
+            "cols": target.cols,
+            "bits_a_frame": sending.bits_a_frame,
+            "bits_per_us": sending.bits_per_us,
+            "load_us": target.plane_load_us,
+            "pipelined": target.pipelined,
+        },
+        "shortest_slot_us": round(sending.shortest_slot_us, 6),
+        "frame_us": round(sending.frame_us, 6),
+        "proof": {
+            "codes": proof.codes,
+            "slots": proof.slots,
+            "frames": proof.frames,
+            "pixels": proof.pixels,
+            "holds": proof.holds,
+        },
+        "target": target.name,
+        "source_sha256": hashlib.sha256(program.source.text.encode()).hexdigest(),
+    }
+
+
+def planes_bytes(container: Container) -> bytes:
+    """The planes and their schedule for the chip's driver, as an .npz file; docs/targets.md lists
+    the keys. Raises Rejected (NS0511) if the pixels have no codes, because the planes depend on
+    them."""
+    from nscc.words.stream import schedule
+
+    sent, target = container.stream, container.target
+    if sent is None:
+        raise rejected(
+            "NS0511",
+            "cannot compute the planes: the pixels have no codes",
+            helps=(
+                'add a `pixels` statement, or read the codes from a file: `pixels from "C.npz"`',
+            ),
+            status=1,
+        )
+    loadings = [*schedule(target, container.slot_us)]
+    meta = {
+        "format": PLANES_FORMAT,
+        "target": target.name,
+        "rows": target.rows,
+        "cols": target.cols,
+        "taps": list(target.taps),
+        "buckets": list(container.buckets),
+        "row_load_us": target.row_load_us,
+        "pipelined": target.pipelined,
+    }
+    out = BytesIO()
+    np.savez(
+        out,
+        meta=np.array(json.dumps(meta)),
+        planes=sent.planes,
+        ones=sent.ones,
+        zeros=sent.zeros,
+        load_us=np.array([loading.load_us for loading in loadings]),
+        acts_us=np.array([loading.acts_us for loading in loadings]),
+        slot_us=np.array(container.slot_us),
+    )
+    return out.getvalue()
+
+
+def sent_lines(container: Container) -> Iterator[str]:
+    """The planes of a container as lines for `--print-after words`."""
+    yield f"{container!r}"
+    for readout in container.readouts:
+        yield f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}"

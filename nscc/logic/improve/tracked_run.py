@@ -1,0 +1,183 @@
+"""Operations, with the state at every point, kept up to date under changes.
+
+Known are the content of every register, the registers that are still read (liveness, computed
+backwards), and for each operation the shutters in which its result matters (the complement of the
+observability don't-cares). The last is found by complementing the result and running on: it matters
+in the shutters where a demand or the frame's end changes. This is exact, since bits of different
+shutters do not interact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from nscc.logic.cubes import Budget
+from nscc.logic.improve.code import REFRESH_WORDS, Check, FrameContext, Item, states_before
+
+# How many items an influence is followed; beyond that it is assumed to matter in every shutter.
+HORIZON = 4000
+
+# Shutters for which a look at all registers is one step of the budget.
+STEP_SHUTTERS = 16384
+
+
+class TrackedRun:
+    """Items with their states; `before[k]` is the state before item k, `live[k]` the bit mask of
+    registers whose content there is read later or required at the end."""
+
+    def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
+        self.frame = frame
+        self.budget = budget
+        self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS
+        self.restart(items)
+
+    def restart(self, items: Sequence[Item]) -> None:
+        """Replace all items; raises Illegal without a change if they are not a valid run."""
+        frame = self.frame
+        self.before = states_before(frame, items)
+        self.items = list(items)
+        self.live = [0] * (len(items) + 1)
+        self.live[-1] = frame.unscathed
+        self._cares: list[tuple[int, int] | None] = [None] * len(items)
+        self._writes = frame.writes(items)
+        self._settle(self._revive(0, len(items)), len(items))
+
+    def words(self) -> int:
+        """The words of a frame, including refresh of unwritten planes."""
+        return self.frame.total(self.items)
+
+    def care(self, k: int) -> int:
+        """The shutters in which the result of operation k matters."""
+        known = self._cares[k]
+        if known is None:
+            known = self._cares[k] = self._follow(k)
+        return known[0]
+
+    def free(self, k: int, besides: Collection[int | None]) -> list[int]:
+        """Digital registers that are not read from item k on, except the masked one and
+        `besides`."""
+        busy = (*besides, self.frame.masked)
+        return [r for r in range(self.frame.flag) if r not in busy and not self.live[k] >> r & 1]
+
+    def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
+        """The additional refresh words if `new` replaces `old`."""
+        if self.frame.ends is not None:
+            return 0
+        after = self._after(old, new)
+        return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
+
+    def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
+        """How often each plane is written after `new` replaces `old`."""
+        written = self.frame.writes
+        changes = zip(self._writes, written(old), written(new), strict=True)
+        return [count - removed + added for count, removed, added in changes]
+
+    def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
+        """Replace items[start:end]; live contents after them must stay equal."""
+        self._writes = self._after(self.items[start:end], new)
+        self.items[start:end] = new
+        self.before[start:end] = [self.before[start]] * len(new)
+        self.live[start:end] = [0] * len(new)
+        self._cares[start:end] = [None] * len(new)
+        tail = start + len(new)
+        for k in range(max(0, start - HORIZON), tail):
+            known = self._cares[k]
+            if known is not None and k + known[1] >= start:
+                self._cares[k] = None
+        first = self._revive(start, tail)
+        self._settle(min(first, start), tail)
+
+    def _settle(self, first: int, last: int) -> None:
+        """Recompute states from item `first` to `last`, and on while they change. Contents that are
+        not live may differ."""
+        if first:
+            state = list(self.before[first - 1])
+            self.frame.apply(self.items[first - 1], state)
+        else:
+            state = list(self.frame.start)
+        for k in range(first, len(self.items) + 1):
+            now = tuple(state)
+            if k > last and now == self.before[k]:
+                return
+            self.before[k] = now
+            if k < len(self.items):
+                self.frame.apply(self.items[k], state)
+
+    def _revive(self, start: int, end: int) -> int:
+        """Recompute liveness backwards from `end`, beyond `start` while it changes. Drops
+        operations whose result is not live; returns the first changed place."""
+        frame = self.frame
+        dead: list[int] = []
+        for k in range(end - 1, -1, -1):
+            item = self.items[k]
+            live = self.live[k + 1]
+            if isinstance(item, Check):
+                live &= ~item.forgets
+                if item.need is not None:
+                    live |= 1 << frame.flag
+            elif live >> item.destination & 1:
+                live = live & ~(1 << item.destination) | item.reads
+            else:
+                dead.append(k)
+            if k < start and live == self.live[k]:
+                break
+            self.live[k] = live
+        self._writes = self._after([self.items[k] for k in dead], ())
+        for k in dead:
+            del self.items[k], self.before[k], self.live[k], self._cares[k]
+        return dead[-1] if dead else end
+
+    def _follow(self, k: int) -> tuple[int, int]:
+        """The shutters in which the result of operation k matters, and the number of items that it
+        influences."""
+        frame, items, before = self.frame, self.items, self.before
+        everything, flag = frame.everything, frame.flag
+        source = items[k]
+        assert not isinstance(source, Check)
+        written = before[k + 1][source.destination]
+        assert written is not None
+        flipped: dict[int, int] = {source.destination: written ^ everything}
+        touched = 1 << source.destination
+        matters = 0
+        last = min(len(items), k + 1 + HORIZON)
+        for at in range(k + 1, last):
+            item = items[at]
+            if isinstance(item, Check):
+                if item.need is not None and flag in flipped:
+                    matters |= flipped[flag] ^ item.need
+                for register in [r for r in flipped if item.forgets >> r & 1]:
+                    del flipped[register]
+                    touched &= ~(1 << register)
+            elif item.reads & touched:
+                value = 0
+                state = before[at]
+                for register in item.sources:
+                    content = flipped[register] if register in flipped else state[register]
+                    value |= content  # type: ignore[operator]
+                if item.inverted:
+                    value ^= everything
+                if item.destination == frame.masked:
+                    mask, previous = (
+                        flipped[r] if r in flipped else state[r]  # type: ignore[index]
+                        for r in (frame.mask, frame.masked)
+                    )
+                    value = value & mask | (previous or 0) & ~mask  # type: ignore[operator]
+                if value == before[at + 1][item.destination]:
+                    flipped.pop(item.destination, None)
+                    touched &= ~(1 << item.destination)
+                else:
+                    flipped[item.destination] = value
+                    touched |= 1 << item.destination
+            elif touched >> item.destination & 1:
+                del flipped[item.destination]
+                touched &= ~(1 << item.destination)
+            if not touched or matters == everything:
+                self.budget.spend(self.step * (1 + (at - k) // 8))
+                return matters, at - k
+        self.budget.spend(self.step * (1 + (last - k) // 8))
+        if last < len(items):
+            return everything, last - k
+        for register, content in flipped.items():
+            if frame.unscathed >> register & 1:
+                matters |= content ^ before[-1][register]  # type: ignore[operator]
+        return matters, last - k

@@ -1,0 +1,317 @@
+"""Walk through a frame: run scripted gates, and find the cheapest gates for each demand.
+
+A script defines the planes and the gates that run before each demand (inversions, state updates).
+The walk runs them on truth vectors, so it knows the content of every register. It answers each
+demand by an OR of values and new cubes, or by the complement of one. Cubes that serve later demands
+stay in scratch registers.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from itertools import chain
+
+from nscc.logic.cover import Cover, Covers, life
+from nscc.logic.cubes import Budget
+from nscc.logic.digits import Planes, unzipped
+from nscc.logic.gates import Gates
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.truth import union
+
+
+@dataclass(frozen=True)
+class Script:
+    """An encoding and the gates that do not depend on how demands are answered. `before[i]` runs
+    before demand i is answered; it may overwrite states, scratch registers and FLAG."""
+
+    encoding: str
+    planes: Planes
+    states: int = 0
+    opening: tuple[Segment, ...] = ()
+    before: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
+    closing: tuple[Segment, ...] = ()
+    state_in_flag: bool = False
+
+
+@dataclass(frozen=True)
+class _Choice:
+    """A cover of a demand, or of its complement if `inverted`, over the values of `names`. With
+    `turned`, the last name is the inverse of that value, which must be computed first."""
+
+    cover: Cover
+    names: tuple[str, ...]
+    turned: str | None
+    inverted: bool
+    price: float
+
+
+_TURNED = "turned"
+
+# Words of an answer below which no other kind of cover is tried (a NOR, a WHERE and a share of a
+# lasting cube), and above which one is.
+_GOOD_PRICE = 2.5
+_DEAR = 4.0
+
+# Number of following demands for the life of a cube: the longest horizon of `cover`.
+_AHEAD = 64
+
+
+def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
+    """The solution of a script, found in `steps` of search; none if a demand has no answer."""
+    scratch = machine.registers - len(script.planes) - script.states
+    if scratch >= 0:
+        script = _within_fan_in(script, machine)
+        covers = Covers(problem.everything, machine.or_sources, Budget(steps))
+        with suppress(GaveUp):
+            yield _Walker(problem, machine, script, scratch, covers).solution()
+
+
+def _within_fan_in(script: Script, machine: Machine) -> Script:
+    """Split the script's gates that exceed the machine's fan-in."""
+    limit = machine.or_sources
+    if limit is None or all(len(g.sources) <= limit for g in _all_gates(script)):
+        return script
+    gates = Gates(machine)
+
+    def narrow(segment: Segment) -> Segment:
+        for gate in segment:
+            if len(gate.sources) <= limit or gate.name == "WHERE":
+                gates.add(gate)
+            elif gate.name == "NOR":
+                gates.nor(gate.destination, gate.sources, gate.mask)
+            else:
+                gates.or_(gate.destination, gate.sources, gate.mask)
+        return gates.take()
+
+    def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
+        return tuple(narrow(segment) for segment in run)
+
+    return replace(
+        script,
+        opening=all_of(script.opening),
+        before={i: all_of(run) for i, run in script.before.items()},
+        closing=all_of(script.closing),
+    )
+
+
+def _all_gates(script: Script) -> Iterator[Gate]:
+    runs = (script.opening, *script.before.values(), script.closing)
+    return chain.from_iterable(chain.from_iterable(runs))
+
+
+@dataclass
+class _Walker:
+    """One pass over a script's demands."""
+
+    problem: Problem
+    machine: Machine
+    script: Script
+    scratch: int
+    covers: Covers
+    values: dict[str, int] = field(default_factory=dict)
+    quiet: str = ""
+    used: int = 0
+
+    def solution(self) -> Solution:
+        """Run the script and answer every demand."""
+        script, problem = self.script, self.problem
+        self.gates = Gates(self.machine)
+        writes = Counter(gate.destination for gate in _all_gates(script))
+        if any(gate.mask is not None for gate in _all_gates(script)):
+            if not self.machine.masked:
+                raise GaveUp("no register takes masked writes")
+        elif self.machine.masked and script.planes:
+            self.quiet = f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
+        planes, holders = unzipped(script.planes)
+        self.values = {f"p{i}": vector for i, vector in enumerate(planes)}
+        if script.state_in_flag:
+            self.values["FLAG"] = problem.everything
+        self._run(script.opening)
+        answers: list[tuple[Segment, ...]] = []
+        for i, demand in enumerate(problem.demands):
+            # After analog words or a refresh, the content of a register is unknown.
+            if not (demand.flag_kept or script.state_in_flag):
+                self.values.pop("FLAG", None)
+            if not demand.scratch_kept:
+                self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
+            if script.state_in_flag:
+                self.values.pop("t0", None)  # FLAG may have been saved there
+            scripted = script.before.get(i, ())
+            self._run(scripted)
+            if self.values.get("FLAG") != demand.predicate:
+                scripted = (*scripted, self._answer(i))
+            answers.append(scripted)
+        self.values.pop("FLAG", None)
+        if not problem.flag_lasts:
+            self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
+        self._run(script.closing)
+        for i, vector in enumerate(planes):
+            if self.values[f"p{i}"] != vector:
+                raise GaveUp("the script does not restore its planes")
+        return Solution(
+            script.encoding, planes, holders, script.states, self.used, script.opening,
+            tuple(answers), script.closing, script.state_in_flag,
+        )  # fmt: skip
+
+    def _run(self, segments: Sequence[Segment]) -> None:
+        """Update the truth vectors by scripted gates."""
+        for gate in chain.from_iterable(segments):
+            for name in (*gate.sources, *((gate.mask, gate.destination) if gate.mask else ())):
+                if name not in self.values:
+                    raise GaveUp(f"the script reads {name}, which holds nothing known")
+            value = self._or(gate.sources, gate.name in ("NOT", "NOR", "SET"))
+            if gate.mask is not None:
+                mask = self.values[gate.mask]
+                value = value & mask | self.values[gate.destination] & ~mask
+            self.values[gate.destination] = value
+            if gate.destination == self.quiet:
+                # Its mask, the first scratch register, is set for the write.
+                self.values.pop("t0", None)
+            if gate.destination.startswith("t"):
+                self._use(gate.destination)
+                if self.used > self.scratch:
+                    raise GaveUp("the script needs more scratch registers than there are")
+
+    def _use(self, scratch: str) -> None:
+        self.used = max(self.used, int(scratch[1:]) + 1)
+
+    def _answer(self, index: int) -> Segment:
+        """The gates for demand `index`, from the cheapest cover found. Covers use all registers,
+        then planes and states only, which frees scratch registers; one value may be inverted
+        first."""
+        problem = self.problem
+        ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
+        against = [problem.everything & ~predicate for predicate in ahead]
+        steady = [name for name in self.values if name[0] in "ps"]
+        choices: list[_Choice] = []
+        for names in (list(self.values), steady):
+            choices += self._covers(names, None, ahead, against)
+            if choices and min(c.price for c in choices) <= _GOOD_PRICE:
+                break
+        if self.scratch > 1 and min((c.price for c in choices), default=_DEAR) >= _DEAR:
+            for name in steady:
+                choices += self._covers(steady, name, ahead, against)
+        choices.sort(key=lambda c: c.price)
+        for choice in choices:
+            before = dict(self.values), self.used
+            try:
+                self._emit(choice, against if choice.inverted else ahead)
+            except GaveUp:
+                self.values, self.used = before
+                self.gates.take()
+                continue
+            return self.gates.take()
+        raise GaveUp(f"demand {index} has no cover of one-word cubes")
+
+    def _covers(
+        self, names: list[str], turned: str | None, ahead: Sequence[int], against: Sequence[int]
+    ) -> Iterator[_Choice]:
+        """Covers of a demand and of its complement by the values of `names` and the inverse of
+        `turned`."""
+        values = [self.values[name] for name in names]
+        scratch = self.scratch
+        if turned is not None:
+            names = [*names, _TURNED]
+            values.append(self.problem.everything & ~self.values[turned])
+            scratch -= 1
+        extra = turned is not None
+        for inverted, predicates in ((False, ahead), (True, against)):
+            if inverted and not scratch:
+                continue
+            usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
+            cover = self.covers.find(values, usable, predicates, scratch)
+            if cover is not None:
+                full = inverted and len(cover.cubes) >= scratch
+                yield _Choice(
+                    cover, tuple(names), turned, inverted, cover.cost + 1 + inverted + full + extra
+                )
+
+    def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
+        """Add the gates of a cover; new cubes overwrite the values that are needed last."""
+        names = list(choice.names)
+        # Cubes that read scratch come first, because later ones may overwrite it; then those with
+        # most sources, whose registers are most likely overwritten.
+        cubes = sorted(
+            choice.cover.cubes,
+            key=lambda c: (-sum(names[k][0] == "t" for k in c.sources), -len(c.sources)),
+        )
+        positive = [names[k] for k in choice.cover.positive]
+        waiting = [{names[k] for k in cube.sources} for cube in cubes]
+        if choice.turned is not None:
+            place = self._free(set(positive).union(*waiting), ahead)
+            if place is None:
+                raise GaveUp("no register is left to compute with")
+            self._gate("NOR", place, [choice.turned])
+            names[-1] = place
+            positive = [place if n == _TURNED else n for n in positive]
+            waiting = [
+                {place if n == _TURNED else n for n in needed_names} for needed_names in waiting
+            ]
+        terms = positive
+        for n, cube in enumerate(cubes):
+            needed = set().union(*waiting[n + 1 :])
+            sources = [names[k] for k in cube.sources]
+            target = self._free(needed | set(terms) | set(sources), ahead)
+            if target is None:
+                # In place, over a source that nothing else reads.
+                over = [s for s in sources if s[0] == "t" and s not in needed and s not in terms]
+                target = next(iter(over), None)
+            if target is None:
+                terms, target = self._gather(terms, needed | set(sources))
+            self._gate("NOR", target, sources)
+            terms = [*terms, target]
+        if not choice.inverted:
+            self._load_flag(terms)
+            return
+        free = self._free(set(terms), ahead)
+        free = free or next(t for t in reversed(terms) if t[0] == "t")
+        self._gate("NOR", free, terms)
+        self._load_flag([free])
+
+    def _gather(self, terms: Sequence[str], needed: set[str]) -> tuple[list[str], str]:
+        """Combine two terms; returns the remaining terms and the freed register."""
+        loose = [t for t in terms if t[0] == "t" and t not in needed]
+        if len(loose) < 2:
+            raise GaveUp("no register is left to compute with")
+        into, free, *_ = loose
+        self._gate("OR", into, [into, free])
+        return [t for t in terms if t != free], free
+
+    def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
+        """A scratch register that is free or whose value serves the fewest later demands; None if
+        all are busy."""
+
+        def missed(name: str) -> int:
+            vector = self.values.get(name)
+            return life(vector, ahead[1:]) if vector else 0
+
+        names = [name for k in range(self.scratch) if (name := f"t{k}") not in busy]
+        return min(names, key=missed, default=None)
+
+    def _gate(self, kind: str, destination: str, sources: Sequence[str]) -> None:
+        inverted = kind == "NOR"
+        (self.gates.nor if inverted else self.gates.or_)(destination, sources)
+        self.values[destination] = self._or(sources, inverted)
+        self._use(destination)
+
+    def _or(self, sources: Sequence[str], inverted: bool) -> int:
+        value = union(self.values[name] for name in sources)
+        return self.problem.everything & ~value if inverted else value
+
+    def _load_flag(self, sources: Sequence[str]) -> None:
+        limit = self.machine.where_sources
+        spare = None
+        if limit is not None and len(sources) > limit:
+            scratch_sources = [s for s in sources if s.startswith("t")]
+            spare = scratch_sources[0] if scratch_sources else self._free(set(sources), [])
+            if spare is None:
+                raise GaveUp("no register to gather the sources of WHERE")
+        value = self._or(sources, False)
+        self.gates.load_flag(sources, spare)
+        if spare is not None:
+            self.values.pop(spare, None)
+            self._use(spare)
+        self.values["FLAG"] = value

@@ -1,0 +1,278 @@
+"""Gates at one boundary: predicates in FLAG, new values in the registers of states.
+
+All values are truth vectors over the boundary's lanes. A target is an OR of NORs of register
+contents (`nscc.logic.cover`), or the complement of one. If the contents do not distinguish the
+lanes, complements are computed in scratch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from math import inf
+
+from nscc.logic.cover import Cover, Covers
+from nscc.logic.cubes import Budget
+from nscc.logic.gates import Gates
+from nscc.logic.problem import Gate, GaveUp, Machine
+
+FLAG = "FLAG"
+_STEPS = 4_000_000
+_MOST_CUBES = 24
+_MOST_ORDERED = 3
+"""Up to this many registers are tried in every order; of more, the cheapest is written next."""
+
+
+@dataclass(frozen=True)
+class GateSequence:
+    """Gates that compute a vector in a register, and the values that they leave in scratch."""
+
+    gates: tuple[Gate, ...]
+    scratch: tuple[tuple[str, int], ...]
+
+    @property
+    def words(self) -> int:
+        return sum(gate.words for gate in self.gates)
+
+    @property
+    def price(self) -> tuple[int, int]:
+        """Words, then scratch registers."""
+        return self.words, len(self.scratch)
+
+
+@dataclass
+class Board:
+    """The register contents at a boundary, while gates are chosen. `values` are the contents by
+    name, with FLAG if it is known and the scratch registers (t0, t1, ..) in use. `gates` are the
+    gates chosen so far."""
+
+    machine: Machine
+    everything: int
+    values: dict[str, int]
+    gates: list[Gate] = field(default_factory=list)
+
+    @property
+    def words(self) -> int:
+        return sum(gate.words for gate in self.gates)
+
+    def copy(self) -> Board:
+        """An independent copy."""
+        return replace(self, values=dict(self.values), gates=list(self.gates))
+
+    def fresh(self, excluded: Collection[str] = ()) -> str:
+        """A scratch register that holds nothing and is not among `excluded`."""
+        number = 0
+        while f"t{number}" in self.values or f"t{number}" in excluded:
+            number += 1
+        return f"t{number}"
+
+    def keep(self, name: str) -> None:
+        """Copy a register, or FLAG, to scratch."""
+        scratch = self.fresh()
+        self.gates.append(Gate("MOV", scratch, (name,)))
+        self.values[scratch] = self.values[name]
+
+    def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
+        """Append gates, and set scratch and `changes` to their new values."""
+        self.gates += sequence.gates
+        self.values.update((*sequence.scratch, *changes))
+
+    def pop_gates(self) -> tuple[Gate, ...]:
+        """Return and remove the chosen gates."""
+        gates = tuple(self.gates)
+        self.gates.clear()
+        return gates
+
+    def tells(self, vectors: Iterable[int]) -> bool:
+        """Whether the contents distinguish the lanes inside each vector from those outside."""
+        groups = [self.everything]
+        for v in self.values.values():
+            groups = [p for group in groups for p in (group & v, group & ~v) if p]
+        return all(
+            not group & vector or not group & ~vector for vector in vectors for group in groups
+        )
+
+    def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
+        """Find the shortest gate sequence, of at most `most` words, that writes `target` to a
+        register."""
+        if most < 1:
+            return None
+        ways = (
+            sequence for sequence in self._ways(target, destination, most) if sequence.words <= most
+        )
+        return min(ways, key=lambda sequence: sequence.price, default=None)
+
+    def load(self, target: int) -> GateSequence | None:
+        """Find the shortest gate sequence that writes `target` to FLAG."""
+        if self.values.get(FLAG) == target:
+            return GateSequence((), ())
+        name = self.fresh()
+        sequences = [
+            self._through(sequence, name, target) for sequence in self._ways(target, name, inf)
+        ]
+        return min(sequences, key=lambda sequence: sequence.price, default=None)
+
+    def _through(self, sequence: GateSequence, name: str, target: int) -> GateSequence:
+        """Extend a `sequence` that writes `target` to the register `name` by a WHERE that copies it
+        to FLAG. WHERE replaces a final OR if it may read the sources of the OR."""
+        last, limit = sequence.gates[-1], self.machine.where_sources
+        reads = set(last.sources)
+        if (
+            last.name in ("OR", "MOV")
+            and last.destination not in reads
+            and (FLAG not in reads or self.machine.where_reads_flag)
+            and (limit is None or len(reads) <= limit)
+        ):
+            return GateSequence(
+                (*sequence.gates[:-1], Gate("WHERE", FLAG, last.sources)), sequence.scratch
+            )
+        return GateSequence(
+            (*sequence.gates, Gate("WHERE", FLAG, (name,))), (*sequence.scratch, (name, target))
+        )
+
+    def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
+        """Gate sequences for a vector, from covers of it and of its complement; all of at most
+        `most` words are included."""
+        # Of registers with equal contents, the first: those of code and states before scratch.
+        first = {v: name for name, v in reversed(self.values.items()) if v}
+        names, values = list(first.values()), list(first)
+        fewest = None
+        for sequence in self._covers(names, values, target, destination):
+            fewest = sequence.words if fewest is None else min(fewest, sequence.words)
+            yield sequence
+            if sequence.price == (1, 0):
+                return
+        # A complement takes one word, and its reader another.
+        if most >= 2 and (fewest is None or fewest > 2):
+            for v, name in tuple(first.items()):
+                if self.everything & ~v not in first:
+                    names.append(f"~{name}")
+                    values.append(self.everything & ~v)
+            yield from self._covers(names, values, target, destination)
+
+    def _covers(
+        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str
+    ) -> Iterator[GateSequence]:
+        for inverted in (False, True):
+            target = self.everything & ~vector if inverted else vector
+            covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
+            try:
+                cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
+            except GaveUp:
+                continue
+            if cover is not None:
+                yield self._emitted(cover, names, values, destination, inverted)
+
+    def _emitted(
+        self,
+        cover: Cover,
+        names: Sequence[str],
+        values: Sequence[int],
+        destination: str,
+        inverted: bool,
+    ) -> GateSequence:
+        gates = Gates(self.machine)
+        scratch_values: dict[str, int] = {}
+        complements: dict[int, str] = {}
+
+        def scratch(vector: int) -> str:
+            name = self.fresh((*scratch_values, destination))
+            scratch_values[name] = vector
+            return name
+
+        def source(index: int) -> str:
+            if not names[index].startswith("~"):
+                return names[index]
+            if index not in complements:
+                complements[index] = scratch(values[index])
+                gates.nor(complements[index], [names[index][1:]])
+            return complements[index]
+
+        if len(cover.cubes) == 1 and not cover.positive:
+            # An OR of one NOR is a NOR, and its complement is an OR: one gate.
+            cube = [source(i) for i in cover.cubes[0].sources]
+            (gates.or_ if inverted else gates.nor)(destination, cube)
+            return GateSequence(gates.take(), tuple(scratch_values.items()))
+        positive = []
+        for cover_cube in cover.cubes:
+            # Complements are computed just before their first reader, so fewer are alive at once.
+            cube = [source(i) for i in cover_cube.sources]
+            positive.append(scratch(cover_cube.vector))
+            gates.nor(positive[-1], cube)
+        positive += [source(i) for i in cover.positive]
+        (gates.nor if inverted else gates.or_)(destination, positive)
+        return GateSequence(gates.take(), tuple(scratch_values.items()))
+
+
+def update(board: Board, new_values: dict[str, int]) -> None:
+    """Write new values to registers simultaneously: gates read old values. Raises GaveUp if the
+    contents do not distinguish lanes with different new values."""
+    changes = {name: v for name, v in new_values.items() if board.values[name] != v}
+    best: Board | None = None
+    for begun in (board, *_with_changes(board, changes)):
+        best = _ordered(begun, changes, best)
+    if best is None:
+        raise GaveUp("the registers do not tell the lanes of a look apart")
+    board.values, board.gates = best.values, best.gates
+
+
+def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
+    """Boards with a shared scratch value: the lanes in which several registers become 1, which each
+    of them then ORs."""
+    rises = [v & ~board.values[name] for name, v in new_values.items()]
+    for rise in dict.fromkeys(rises):
+        if rises.count(rise) > 1 and rise not in board.values.values():
+            after = board.copy()
+            name = after.fresh()
+            sequence = after.make(rise, name)
+            if sequence is not None:
+                after.take(sequence, (name, rise))
+                yield after
+
+
+def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
+    """The board after writing all new values in the order of fewest words; `best` if no order takes
+    fewer words."""
+    if best is not None and board.words + len(new_values) >= best.words:
+        return best  # every value takes at least one word
+    if not new_values:
+        return board
+    most = inf if best is None else best.words - len(new_values)
+    greedy = len(new_values) > _MOST_ORDERED
+    cheapest: tuple[str, Board] | None = None
+    for name in new_values:
+        after = _written(board, name, new_values, most)
+        if after is None:
+            continue
+        if greedy:
+            cheapest, most = (name, after), after.words - 1
+            continue
+        best = _ordered(after, _without(name, new_values), best)
+        most = inf if best is None else best.words - len(new_values)
+    if cheapest is not None:
+        name, after = cheapest
+        best = _ordered(after, _without(name, new_values), best)
+    return best
+
+
+def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
+    return {register: v for register, v in new_values.items() if register != name}
+
+
+def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
+    """The board after writing one new value, saving the old one if others need it; None if that
+    exceeds `most` words in all."""
+    sequence = board.make(new_values[name], name, most - board.words)
+    if sequence is None:
+        return None
+    after = board.copy()
+    after.take(sequence, (name, new_values[name]))
+    if after.tells(_without(name, new_values).values()):
+        return after
+    after = board.copy()
+    after.keep(name)
+    sequence = after.make(new_values[name], name, most - after.words)
+    if sequence is None:
+        return None
+    after.take(sequence, (name, new_values[name]))
+    return after

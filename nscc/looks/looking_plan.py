@@ -1,0 +1,186 @@
+"""The analog plan of a program with senses: what happens to each pixel at each boundary.
+
+PIX is reset only where the program says so; `light` is the charge since then. When a shutter
+closes, PIX - reset level is added to its bucket; when it opens, it is subtracted. A bucket that was
+open since the frame began and is still empty gets the difference as a copy, so no word reads the
+bucket.
+
+Each moment is described over its lanes. A lane is a node that a pixel can be in before the
+boundary, with one outcome of the boundary's comparisons.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.lower.exposure_plan import Misfit, analog_registers
+from nscc.operations import Op, op
+from nscc.program.program import Program
+from nscc.truth import vector
+from nscc.words.machine import Comparison, Machine
+
+Nodes = NDArray[np.intp]
+Bits = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """A boundary with comparisons or changes.
+
+    `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers. The
+    other fields are truth vectors over the lanes: for each bucket, where its shutter closes
+    (`falls`; `copies`: the bucket may take a copy) and opens (`rises`), and where PIX is reset in
+    between.
+    """
+
+    boundary: int
+    comparisons: tuple[Comparison, ...]
+    before: Nodes
+    after: Nodes
+    outcomes: Nodes
+    falls: tuple[int, ...]
+    copies: tuple[bool, ...]
+    resets: int
+    rises: tuple[int, ...]
+
+    @property
+    def everything(self) -> int:
+        """The truth vector of all lanes."""
+        return (1 << len(self.before)) - 1
+
+    def below(self, comparison: int) -> int:
+        """The lanes whose signal is at most the level of a comparison."""
+        return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
+
+
+@dataclass(frozen=True, eq=False)
+class LookingPlan:
+    """The moments of a frame in order, and the use of analog registers. `reference` holds the reset
+    level, or its negative if every exposure is a single copy: each word adds an error, and the
+    negative takes one word less."""
+
+    program: Program
+    machine: Machine
+    moments: tuple[Moment, ...]
+    registers: dict[str, str]
+    bucket_registers: tuple[str, ...]
+    reference: str
+    scratch: str
+
+    @cached_property
+    def latches(self) -> bool:
+        """Whether every closing shutter copies, and none opens after the start of the frame."""
+        falls = (
+            pair
+            for moment in self.moments
+            for pair in zip(moment.falls, moment.copies, strict=True)
+        )
+        rises = chain.from_iterable(moment.rises for moment in self.moments)
+        return all(copy or not fall for fall, copy in falls) and not any(rises)
+
+    def sampled(self, *registers: str) -> Op:
+        """The word that puts -(sum of `registers` + PIX) into scratch; it also subtracts the reset
+        level if a register holds its negative."""
+        level = (self.reference,) if self.latches else ()
+        return op("bus", (self.scratch,), (*registers, "PIX", *level))
+
+    def register_to_scratch(self, register: str) -> Op:
+        """The word that puts -`register` into scratch, like `sampled` with a PIX without light."""
+        level = () if self.latches else (self.reference,)
+        return op("bus", (self.scratch,), (register, *level))
+
+    @property
+    def scratched(self) -> tuple[str, ...]:
+        """The registers whose sum is -signal after either of these words."""
+        return (self.scratch,) if self.latches else (self.scratch, self.reference)
+
+
+def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:
+    """The plan of a program, or the lack of analog registers."""
+    analog = analog_registers(program, "edges", reference=True)
+    if isinstance(analog, Misfit):
+        return analog
+    assert analog.reference is not None
+    return LookingPlan(
+        program, machine, tuple(_moments(machine)), analog.holders, analog.buckets,
+        analog.reference, analog.scratch,
+    )  # fmt: skip
+
+
+def _moments(machine: Machine) -> Iterator[Moment]:
+    """Every boundary with comparisons, opening or closing shutters, or resets."""
+    fresh = _fresh(machine)
+    for stage in range(machine.stages):
+        span = machine.nodes(stage)
+        nodes = np.arange(span.start, span.stop)
+        begin, end = machine.starts(stage), machine.ends(stage)
+        # Most slots are equal to the previous one in every node.
+        opens, resets = machine.opens[span], machine.resets[span]
+        changes = (opens[:, :, 1:] != opens[:, :, :-1]).any(axis=(0, 1)) | resets[:, 1:].any(axis=0)
+        for boundary in (np.flatnonzero(changes) + 1).tolist():
+            if begin < boundary < end:
+                yield _moment(machine, fresh, boundary, (), nodes, nodes)
+        if stage + 1 < machine.stages:
+            comparisons = machine.at(end)
+            outcomes = 1 << len(comparisons)
+            before = np.repeat(nodes, outcomes)
+            outcome = np.tile(np.arange(outcomes), len(nodes))
+            after = machine.steps[before, outcome].astype(np.intp)
+            yield _moment(machine, fresh, end, comparisons, before, after, outcome)
+        elif begin < end:
+            yield _moment(machine, fresh, end, (), nodes, nodes)
+
+
+def _moment(
+    machine: Machine,
+    fresh: Bits,
+    boundary: int,
+    comparisons: tuple[Comparison, ...],
+    before: Nodes,
+    after: Nodes,
+    outcomes: Nodes | None = None,
+) -> Moment:
+    buckets = machine.opens.shape[1]
+    was = machine.opens[before, :, boundary - 1]
+    inside = boundary < machine.slots
+    becomes = machine.opens[after, :, boundary] if inside else np.zeros_like(was)
+    resets = machine.resets[after, boundary] if inside else np.zeros(len(after), np.bool_)
+    falls = was & (~becomes | resets[:, None])
+    rises = becomes & ~was & ~resets[:, None]
+    copies = [bool(fresh[before[falls[:, b]], b].all()) for b in range(buckets)]
+    return Moment(
+        boundary,
+        comparisons,
+        before,
+        after,
+        np.zeros(len(before), np.intp) if outcomes is None else outcomes,
+        tuple(vector(np.flatnonzero(falls[:, b])) for b in range(buckets)),
+        tuple(copies),
+        vector(np.flatnonzero(resets)),
+        tuple(vector(np.flatnonzero(rises[:, b])) for b in range(buckets)),
+    )
+
+
+def _fresh(machine: Machine) -> Bits:
+    """For each node and bucket, whether a shutter that is open at the end of the node's stage was
+    open since the start of the frame without a reset, on every path to the node."""
+    nodes, buckets = len(machine.behaviour), machine.opens.shape[1]
+    fresh = np.zeros((nodes, buckets), np.bool_)
+    fresh[: machine.first[1]] = True
+    reached = np.zeros(nodes, np.bool_)
+    for stage in range(machine.stages):
+        span, slots = machine.nodes(stage), slice(machine.starts(stage), machine.ends(stage))
+        always_open = machine.opens[span][:, :, slots].all(axis=2)
+        reset = np.asarray(machine.resets[span, slots].any(axis=1))
+        fresh[span] &= always_open & ~reset[:, None]
+        for node in range(span.start, span.stop):
+            for step in {step for step in machine.steps[node].tolist() if step >= 0}:
+                fresh[step] = fresh[node] & (fresh[step] | ~reached[step])
+                reached[step] = True
+    return fresh

@@ -1,0 +1,296 @@
+"""Exposure plans: which analog words run at which boundary, and in which pixels.
+
+A plan computes equation (3), E = sum of L[n] S[n], with a photodiode that only integrates:
+
+accumulate  reset in every slot; add the slot's light at its end where the shutter was open
+latch       never reset inside the frame; a pixel that is open from slot 0 copies PIX when it closes
+edges       never reset inside the frame; add PIX at every falling edge, subtract it at every
+            rising one (where single pixels can be reset, reset them at the rising edge instead)
+
+Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A predicate,
+a truth vector over the program's shutters, selects the pixels of each step; gates compute it later.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+
+from nscc.lower.timeline import Timeline, timeline
+from nscc.operations import Effect, Op, op
+from nscc.program.program import Program
+from nscc.truth import columns, members
+
+Lowering = Literal["accumulate", "latch", "edges"]
+LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)
+LoweringOption = Lowering | Literal["auto"]
+
+Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
+
+
+class PlanStep(NamedTuple):
+    """Analog words at one boundary in the pixels of `predicate`. `predicate` None means every
+    pixel, independent of FLAG. `bucket` is the bucket's number, -1 for steps of the whole frame."""
+
+    boundary: int
+    role: Role
+    bucket: int
+    predicate: int | None
+    words: tuple[Op, ...]
+
+
+@dataclass(frozen=True)
+class ExposurePlan:
+    """The analog part of a program; `registers` maps every used analog register to its holder.
+    `analog_writes` are the fewest and most analog words (`bus`) that a pixel with an opening
+    shutter executes after the setup."""
+
+    lowering: Lowering
+    steps: tuple[PlanStep, ...]
+    registers: dict[str, str]
+    bucket_registers: tuple[str, ...]
+    shutters: int
+    slots: int
+    analog_writes: tuple[int, int]
+
+    @property
+    def everywhere(self) -> int:
+        """The truth vector of all shutters."""
+        return (1 << self.shutters) - 1
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """Why a lowering cannot be used: an unmet condition, or too few registers. With `searched`, no
+    gates were found, which proves nothing."""
+
+    reason: str
+    resource: str | None = None
+    required: int = 0
+    available: int = 0
+    searched: bool = False
+
+
+class AnalogRegisters(NamedTuple):
+    """Use of analog registers: one a bucket, one for the reset level if needed, and scratch.
+    `holders` maps every register to its holder."""
+
+    buckets: tuple[str, ...]
+    reference: str | None
+    scratch: str
+    holders: dict[str, str]
+
+
+Opens = tuple[tuple[int, ...], ...]
+"""For every bucket, the truth vector of the open shutters in each slot."""
+
+
+@dataclass(frozen=True)
+class Planned:
+    """A program with its exposure plans, fewest analog writes first, and why other lowerings have
+    none."""
+
+    program: Program
+    time: Timeline
+    opens: Opens
+    plans: tuple[ExposurePlan, ...]
+    misfits: dict[Lowering, Misfit]
+
+
+def plan_exposures(program: Program, option: LoweringOption) -> Planned:
+    """Plan the exposures of `program` with one lowering, or with each of them."""
+    opens = levels(program)
+    plans: list[ExposurePlan] = []
+    misfits: dict[Lowering, Misfit] = {}
+    for lowering in LOWERINGS if option == "auto" else (option,):
+        plan = plan_exposure(program, lowering, opens)
+        if isinstance(plan, Misfit):
+            misfits[lowering] = plan
+        else:
+            plans.append(plan)
+    plans.sort(key=lambda plan: plan.analog_writes[1])
+    return Planned(program, frame_time(program), opens, tuple(plans), misfits)
+
+
+def frame_time(program: Program) -> Timeline:
+    """The timeline of the program's frame."""
+    return timeline(program.frame.slot_us, len(program.buckets), program.target)
+
+
+def levels(program: Program) -> Opens:
+    """The predicates of the program's shutters."""
+    shutters = program.table.shutters
+    return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
+
+
+def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
+    """The plan of `lowering`, or why there is none. `opens` is `levels(program)`."""
+    free = len(program.target.analog_available)
+    reference = lowering != "edges" or len(program.buckets) < free
+    registers = analog_registers(program, lowering, reference=reference)
+    if isinstance(registers, Misfit):
+        return registers
+    shutters = program.table.shutters
+    if lowering == "latch" and np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]):
+        return Misfit("latch requires shutters that open in slot 0 and close once")
+    return _Builder(program, lowering, opens, registers).build()
+
+
+def analog_registers(
+    program: Program, lowering: Lowering, *, reference: bool
+) -> AnalogRegisters | Misfit:
+    """The registers of a lowering, with one for the reset level if it needs a `reference`."""
+    target, buckets = program.target, program.buckets
+    free = target.analog_available
+    required = len(buckets) + reference
+    if required > len(free):
+        return Misfit(
+            f"{lowering} needs {required} analog registers beside {target.analog_scratch}: "
+            f"{len(buckets)} buckets{' and the reset level' * reference}; there are {len(free)}",
+            "analog registers", required, len(free),
+        )  # fmt: skip
+    pairs = zip(free[: len(buckets)], buckets, strict=True)
+    holders = {register: f"exposure of {bucket.name}" for register, bucket in pairs}
+    level = free[len(buckets)] if reference else None
+    if level is not None:
+        holders[level] = "reset level of PIX"
+    holders[target.analog_scratch] = "scratch of analog words"
+    return AnalogRegisters(free[: len(buckets)], level, target.analog_scratch, holders)
+
+
+def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
+    """See ExposurePlan."""
+    shutters = len(program.table.shutters)
+    counts = np.zeros(shutters, dtype=np.int64)
+    # Compared by identity, because there are few tuples of words and comparing them is slow.
+    distinct = {id(s.words): s.words for s in steps}
+    alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
+    for (predicate, known), times in alike.items():
+        words = distinct[known]
+        buses = times * sum(word.operation.effect is Effect.BUS for word in words)
+        if predicate is None:
+            counts += buses
+        else:
+            counts[members(predicate, shutters)] += buses
+    used = counts[program.table.shutters.any(axis=(1, 2))]
+    return (int(used.min()), int(used.max())) if used.size else (0, 0)
+
+
+# Twice with a pause, as the library's respix does: one word is too short to reset the photodiode.
+RESET = (op("rpix"), op("rpix"), op("nop"))
+
+
+class _Builder:
+    """Collects the steps of a plan in execution order."""
+
+    def __init__(
+        self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
+    ) -> None:
+        self.program = program
+        self.lowering = lowering
+        self.opens = opens
+        self.registers, self.reference, self.scratch, self.holders = analog
+        self.zero = () if self.reference is None else (self.reference,)
+        self.slots = len(program.frame.slot_us)
+        self.everywhere = (1 << len(program.table.shutters)) - 1
+        self.steps: list[PlanStep] = []
+
+    def build(self) -> ExposurePlan:
+        self._setup()
+        lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
+        lowerings[self.lowering]()
+        return ExposurePlan(
+            self.lowering, tuple(self.steps), self.holders, self.registers,
+            len(self.program.table.shutters), self.slots,
+            _analog_writes(self.program, self.steps),
+        )  # fmt: skip
+
+    def _step(
+        self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
+    ) -> None:
+        """Add a step unless its predicate is empty."""
+        if predicate:
+            taking_part = None if predicate == self.everywhere else predicate
+            self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
+
+    def _setup(self) -> None:
+        scratch = self.scratch
+        clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
+        self.steps.append(PlanStep(0, "setup", -1, None, clear))
+        sample: tuple[Op, ...] = ()
+        if self.reference is not None:
+            sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
+        self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
+
+    def _add(self, register: str) -> tuple[Op, ...]:
+        """register += PIX - reference."""
+        before, after = (register, "PIX"), (self.scratch, *self.zero)
+        return op("bus", (self.scratch,), before), op("bus", (register,), after)
+
+    def _subtract(self, register: str) -> tuple[Op, ...]:
+        """register -= PIX - reference."""
+        before, after = (register, *self.zero), (self.scratch, "PIX")
+        return op("bus", (self.scratch,), before), op("bus", (register,), after)
+
+    def _accumulate(self) -> None:
+        adds = [self._add(register) for register in self.registers]
+        for slot, lit in enumerate(zip(*self.opens, strict=True)):
+            if slot and any(lit):
+                self.steps.append(PlanStep(slot, "reset", -1, None, RESET))
+            for bucket, add in enumerate(adds):
+                self._step(slot + 1, "open", bucket, lit[bucket], add)
+
+    def _latch(self) -> None:
+        """Copy at boundaries where a shutter closes, since only a pixel's last write counts."""
+        assert self.reference is not None
+        sample = op("bus", (self.scratch,), ("PIX",))
+        copies = [
+            (sample, op("bus", (register,), (self.scratch, self.reference)))
+            for register in self.registers
+        ]
+        for boundary, changes in self._changes():
+            for bucket, (before, after) in enumerate(changes):
+                if before != after:
+                    self._step(boundary, "open", bucket, before, copies[bucket])
+
+    def _edges(self) -> None:
+        """Falls before rises, because a rise may reset PIX before another bucket's fall reads
+        it."""
+        falls = [self._add(register) for register in self.registers]
+        resets = self._can_reset_at_rise()
+        rises = [RESET if resets else self._subtract(register) for register in self.registers]
+        # With a reference, PIX has the reset level at boundary 0, so there is nothing to subtract.
+        first_rise = 0 if self.reference is None else 1
+        for boundary, changes in self._changes():
+            for bucket, (before, after) in enumerate(changes):
+                self._step(boundary, "fall", bucket, before & ~after, falls[bucket])
+            if boundary >= first_rise:
+                for bucket, (before, after) in enumerate(changes):
+                    self._step(boundary, "rise", bucket, after & ~before, rises[bucket])
+
+    def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
+        """The boundaries where shutters change: for each bucket, the open shutters before and
+        after."""
+        closed = (0,) * len(self.opens)
+        states = (closed, *zip(*self.opens, strict=True), closed)
+        for boundary, (before, after) in enumerate(pairwise(states)):
+            if before != after:
+                yield boundary, list(zip(before, after, strict=True))
+
+    def _can_reset_at_rise(self) -> bool:
+        """Whether a rising pixel may reset PIX: none of its other buckets is open."""
+        if self.program.target.reset_honours_flag != "yes" or self.reference is None:
+            return False
+        for boundary in range(1, self.slots):
+            rising = busy = 0
+            for bucket in self.opens:
+                rising |= bucket[boundary] & ~bucket[boundary - 1]
+                busy |= bucket[boundary] & bucket[boundary - 1]
+            if rising & busy:
+                return False
+        return True

@@ -1,0 +1,1 @@
+"""Images and planes of neighbouring pixels: from expressions to words."""

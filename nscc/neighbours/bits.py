@@ -1,0 +1,214 @@
+"""The words of planes: comparisons, logic, and bits of neighbours."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.neighbours.held import Emitter, Refused
+from nscc.operations import STEERING, op, pair
+from nscc.words import pictures as p
+
+_OF_STEP = {step: name for name, step in STEERING.items()}
+Offset = tuple[int, int]
+Kept = tuple[str, str | None]
+"""A register that holds a bit, and the plane whose register it is; None for one that only whoever
+has it reads."""
+
+
+class BitWords:
+    """The digital registers of a lowering, and the words that fill them.
+
+    The registers that steer DNEWS are kept for it where the text reads neighbours.
+    """
+
+    def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
+        self.lowering = lowering
+        pictures = lowering.pictures
+        nodes = [node for item in pictures.items for node in p.every(item.node)]
+        self.steers = any(isinstance(node, p.Near | p.At) for node in nodes)
+        self.available = [r for r in registers if not (self.steers and r in STEERING)]
+        self.free = list(self.available)
+        self.planes: dict[str, str] = {}
+        self.uses: dict[str, int] = {}
+        for node in nodes:
+            if isinstance(node, p.Bit):
+                self.uses[node.name] = self.uses.get(node.name, 0) + 1
+        for name in pictures.wanted:
+            self.uses[name] = self.uses.get(name, 0) + 1
+        self.steered: frozenset[str] | None = None
+
+    def declare(self, name: str, node: p.Condition) -> None:
+        """Computes a plane, and keeps it while it is read."""
+        register, owner = self.bit(node)
+        if owner is not None:
+            register = self._made("MOV", [register], [(register, owner)])
+        self.planes[name] = register
+        self.uses[name] = self.uses.get(name, 0) + 1
+        self.give((register, name))
+
+    def take(self) -> str:
+        """A register that is free."""
+        if not self.free:
+            count = len(self.available)
+            raise Refused("planes", self.lowering.now, count + 1, count)
+        return self.free.pop(0)
+
+    def give(self, *bits: Kept) -> None:
+        """Bits have been read; their registers are free where nothing else reads them."""
+        for register, owner in bits:
+            if owner is not None:
+                self.uses[owner] -= 1
+                if self.uses[owner]:
+                    continue
+                del self.planes[owner]
+            self.free.append(register)
+            self.free.sort(key=self.available.index)
+
+    def to_flag(self, node: p.Condition) -> None:
+        """FLAG is 1 where a condition is."""
+        bit = self.bit(node)
+        self.lowering.word(op("WHERE", [], [bit[0]]))
+        self.give(bit)
+
+    def bit(self, node: p.Condition) -> Kept:
+        """Where a condition is."""
+        match node:
+            case p.Bit():
+                return self.planes[node.name], node.name
+            case p.Constant():
+                register = self.take()
+                self.lowering.word(op("SET" if node.bit else "CLR", [register]))
+                return register, None
+            case p.Above():
+                return self._above(node), None
+            case p.Inverse():
+                inner = self.bit(node.condition)
+                return self._made("NOT", [inner[0]], [inner]), None
+            case p.Joined():
+                return self._joined(node), None
+            case p.At():
+                return self._at(node), None
+            case p.Near():
+                return self._near(node), None
+
+    def _made(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
+        """A register that a word fills; the bits that were `used` are then given back."""
+        target = self.take()
+        self.lowering.word(op(name, [target], sources))
+        self.give(*used)
+        return target
+
+    def _above(self, node: p.Above) -> str:
+        """A comparison: `where` asks whether the value and IN together are above 0."""
+        lowering = self.lowering
+        value = lowering.value(node.value)
+        lowering.everywhere()
+        level = -node.steps * value.sign
+        sources = [value.register, *(["IN"] if level else [])]
+        lowering.word(op("where", [], sources), level or None)
+        lowering.give(value)
+        register = self.take()
+        # What is held may be minus the value: then FLAG says the opposite.
+        lowering.word(op("MOV" if value.sign > 0 else "NOT", [register], ["FLAG"]))
+        lowering.everywhere()
+        return register
+
+    def _joined(self, node: p.Joined) -> str:
+        """`or` is one word, `and` the inverse of that of the inverses."""
+        left, right = self.bit(node.left), self.bit(node.right)
+        a, b = left[0], right[0]
+        if a == b:
+            name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
+            return self._made(name, sources, [left, right])
+        if node.op == "or":
+            return self._made("OR", [a, b], [left, right])
+        not_a = self._made("NOT", [a], [])
+        not_b = self._made("NOT", [b], [])
+        both = self._made("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
+        if node.op == "and":
+            self.give(left, right)
+            return both
+        neither = self._made("NOR", [a, b], [left, right])
+        return self._made("NOR", [both, neither], [(both, None), (neither, None)])
+
+    # --- neighbours
+
+    def _steer(self, steps: frozenset[Offset]) -> None:
+        """R1..R4 choose these neighbours, in all pixels."""
+        wanted = frozenset(_OF_STEP[each] for each in steps)
+        if wanted == self.steered:
+            return
+        self.lowering.word(op("CLR", list(STEERING)))
+        self.lowering.word(op("SET", sorted(wanted)))
+        self.steered = wanted
+
+    def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
+        """The OR of the bits of these neighbours."""
+        self._steer(steps)
+        return self._made("DNEWS1" if outside else "DNEWS0", [register], [])
+
+    def _moved(self, register: str, outside: int, at: Offset) -> str:
+        """The bit of the pixel so far away, one step at a time; a register of its own."""
+        x, y = at
+        steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
+        moved = None
+        for step in steps:
+            seen = self._look(moved or register, outside, frozenset({step}))
+            if moved is not None:
+                self.give((moved, None))
+            moved = seen
+        return moved or self._made("MOV", [register], [])
+
+    def _at(self, node: p.At) -> str:
+        bit = self.bit(node.condition)
+        outside = self.lowering.pictures.outside or 0
+        moved = self._moved(bit[0], outside, (node.right, node.down))
+        self.give(bit)
+        return moved
+
+    def _near(self, node: p.Near) -> str:
+        """`any`: the OR of neighbours; `all`: the inverse of any of the inverse."""
+        offsets = set(self.lowering.weights[node.kernel].taps)
+        outside = self.lowering.pictures.outside or 0
+        bit = self.bit(node.condition)
+        if node.kind == "all":
+            bit = self._made("NOT", [bit[0]], [bit]), None
+            outside = 1 - outside
+        found = self._any(bit[0], outside, offsets)
+        self.give(bit)
+        if node.kind == "all":
+            return self._made("NOT", [found], [(found, None)])
+        return found
+
+    def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
+        """The OR of the bits at these offsets: of rectangles row by row, then column by column."""
+        rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
+        if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
+            line = self._line(register, outside, {(x, 0) for x in cols})
+            found = self._line(line, outside, {(0, y) for y in rows})
+            self.give((line, None))
+            return found
+        return self._line(register, outside, offsets)
+
+    def _line(self, register: str, outside: int, offsets: set[Offset]) -> str:
+        """The OR of the bits at these offsets: nearest neighbours in one word, others step by
+        step."""
+        near = frozenset(offsets & set(_OF_STEP))
+        parts = [self._look(register, outside, near)] if near else []
+        for at in sorted(offsets - near - {(0, 0)}):
+            parts.append(self._moved(register, outside, at))
+        if not parts:
+            return self._made("MOV", [register], [])
+        total, *others = parts
+        for part in others:
+            total = self._or(total, part)
+        if (0, 0) in offsets:
+            return self._made("OR", [total, register], [(total, None)])
+        return total
+
+    def _or(self, first: str, second: str) -> str:
+        """The OR of two bits of ours, in the place of the first."""
+        for word in pair("OR", first, [first, second]):
+            self.lowering.word(word)
+        self.give((second, None))
+        return first

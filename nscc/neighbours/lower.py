@@ -1,0 +1,350 @@
+"""From images and planes to words: which register holds what, item by item in the text's order.
+
+An analog value is known up to its sign, for every word inverts. Kernels become programs of one
+input (`nscc.neighbours.synthesis`); sums, absolute values and choices are written out here. A value
+stays in its register while something still reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from math import sqrt
+from typing import Any
+
+from nscc.chips.target import Target
+from nscc.neighbours.bits import BitWords
+from nscc.neighbours.held import Emitter, Held, Refused
+from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
+from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
+from nscc.operations import NEIGHBOURS, op
+from nscc.words import pictures as p
+
+Weights = dict[tuple[int, int], Fraction]
+
+
+class Lowering(Emitter):
+    """The words of all items; `registers` then says where what leaves the chip is held."""
+
+    def __init__(
+        self,
+        pictures: p.Pictures,
+        target: Target,
+        buckets: dict[str, tuple[str, int]],
+        digital: Sequence[str],
+        synthesis: Synthesis,
+    ) -> None:
+        super().__init__(pictures)
+        self.target, self.synthesis = target, synthesis
+        taken = {register for register, _ in buckets.values()}
+        self.free = [name for name in target.analog_available if name not in taken]
+        self.registers: dict[str, str] = {}
+        self.held = {
+            name: Held(register, sign, 0.0, pictures.limits_e[name], name)
+            for name, (register, sign) in buckets.items()
+        }
+        self.bits = BitWords(self, digital)
+        self.costs: list[p.PictureCost] = []
+        self.uses = self._uses()
+        for name, value in list(self.held.items()):
+            self.uses[name] += 1
+            self.give(value)
+
+    def _uses(self) -> dict[str, int]:
+        """How often each image and bucket is still read; what leaves the chip once more."""
+        found: dict[str, int] = dict.fromkeys(self.held, 0)
+        for item in self.pictures.items:
+            found[item.name] = 0
+            for node in p.every(item.node):
+                if isinstance(node, p.Source):
+                    found[node.name] += 1
+        for name in self.pictures.wanted:
+            found[name] = found.get(name, 0) + 1
+        return found
+
+    def run(self) -> None:
+        """Computes every item; `registers` then holds what leaves the chip, by name."""
+        for item in self.pictures.items:
+            self.now, before = item.name, len(self.words)
+            if isinstance(item.node, p.Condition):
+                self.bits.declare(item.name, item.node)
+                self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
+            else:
+                value = self.value(item.node)
+                if item.name in self.pictures.wanted and value.sign < 0:
+                    value = self.negated(value)
+                if value.name is not None:  # another name of a value that is held already
+                    value = self.negated(self.negated(value))
+                value = self.held[item.name] = replace(value, name=item.name)
+                self.uses[item.name] += 1
+                self.give(value)
+                most = max(abs(value.low), abs(value.high))
+                gain = most / max(self.pictures.limits_e.values())
+                words, noise = len(self.words) - before, sqrt(value.variance)
+                self.costs.append(p.PictureCost(item.name, words, gain, noise))
+        for name in self.pictures.wanted:
+            held = self.held.get(name)
+            self.registers[name] = held.register if held else self.bits.planes[name]
+        self.everywhere()
+
+    # --- registers
+
+    def take(self) -> str:
+        """A register that is free."""
+        if not self.free:
+            count = len(self.target.analog_available)
+            raise Refused("registers", self.now, count + 1, count)
+        return self.free.pop(0)
+
+    def give(self, *values: Held) -> None:
+        """Values have been read; their registers are free where nothing else reads them."""
+        for value in values:
+            if value.name is not None:
+                self.uses[value.name] -= 1
+                if self.uses[value.name]:
+                    continue
+                del self.held[value.name]
+            self.free.append(value.register)
+            self.free.sort(key=self.target.analog_available.index)
+
+    def checked(self, low: float, high: float) -> None:
+        """Refuses a value that a register does not hold."""
+        target, slack = self.target, 1 + 1e-9
+        if high > target.register_max_e * slack or low < target.register_min_e * slack:
+            over = max(high / target.register_max_e, low / target.register_min_e)
+            raise Refused("range", self.now, over, 1.0)
+
+    # --- values
+
+    def value(self, node: p.Value) -> Held:
+        """The words that compute a value, and where it then is."""
+        match node:
+            case p.Source():
+                return self.held[node.name]
+            case p.Filtered():
+                taps, inner = self._merged(node)
+                return self.filtered(self.value(inner), taps)
+            case p.Sum():
+                return self.sum(node)
+            case p.Absolute():
+                return self.absolute(self.value(node.value))
+            case p.Chosen():
+                return self.chosen(node)
+
+    def _merged(self, node: p.Value) -> tuple[Weights, p.Value]:
+        """Kernels of kernels, and factors of one value, as one kernel."""
+        if isinstance(node, p.Filtered):
+            taps, inner = self._merged(node.value)
+            return _after(self.weights[node.kernel].taps, taps), inner
+        if isinstance(node, p.Sum):
+            parts = [(factor, *self._merged(part)) for factor, part in node.terms]
+            if parts and all(inner == parts[0][2] for _, _, inner in parts):
+                total: Weights = {}
+                for factor, taps, _ in parts:
+                    total = _total(total, factor, taps)
+                return total, parts[0][2]
+        return {(0, 0): Fraction(1)}, node
+
+    def filtered(self, value: Held, weights: Weights) -> Held:
+        """A value weighted by a kernel."""
+        if weights == {(0, 0): 1}:
+            return value
+        if not weights:
+            self.give(value)
+            return self._nothing()
+        if weights == {(0, 0): -1}:
+            return replace(value, sign=-value.sign, low=-value.high, high=-value.low)
+        try:
+            taps = exact_taps(weights)
+            best = self._program(taps, value)
+        except ValueError:
+            raise Refused("registers", self.now, 41, 40) from None
+        low, high = value.scaled(*gains(taps))
+        squares = sum(float(weight) ** 2 for weight in weights.values())
+        variance = value.variance * squares + noise_gain(best.program) ** 2
+        register = self.run_program(best.program, value)
+        return Held(register, value.sign, low, high, variance=variance)
+
+    def _program(self, taps: Taps, value: Held) -> Ranged:
+        """The shortest program whose values fit the registers."""
+        found = self.synthesis.programs(taps)
+        least = float("inf")
+        for each in found:
+            over = max(self._excess(value, taps_) for taps_ in values_of(each.program))
+            if over <= 1 + 1e-9:
+                return each
+            least = min(least, over)
+        raise Refused("range", self.now, least, 1.0)
+
+    def _excess(self, value: Held, taps: Taps) -> float:
+        """How many times the registers' range what a kernel makes of a value may be."""
+        low, high = value.scaled(*gains(taps))
+        ends = (low, high) if value.sign > 0 else (-high, -low)
+        return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
+
+    def run_program(self, program: Program, value: Held) -> str:
+        """The words of a program; returns the register of its result. The value has been read."""
+        self.everywhere()
+        last: dict[str, int] = {}
+        for number, word in enumerate(program):
+            for name in (*word.sources, *word.destinations):
+                last[name] = number
+        result = program[-1].destinations[0]
+        places = {"x": value.register}
+        for number, word in enumerate(program):
+            names = []
+            for name in word.destinations:
+                if name != "NEWS" and name not in NEIGHBOURS and name not in places:
+                    places[name] = self.take()
+                names.append(places.get(name, name))
+            sources = [places.get(name, name) for name in word.sources]
+            self.word(op("bus2" if word.halves else "bus", names, sources))
+            for name, at in last.items():
+                if at == number and name in places and name != result:
+                    spare = replace(value, register=places[name], name=None)
+                    self.give(value if name == "x" else spare)
+        return places[result]
+
+    def negated(self, value: Held) -> Held:
+        """A value with the other sign, in a register of its own."""
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], [value.register]))
+        self.give(value)
+        variance = value.variance + 1
+        return Held(register, -value.sign, value.low, value.high, variance=variance)
+
+    def sum(self, node: p.Sum) -> Held:
+        """A sum of values: terms of one value are one kernel."""
+        taps, inner = self._merged(node)
+        if inner is not node:
+            return self._shortest(
+                lambda: self.filtered(self.value(inner), taps), lambda: self._term_by_term(node)
+            )
+        return self._term_by_term(node)
+
+    def _shortest(self, *ways: Callable[[], Held]) -> Held:
+        """The value by that way which takes the fewest words, of those that fit."""
+        best: tuple[int, int] | None = None
+        refused: Refused | None = None
+        for number, way in enumerate(ways):
+            state = self._state()
+            try:
+                way()
+            except Refused as error:
+                refused = refused or error
+            else:
+                best = min(best or (len(self.words), number), (len(self.words), number))
+            self._restore(state)
+        if best is None:
+            assert refused is not None
+            raise refused
+        return ways[best[1]]()
+
+    def _state(self) -> tuple[Any, ...]:
+        bits = self.bits
+        return (
+            len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
+            bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
+        )  # fmt: skip
+
+    def _restore(self, state: tuple[Any, ...]) -> None:
+        bits = self.bits
+        words, self.free, self.held, self.uses, self.masked, *of_bits = state
+        del self.words[words:]
+        bits.free, bits.planes, bits.uses, bits.steered = of_bits
+
+    def _term_by_term(self, node: p.Sum) -> Held:
+        """A sum whose terms are computed one after the other."""
+        if not node.terms:
+            return self._nothing()
+        common = abs(node.terms[0][0])
+        if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
+            plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
+            return self.filtered(self.value(plain), {(0, 0): common})
+        parts = []
+        for factor, value in node.terms:
+            part = self.filtered(self.value(value), {(0, 0): abs(factor)})
+            parts.append((1 if factor > 0 else -1, part))
+        return self._added(parts)
+
+    def _nothing(self) -> Held:
+        """A value that is 0."""
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register]))
+        return Held(register, 1, 0.0, 0.0)
+
+    def _added(self, parts: list[tuple[int, Held]]) -> Held:
+        """The sum of values that are held, each with its sign in the sum."""
+        low = sum(v.low if sign > 0 else -v.high for sign, v in parts)
+        high = sum(v.high if sign > 0 else -v.low for sign, v in parts)
+        self.checked(low, high)
+        plus = [v for sign, v in parts if sign * v.sign > 0]
+        minus = [v for sign, v in parts if sign * v.sign < 0]
+        # The fewer ones are inverted, all together; a word adds at most four sources.
+        total, few = (1, minus) if len(plus) >= len(minus) else (-1, plus)
+        many = plus if total > 0 else minus
+        if few:
+            self.everywhere()
+            self.word(op("bus", ["NEWS"], [v.register for v in few[:4]]))
+        sources = [*(v.register for v in many), *(["NEWS"] if few else [])]
+        if len(sources) > 4 or len(few) > 4:
+            raise Refused("registers", self.now, len(parts), 4)
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], sources))
+        self.give(*(v for _, v in parts))
+        variance = sum(v.variance for _, v in parts) + 1 + bool(few)
+        return Held(register, -total, low, high, variance=variance)
+
+    def absolute(self, value: Held) -> Held:
+        """A value without its sign.
+
+        NEWS and the result are minus the value; where that is below 0 it is inverted again.
+        """
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", ["NEWS"], [value.register]))
+        self.word(op("bus", [register], [value.register]))
+        self.word(op("where", [], [value.register]))
+        self.word(op("bus", [register], ["NEWS"]))
+        self.everywhere()
+        self.give(value)
+        most = max(abs(value.low), abs(value.high))
+        least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
+        return Held(register, 1, least, most, variance=value.variance + 2)
+
+    def chosen(self, node: p.Chosen) -> Held:
+        """One value where a condition is 1, another one where it is 0."""
+        then, otherwise = self.value(node.then), self.value(node.otherwise)
+        if then.sign != otherwise.sign:
+            then = self.negated(then)
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], [otherwise.register]))
+        self.bits.to_flag(node.condition)
+        self.word(op("bus", [register], [then.register]))
+        self.everywhere()
+        self.give(then, otherwise)
+        low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
+        variance = max(then.variance, otherwise.variance) + 1
+        return Held(register, -then.sign, low, high, variance=variance)
+
+
+def _total(weights: Weights, factor: Fraction, taps: Weights) -> Weights:
+    """A kernel and another one times a factor."""
+    found = dict(weights)
+    for at, weight in taps.items():
+        found[at] = found.get(at, Fraction(0)) + factor * weight
+    return {at: weight for at, weight in found.items() if weight}
+
+
+def _after(outer: Weights, inner: Weights) -> Weights:
+    """The kernel of one kernel after another."""
+    found: Weights = {}
+    for (x, y), weight in outer.items():
+        moved = {(x + right, y + down): part for (right, down), part in inner.items()}
+        found = _total(found, weight, moved)
+    return found

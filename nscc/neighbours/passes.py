@@ -1,0 +1,199 @@
+"""Images and planes in the pipeline: a container of an exposure gets the words that follow it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from math import ceil, log2
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.neighbours.held import Leveled, Refused
+from nscc.neighbours.lower import Lowering
+from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
+from nscc.operations import Op
+from nscc.program.program import Program
+from nscc.prove.meaning import reaches
+from nscc.source import Span
+from nscc.syntax.parse import parse
+from nscc.syntax.tree import Image, Plane
+from nscc.words.container import Container
+from nscc.words.encoding import encode
+from nscc.words.pictures import Condition, Pictures, Sum, TailLaunch
+
+
+def with_pictures(
+    container: Container, program: Program, level: int
+) -> tuple[Container, Sequence[Diagnostic]]:
+    """The container with the words of a program's images and planes.
+
+    Refuses what takes more registers or store than there are (NS0535), values beyond the range of
+    registers (NS0540) and images that reach too far (NS0541).
+    """
+    pictures = program.pictures
+    assert pictures is not None
+    far = _too_far(pictures, program)
+    if far is not None:
+        return container, [far]
+    try:
+        lowering = lowered(container, pictures, level)
+    except Refused as refused:
+        return container, [_refusal(refused, container, program, level)]
+    kernels, launches = grouped(lowering.words)
+    made = replace(
+        pictures,
+        kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
+        launches=launches,
+        registers=lowering.registers,
+        costs=tuple(lowering.costs),
+    )
+    found = replace(container, pictures=made)
+    most = container.target.store_words
+    if found.words_stored > most:
+        full = Refused("store", made.items[-1].name, found.words_stored, most)
+        return container, [_refusal(full, container, program, level)]
+    return found, []
+
+
+def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
+    """The words of images and planes after a container's exposure. Raises Refused."""
+    target = container.target
+    buckets = {
+        each.bucket: (each.register, 1 if each.gain > 0 else -1) for each in container.readouts
+    }
+    guarded = (target.mask_register, target.masked_register)
+    digital = [
+        name for name in target.digital_registers
+        if name not in container.code_registers and name not in guarded
+    ]  # fmt: skip
+    lowering = Lowering(pictures, target, buckets, digital, Synthesis(STEPS_OF_LEVEL[level]))
+    lowering.run()
+    return lowering
+
+
+def grouped(
+    words: Sequence[Leveled],
+) -> tuple[list[tuple[Op, ...]], tuple[TailLaunch, ...]]:
+    """Words in kernels, one for each value of IN; equal kernels are stored once."""
+    runs: list[tuple[list[Op], int | None]] = []
+    for word, level in words:
+        if not runs or (level is not None and runs[-1][1] not in (None, level)):
+            runs.append(([], None))
+        run, before = runs[-1]
+        run.append(word)
+        runs[-1] = run, before if level is None else level
+    number: dict[tuple[Op, ...], int] = {}
+    launches = [
+        TailLaunch(number.setdefault(tuple(run), len(number)), level) for run, level in runs
+    ]
+    return list(number), tuple(launches)
+
+
+_MORE_HALVINGS = 3
+"""So many divisors are tried, from the least that could do."""
+
+
+def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
+    """The same images, one of them divided."""
+    items = []
+    for item in pictures.items:
+        node = item.node
+        if item.name == name and not isinstance(node, Condition):
+            node = Sum(((Fraction(1, divisor), node),))
+        items.append(replace(item, node=node))
+    return replace(pictures, items=tuple(items))
+
+
+def _place(program: Program, name: str) -> Span:
+    """Where the statement of an image or a plane stands."""
+    for statement in parse(program.source)[0].statements:
+        if isinstance(statement, Image | Plane) and statement.name.text == name:
+            return statement.span
+    return program.frame.span
+
+
+def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
+    target = program.target
+    for name, reach in reaches(pictures).items():
+        for size, limit, what in (
+            (max(reach.left, reach.right), target.cols // 4, "columns"),
+            (max(reach.up, reach.down), target.rows // 4, "rows"),
+        ):
+            if size > limit:
+                return Diagnostic(
+                    "NS0541",
+                    f"`{name}` depends on pixels {size} {what} away; the most is {limit}, a "
+                    f"quarter of the array of {target.name}",
+                    source=program.source,
+                    label=Label(_place(program, name), "reaches this far"),
+                    helps=("use smaller kernels, or fewer of them one after another",),
+                    data={"resource": "reach", "required": size, "available": limit},
+                )
+    return None
+
+
+def _refusal(refused: Refused, container: Container, program: Program, level: int) -> Diagnostic:
+    name, needed, available = refused.name, refused.needed, refused.available
+    label = Label(_place(program, name), "computed here")
+    if refused.kind == "range":
+        return _beyond_range(refused, container, program, level)
+    what = {
+        "registers": "analog registers",
+        "planes": "digital registers",
+        "store": "words in the store",
+    }[refused.kind]
+    holders = ", ".join(f"{each.register} holds {each.bucket}" for each in container.readouts)
+    return Diagnostic(
+        "NS0535",
+        f"`{name}` needs {needed:g} {what} or more, and {available:g} are there",
+        source=program.source,
+        label=label,
+        notes=(f"of the exposure, {holders}",) if refused.kind == "registers" else (),
+        helps=(
+            "compute and read fewer images and planes at once, or take large kernels apart",
+        ),
+        data={"resource": what, "required": needed, "available": available, "proved": False},
+    )  # fmt: skip
+
+
+def _beyond_range(
+    refused: Refused, container: Container, program: Program, level: int
+) -> Diagnostic:
+    """NS0540, with an assumption under which the words were made."""
+    pictures, over = program.pictures, refused.needed
+    assert pictures is not None
+    target = container.target
+    helps = []
+    least = max(1, ceil(log2(over) - 1e-9))
+    for halvings in range(least, least + _MORE_HALVINGS):
+        divided = _with_item_divided(pictures, refused.name, 2**halvings)
+        try:
+            lowered(container, divided, level)
+        except Refused:
+            continue
+        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")
+        break
+    share = int(100 / over)
+    while share >= 1:
+        limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
+        try:
+            lowered(container, replace(pictures, limits_e=limits), level)
+        except Refused:
+            share //= 2
+            continue
+        helps.append(f"promise less light: `assume exposure <= {share}%` compiles")
+        break
+    return Diagnostic(
+        "NS0540",
+        f"while `{refused.name}` is computed, a value reaches {over:.3g} times the range of the "
+        "registers",
+        Severity.ERROR,
+        source=program.source,
+        label=Label(_place(program, refused.name), "too large for exposures up to a full well"),
+        notes=(
+            f"registers of {target.name} hold {target.register_min_e:g} to "
+            f"{target.register_max_e:g} e",
+        ),
+        helps=tuple(helps),
+        data={"resource": "range", "required": over, "available": 1.0},
+    )

@@ -1,0 +1,398 @@
+"""Short programs for a kernel: rows of a table, turned, chained and added; and one for any kernel.
+
+The search is deterministic and counts its steps. What it returns is ordered by words; programs of
+more words stay only where their intermediate values are smaller.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import sqrt
+
+from nscc.neighbours.programs import (
+    IDENTITY,
+    TURNS,
+    UNIT,
+    Offset,
+    Polynomial,
+    Program,
+    Taps,
+    Word,
+    added,
+    chained,
+    halved,
+    kernel_of,
+    moved,
+    program_from_text,
+    renamed,
+    turned,
+    turned_taps,
+    values_of,
+)
+from nscc.neighbours.table import ROWS
+from nscc.operations import NEIGHBOURS, STEPS
+
+STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
+"""Kernels that a search may take apart, by the level of optimisation."""
+_MOST_KEPT = 6
+_MOST_DEPTH = 7
+
+_Key = frozenset[tuple[Offset, int]]
+_HALVE: Program = (Word(("h", "NEWS"), ("x",)),)
+_NEGATE: Program = (Word(("m",), ("x",)),)
+
+
+@cache
+def rows() -> dict[_Key, Program]:
+    """The programs of the table and their turns, by what they compute."""
+    found: dict[_Key, Program] = {}
+    for line in ROWS.split("\n"):
+        if line:
+            program = program_from_text(line)
+            taps = kernel_of(program)
+            for turn in TURNS:
+                key = frozenset(turned_taps(taps, turn).items())
+                if len(program) < len(found.get(key, program * 2)):
+                    found[key] = turned(program, turn)
+    return found
+
+
+@dataclass(frozen=True)
+class Ranged:
+    """A program with the largest factors that its values have: of exposures that are added, and of
+    those that are subtracted."""
+
+    program: Program
+    peak: Fraction
+
+
+class Synthesis:
+    """Programs for kernels, found within so many steps."""
+
+    def __init__(self, steps: int) -> None:
+        self.steps = steps
+        self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
+
+    def programs(self, taps: Taps) -> list[Ranged]:
+        """Programs for a kernel, the shortest first, the others with smaller values in between.
+
+        Each is proved: its words compute the kernel.
+        """
+        found = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
+        found = [_ranged(tidied(each.program)) for each in found]
+        assert all(kernel_of(each.program) == dict(taps) for each in found)
+        return _best(found)
+
+    def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
+        key = frozenset(taps.items())
+        if taps == IDENTITY:
+            return [Ranged((), Fraction(1))]
+        at_depth, known = self._known.get(key, (0, []))
+        if at_depth >= depth:
+            return known
+        if self.steps <= 0 or depth <= 0:
+            return known
+        self.steps -= 1
+        self._known[key] = depth, known
+        found = [_ranged(program) for program in self._made(taps, key, depth)]
+        best = _best([*known, *found])
+        self._known[key] = depth, best
+        return best
+
+    def _made(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
+        table = rows()
+        if key in table:
+            yield table[key]
+        inverse = added((-1, taps))
+        inverse_key = frozenset(inverse.items())
+        if inverse_key in table:
+            yield chained(table[inverse_key], _NEGATE)
+        if taps == {(0, 0): -UNIT}:
+            yield _NEGATE
+            return
+        if halvings_of(taps):
+            doubled = added((-2, taps))
+            for rest in self._programs(doubled, depth - 1):
+                yield chained(_HALVE, rest.program)
+                if rest.program:
+                    yield chained(rest.program, _HALVE)
+        for factor in factors():
+            quotient = divided(taps, factor)
+            if quotient is not None and quotient != IDENTITY:
+                for rest in self._programs(quotient, depth - 1):
+                    yield chained(factor.program, rest.program)
+        yield from self._sums(inverse, depth)
+
+    def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
+        """Programs whose last word adds two values; `inverse` is what they add up to."""
+        table = rows()
+        if len(inverse) < 2:
+            return
+        middle = inverse.get((0, 0), 0)
+        parts: set[int] = set()
+        if middle:
+            least = min(map(abs, inverse.values()))
+            parts = {UNIT, least, 2 * least, -least, -2 * least}
+            parts |= {middle - weight for weight in (0, *inverse.values())}
+        for part in sorted(parts - {0}):
+            alone: Taps = {(0, 0): part}
+            rest = added((1, inverse), (-1, alone))
+            if rest and abs(rest.get((0, 0), 0)) < abs(middle):
+                seconds = self._programs(dict(alone), depth - 2) or [_ranged(accumulated(alone))]
+                for first in self._programs(rest, depth - 2):
+                    for second in seconds:
+                        yield _summed(first.program, second.program)
+        for key, program in table.items():
+            rest = added((1, inverse), (-1, dict(key)))
+            other = table.get(frozenset(rest.items()))
+            if other is not None:
+                yield _summed(program, other)
+
+
+def _summed(first: Program, second: Program) -> Program:
+    """Both programs, and a word that adds their results."""
+    a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
+    results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
+    return (*a, *b, Word(("s",), tuple(results)))
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A kernel of at least two weights that others may be multiples of, with a program for it.
+
+    `lead` is the place of its last weight in reading order by columns; `size` is how many columns
+    and rows it has, less one; `corner` is the least column and row.
+    """
+
+    taps: Taps
+    program: Program
+    lead: Offset
+    size: Offset
+    corner: Offset
+
+    @classmethod
+    def of(cls, taps: Taps, program: Program) -> Factor:
+        corner, size = _box(taps)
+        return cls(taps, program, max(taps), size, corner)
+
+
+def _box(taps: Taps) -> tuple[Offset, Offset]:
+    """The least column and row of a kernel, and how many it has, less one."""
+    columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
+    corner = min(columns), min(rows_)
+    return corner, (max(columns) - corner[0], max(rows_) - corner[1])
+
+
+@cache
+def factors() -> tuple[Factor, ...]:
+    """The rows of the table that have at least two weights."""
+    return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
+
+
+def divided(taps: Taps, factor: Factor) -> Polynomial | None:
+    """The kernel that gives `taps` together with `factor`; None where there is none."""
+    corner, size = _box(taps)
+    width, height = size[0] - factor.size[0], size[1] - factor.size[1]
+    if width < 0 or height < 0:
+        return None
+    left, top = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
+    lead_weight = factor.taps[factor.lead]
+    rest, found = dict(taps), {}
+    while rest:
+        last = max(rest)
+        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
+        weight, remainder = divmod(rest[last] * UNIT, lead_weight)
+        if remainder or not (left <= x <= left + width and top <= y <= top + height):
+            return None
+        found[x, y] = weight
+        for (right, down), part in factor.taps.items():
+            place = (x + right, y + down)
+            other = rest.get(place, 0) - weight * part // UNIT
+            if other:
+                rest[place] = other
+            else:
+                rest.pop(place, None)
+    return found
+
+
+def halvings_of(taps: Taps) -> int:
+    """How often a kernel of whole weights is halved to give this one."""
+    lowest = min((weight & -weight).bit_length() for weight in taps.values())
+    return max(0, UNIT.bit_length() - lowest)
+
+
+# --- a way that always ends -----------------------------------------------------------------------
+
+_OF_STEP = {step: name for name, step in STEPS.items()}
+_OPPOSITE = {name: _OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
+
+
+def accumulated(taps: Taps) -> Program:
+    """A program that adds one neighbour after the other, for any kernel.
+
+    The input is halved first as often as the weights need it, so that all are integers. The sum so
+    far changes its sign with every word.
+    """
+    halvings = halvings_of(taps)
+    words = [
+        Word((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
+        for number in range(halvings)
+    ]
+    multiples = _Multiples(f"h{halvings}" if halvings else "x", words)
+    order = sorted(taps, key=lambda at: (-abs(at[0]) - abs(at[1]), at))
+    total: tuple[str, ...] = ()
+    for index, at in enumerate(order):
+        sign = (-1) ** (halvings + len(order) - 1 - index)
+        factor = taps[at] * 2**halvings // UNIT * sign
+        if at == (0, 0):
+            sources = (multiples.of(-factor), *total)
+        else:
+            sources = (_moved_by(at, multiples.of(factor), words), *total)
+        total = (f"s{index}",)
+        words.append(Word(total, sources))
+    return tuple(words)
+
+
+def _moved_by(at: Offset, register: str, words: list[Word]) -> str:
+    """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
+    one step to a neighbour, a neighbour's NEWS after two."""
+    x, y = at
+    steps = [_OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [_OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
+    while len(steps) > 2:
+        first, second, *steps = steps
+        words.append(Word((_OPPOSITE[first],), (register,)))
+        register = f"{register}{first}{second}"
+        words.append(Word((register,), (second,)))
+    words.append(Word((_OPPOSITE[steps[0]],), (register,)))
+    return steps[1] if len(steps) == 2 else "NEWS"
+
+
+class _Multiples:
+    """Integer multiples of a register, made when they are first asked for."""
+
+    def __init__(self, source: str, words: list[Word]) -> None:
+        self.words = words
+        self.held = {1: source}
+
+    def of(self, factor: int) -> str:
+        """The register that holds so many times the source."""
+        if factor not in self.held:
+            name = f"m{factor}"
+            sources: tuple[str, ...] = ()
+            if -factor in self.held or factor == -1:
+                sources = (self.of(-factor),)
+            else:
+                sign = 1 if factor > 0 else -1
+                half = sign << (abs(factor).bit_length() - 1)
+                half = half // 2 if half == factor else half
+                first, rest = self.of(-half), factor - half
+                if rest == half:
+                    self.words.append(Word(("NEWS",), (self.of(half),)))
+                    sources = (first, "NEWS")
+                else:
+                    sources = (first, self.of(-rest))
+            self.words.append(Word((name,), sources))
+            self.held[factor] = name
+        return self.held[factor]
+
+
+# --- choosing -------------------------------------------------------------------------------------
+
+
+def _ranged(program: Program) -> Ranged:
+    peak = Fraction(1)
+    for taps in values_of(program):
+        peak = max(peak, *gains(taps))
+    return Ranged(program, peak)
+
+
+def gains(taps: Taps) -> tuple[Fraction, Fraction]:
+    """How much of the largest exposure a kernel gives at most, and how much it takes away."""
+    added_up = sum(weight for weight in taps.values() if weight > 0)
+    taken = sum(-weight for weight in taps.values() if weight < 0)
+    return Fraction(added_up, UNIT), Fraction(taken, UNIT)
+
+
+def _best(found: list[Ranged]) -> list[Ranged]:
+    """The shortest programs, and longer ones of smaller values."""
+    kept: list[Ranged] = []
+    for each in sorted(found, key=lambda each: (len(each.program), each.peak)):
+        if not kept or each.peak < kept[-1].peak:
+            kept.append(each)
+    return kept[:_MOST_KEPT]
+
+
+def tidied(program: Program) -> Program:
+    """A program without words for values that are held already, or that nobody reads."""
+    held: dict[str, Polynomial] = {"x": dict(IDENTITY)}
+    names: dict[str, str] = {"x": "x"}
+    words: list[Word] = []
+    values = values_of(program)
+    for number, (word, value) in enumerate(zip(program, values, strict=True)):
+        sources = tuple(names.get(name, name) for name in word.sources)
+        if len(set(sources)) < len(sources):
+            return program  # the same register twice is one source
+        first = word.destinations[0]
+        if len(word.destinations) == 1:
+            if first in NEIGHBOURS or first == "NEWS":
+                step = STEPS.get(first, (0, 0))
+                placed = moved(value, -step[0], -step[1])
+                if held.get("NEWS") == placed:
+                    continue
+            else:
+                same = next((n for n, v in held.items() if v == value and n != "NEWS"), None)
+                if same is not None and number + 1 < len(program):
+                    names[first] = same
+                    continue
+        for name in word.destinations:
+            step = STEPS.get(name, (0, 0))
+            held["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
+            names[name] = name
+        words.append(Word(word.destinations, sources))
+    return _used(words)
+
+
+def _used(words: Sequence[Word]) -> Program:
+    """The words whose results are read."""
+    kept: list[Word] = []
+    wanted: set[str] = set(words[-1].destinations[:1]) if words else set()
+    for word in reversed(words):
+        writes = {"NEWS" if name in NEIGHBOURS else name for name in word.destinations}
+        if not writes & wanted:
+            continue
+        kept.append(word)
+        wanted -= writes
+        wanted |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
+    return tuple(reversed(kept))
+
+
+def noise_gain(program: Program) -> float:
+    """How large the error of a program's result is, where each word has one of standard deviation
+    1 for every destination, and all are independent."""
+    last = program[-1].destinations[0] if program else ""
+    total = 0.0
+    for number in range(len(program)):
+        for name in program[number].destinations:
+            taps = _error_of(program, number, name).get(last, {})
+            total += sum((weight / UNIT) ** 2 for weight in taps.values())
+    return sqrt(total)
+
+
+def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
+    """What registers hold at the end of a unit error that one word makes in one destination."""
+    held: dict[str, Polynomial] = {}
+    for index, word in enumerate(program[number:], number):
+        found: Polynomial = {}
+        for name in word.sources:
+            part = held.get("NEWS" if name in NEIGHBOURS else name, {})
+            found = added((1, found), (-1, moved(part, *STEPS.get(name, (0, 0)))))
+        for name in word.destinations:
+            right, down = STEPS.get(name, (0, 0))
+            value = halved(found) if word.halves else found
+            if index == number and name == destination:
+                value = added((1, value), (1, IDENTITY))
+            held["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
+    return held

@@ -1,0 +1,39 @@
+"""Short programs of one input, as text: found by a search (`docs/kernel_programs.py`) or by hand.
+
+`nscc.neighbours.programs.program_from_text` reads them. A row says no kernel: what it computes is
+worked out from its words.
+"""
+
+from __future__ import annotations
+
+ROWS = """
+n=x a=E b=a,n
+n=x a=E b=a,W
+n=x a=E b=a c=b,W
+W=x a=S b=a,W
+n=x a=E b=x,a c=b,W
+W=x a2=x,n bn=x,a c=b,W
+n=x a=E b=x,W c=a,b,n
+n=x a=E b=W c=x,a,b d=c,n
+n=x a=E b=x,a n=x,a c=b,S
+n=x a=N b=S n=x,a,b c=E d=c,W
+n=x a=N b=x c=b,S n=x,a,c d=E e=d,W
+n=x a=N b=E c=x,a,b N=a,b d=c,W
+n=x a=N b=E c=S d=a,b,c e=d,W
+n=x a=x,N b=x,E c=x,S d=x,W e=a,b,c,d
+n=x a=x,N b=x,E c=x,S d=a,b,c,n e=d,W
+n=x a=N b=x,N c=x,E d=x,W N=a,b e=b,c,d,n
+n=x a=N b=S c=x n=x,a,b d=c,E e=a,b,d f=e,W
+an=x b=E c=b,W
+n=x a=E b2=a,n
+W=x a2=x,n E=a b2=a,n
+n=x a=x,E b=x,W cn=a,b
+an=x b=E c=x,b,n d=c,W
+an=x b=E c=b d=c,W
+n=x a=E b=a c=b,W
+n=x a=E E=x,a b2=a,n c2=b,n
+S=x a=E bn=x,a c=x,S d=x,W en=c,d
+W=x a=n b=E c=x,a,b E=x,a d=c,W
+a=x n=a b=x,E c=x,W n=a,b,c d=x,E e=x,W f=b,c,d,e
+n=x a=x,N b=x,S c=a,b d=x,E e=x,W n=c f=d,E g=e,W h=f,g i=d,e n=c,i j=h,n,d,e
+"""

@@ -1,0 +1,365 @@
+"""The value of every field at every pixel, from expressions, tiles or files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, assert_never
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Label, Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.program.arithmetic import Value, array
+from nscc.program.arrays_file import ArraysFile
+from nscc.program.constants import constant
+from nscc.program.evaluate import evaluate, fault_at
+from nscc.program.expressions import LIMIT, Checked, Meaning, check
+from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems, clipped, counted
+from nscc.program.program import Field
+from nscc.program.scopes import constants_scope, pixels_scope
+from nscc.program.wide import CHUNK_BITS, chunks_of, chunks_of_bits
+from nscc.source import Span
+from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
+
+Plane = NDArray[np.int64]
+"""The values of one field: int64 (rows, cols)."""
+
+
+def make_planes(
+    declared: Declarations,
+    fields: Mapping[str, Field | None],
+    constants: Mapping[str, Meaning],
+    target: Target | None,
+    base: Path,
+    problems: Problems,
+) -> dict[str, Plane]:
+    """The plane of every field, without fields that have errors.
+
+    Empty without `pixels` statements or without a target. Reports fields without pixels (NS0210),
+    values outside their range (NS0311), faults of expressions, tiles that are not rectangular
+    (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a plane for each of
+    its chunks.
+    """
+    return _Maker(declared, fields, constants, target, base, problems).run()
+
+
+@dataclass(eq=False, repr=False)
+class _Maker:
+    """The inputs for making planes."""
+
+    declared: Declarations
+    fields: Mapping[str, Field | None]
+    constants: Mapping[str, Meaning]
+    target: Target | None
+    base: Path
+    problems: Problems
+
+    def __post_init__(self) -> None:
+        self.scope = pixels_scope(self.declared, self.constants)
+        self.tile_scope = constants_scope(self.declared, self.constants)
+
+    def run(self) -> dict[str, Plane]:
+        planes: dict[str, Plane] = {}
+        if len(self.fields) > MOST_FIELDS:
+            return planes
+        for name, statement in self.declared.pixels.items():
+            if name not in self.fields:
+                self._no_field(statement)
+            if isinstance(statement, PixelsExpr):
+                plane = self._expression(statement)
+            else:
+                plane = self._tile(statement)
+            field = self.fields.get(name)
+            if plane is not None and field is not None:
+                self._keep(planes, field, plane, statement)
+        missing = [name for name in self.fields if name not in self.declared.pixels]
+        if self.declared.pixels_file is not None:
+            self._file(planes, missing)
+        elif self.declared.pixels and missing:
+            self._not_given(missing)
+        return planes
+
+    def _no_field(self, statement: PixelsExpr | PixelsTile) -> None:
+        name = statement.field.text
+        if name in self.declared.refused:
+            return
+        declared_as = dict(self.declared.declared()).get(name)
+        if declared_as is None:
+            self.problems.unknown("a field", name, statement.field.span, list(self.fields))
+        else:
+            message = f"`{name}` is {declared_as}, not a field: `pixels` needs a field"
+            helps = (f"declare it with `code {name} : LO..HI`",)
+            self.problems.error("NS0209", message, statement.field.span, declared_as, helps=helps)
+
+    def _not_given(self, missing: list[str]) -> None:
+        shown = ", ".join(f"`{name}`" for name in missing)
+        first = self.declared.codes[missing[0]]
+        given_statement = next(iter(self.declared.pixels.values()))
+        self.problems.error(
+            "NS0210",
+            f"the pixel values of {shown} are missing, but other fields have values",
+            first.name.span,
+            "has no `pixels` statement",
+            related=(Label(given_statement.field.span, "given here"),),
+            helps=(
+                f"add `pixels {missing[0]} = ...`",
+                "a program without any `pixels` statement is also valid",
+            ),
+        )
+
+    def _expression(self, statement: PixelsExpr) -> Plane | None:
+        value = statement.value
+        checked = check(value, "integer", self.scope, self.problems, "a pixel's value")
+        if checked is None or self.target is None:
+            return None
+        rows, cols = self.target.rows, self.target.cols
+        cost = work(checked, {"y": (0, rows), "x": (1, cols)})
+        if cost > WORK_LIMIT:
+            takes = f"this expression needs {cost} operations for the array of {rows} x {cols}"
+            helps = ('store the data in a file: `pixels from "codes.npz"`',)
+            message = f"{takes}; the limit is {WORK_LIMIT}"
+            self.problems.error("NS0450", message, value.span, helps=helps)
+            return None
+        bindings = {
+            "y": array(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
+            "x": array(np.arange(cols, dtype=np.int64).reshape(1, cols)),
+        }
+        evaluated = evaluate(checked, bindings, {})
+        if evaluated.faults is not None:
+            self._fault(checked, bindings, evaluated, (rows, cols))
+            return None
+        return np.broadcast_to(np.asarray(evaluated.data, dtype=np.int64), (rows, cols))
+
+    def _fault(
+        self, checked: Checked, bindings: dict[str, Value], evaluated: Value, shape: tuple[int, int]
+    ) -> None:
+        places = np.ones(shape, dtype=bool)
+        if isinstance(evaluated.faults, np.ndarray):
+            places = np.broadcast_to(evaluated.faults, shape)
+        y, x = first_place(places)
+        fault = fault_at(checked, bindings, {}, shape, (y, x))
+        count = int(places.sum())
+        notes = (f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",)
+        self.problems.error(*fault, notes=notes, data={"x": x, "y": y, "pixels": count})
+
+    def _tile(self, statement: PixelsTile) -> Plane | None:
+        lines = statement.rows
+        widths = {len(row.values) for row in lines}
+        if len(widths) != 1 or 0 in widths:
+            odd = next((row for row in lines if len(row.values) != len(lines[0].values)), None)
+            place, text = statement.span, "an empty tile"
+            if odd:
+                have = counted(len(odd.values), "value")
+                place, text = odd.span, f"{have}, the first row has {len(lines[0].values)}"
+            message = (
+                "all rows of a tile must have the same number of values, and at least one value"
+            )
+            self.problems.error("NS0316", message, place, text)
+            return None
+        values = [[self._tile_value(expr) for expr in row.values] for row in lines]
+        if self.target is None or any(None in line for line in values):
+            return None
+        tile = np.array(values, dtype=np.int64)
+        height, width = tile.shape
+        rows, cols = self.target.rows, self.target.cols
+        if height > rows or width > cols:
+            self.problems.warning(
+                "NS0357",
+                f"this tile of {height} x {width} values is larger than the array of "
+                f"{self.target.name}, {rows} x {cols}",
+                statement.field.span,
+                "the values beyond the array are not used",
+            )
+        y, x = np.arange(rows) % height, np.arange(cols) % width
+        return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
+
+    def _tile_value(self, expr: Expr) -> int | None:
+        if isinstance(expr, Int) and expr.value < 2**31:
+            return expr.value
+        return constant(expr, self.tile_scope, self.problems, "a value of a tile")
+
+    def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
+        statement = self.declared.pixels_file
+        assert statement is not None
+        if not missing:
+            message = f'"{clipped(statement.path.value)}" is not used'
+            why = (
+                "every field has its own `pixels` statement"
+                if self.fields
+                else "the program has no fields"
+            )
+            self.problems.warning("NS0356", message, statement.span, why)
+            return
+        try:
+            file = ArraysFile(self.base / statement.path.value, statement.path.value)
+            if statement.sha256 is not None:
+                file.require_sha256(statement.sha256.value)
+        except Rejected as wrong:
+            self.problems.adopt(wrong, statement.path.span)
+            return
+        for name in missing:
+            field = self.fields[name]
+            if field is None or self.target is None:
+                continue
+            shape = self.target.rows, self.target.cols
+            names = [chunk.name for chunk in chunks_of(field)]
+            try:
+                stored = stored_planes(file, name, shape, len(names), field.bits)
+            except Rejected as wrong:
+                self.problems.adopt(wrong, statement.path.span)
+                continue
+            (plane, beyond), *higher_chunks = stored
+            # Only single bits from a file can set the other chunks.
+            if any(chunk.any() for chunk, _ in higher_chunks):
+                planes.update(zip(names, (chunk_plane for chunk_plane, _ in stored), strict=True))
+            else:
+                self._keep(planes, field, plane, statement, beyond)
+
+    def _keep(
+        self,
+        planes: dict[str, Plane],
+        field: Field,
+        plane: Plane,
+        statement: PixelsExpr | PixelsTile | PixelsFromFile,
+        beyond: NDArray[np.bool_] | None = None,
+    ) -> None:
+        """Add a plane after a range check; `beyond` marks values that int64 cannot represent."""
+        outside = (plane < field.low) | (plane > min(field.high, LIMIT))
+        if beyond is not None:
+            outside |= beyond
+        if not outside.any():
+            first, *higher_names = (chunk.name for chunk in chunks_of(field))
+            planes[first] = plane
+            planes.update((name, np.zeros_like(plane)) for name in higher_names)
+            return
+        y, x = first_place(outside)
+        count = int(outside.sum())
+        value = "a number beyond 2^63" if beyond is not None and beyond[y, x] else plane[y, x]
+        self.problems.error(
+            "NS0311",
+            f"the {pixel_text(x, y)} has {field.name} = {value}, outside {_range(field)}",
+            _value_span(statement, x, y),
+            f"{counted(count, 'pixel is', 'pixels are')} outside the range",
+            related=(Label(field.span, f"`{field.name}` is {_range(field)}"),),
+            helps=_as_bits(field, self.target),
+            data={"field": field.name, "x": x, "y": y, "pixels": count},
+        )
+
+
+def _range(field: Field) -> str:
+    """The range of a field; a number has at most 62 bits."""
+    return f"{field.low}..{min(field.high, LIMIT)}"
+
+
+def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
+    """Help on how to define the pixels of a long bit field."""
+    if field.high <= LIMIT or target is None:
+        return ()
+    shape = f"({target.rows}, {target.cols}, {field.bits})"
+    return (f"give its bits in a file: an array {field.name} of 0 and 1 {shape}, bit 0 first",)
+
+
+def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
+    """The place that defines the value of pixel (x, y)."""
+    match statement:
+        case PixelsExpr():
+            return statement.value.span
+        case PixelsTile():
+            row = statement.rows[y % len(statement.rows)].values
+            return row[x % len(row)].span
+        case PixelsFromFile():
+            return statement.path.span
+    assert_never(statement)
+
+
+Stored = tuple[Plane, NDArray[np.bool_]]
+"""A plane, and where the given values do not fit int64."""
+
+
+def stored_planes(
+    file: ArraysFile,
+    name: str,
+    shape: tuple[int, int],
+    chunk_count: int = 1,
+    bits: int | None = None,
+) -> list[Stored]:
+    """The planes of field `name` in a file, as of `planes_of`; raises NS0313, NS0314."""
+    most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
+    stored = file.integers(name, most=max(most, 2**20), bools=True)
+    return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
+
+
+def planes_of(
+    stored: NDArray[Any],
+    name: str,
+    shape: tuple[int, int],
+    chunk_count: int,
+    bits: int | None = None,
+    origin: str = "",
+) -> list[Stored]:
+    """The planes of a field that is stored in `chunk_count` chunks, from the array that defines it.
+
+    The array holds integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
+    first. K is `bits` if given, else at most the bits of all chunks. Raises NS0314 for other
+    arrays.
+    """
+    if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
+        chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
+        return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
+    if stored.dtype.kind not in "iu" or stored.shape != shape:
+        array_text = f"the array `{clipped(name)}`{origin} is {stored.shape} of {stored.dtype}"
+        message = f"{array_text}, but must contain integers {shape}: [row, column]"
+        helps = (f"the array of pixels is {shape[0]} rows x {shape[1]} columns",)
+        raise rejected("NS0314", message, helps=helps)
+    plane = as_plane(stored)
+    nothing = np.zeros(shape, np.int64), np.zeros(shape, np.bool_)
+    return [plane, *[nothing] * (chunk_count - 1)]
+
+
+def _single_bits(
+    stored: NDArray[Any], name: str, shape: tuple[int, int], chunk_count: int, bits: int | None,
+    origin: str,
+) -> NDArray[Any]:  # fmt: skip
+    count = stored.shape[2]
+    least = bits or (chunk_count - 1) * CHUNK_BITS + 1
+    most = bits or chunk_count * CHUNK_BITS
+    if stored.shape[:2] != shape or not least <= count <= most:
+        shape_text = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
+        message = (
+            f"the array `{clipped(name)}`{origin} has shape {stored.shape}, but bits need "
+            f"{shape_text}"
+        )
+        helps = ("the last axis is the bit, bit 0 first",)
+        raise rejected("NS0314", message, helps=helps)
+    if not np.isin(stored, (0, 1)).all():
+        message = f"the array `{clipped(name)}`{origin} has values other than 0 and 1"
+        raise rejected(
+            "NS0314", message, helps=("with three axes, an array must contain single bits",)
+        )
+    return stored
+
+
+def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
+    """Integers as int64, and where they do not fit."""
+    beyond = np.zeros(stored.shape, dtype=bool)
+    if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
+        beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)
+    with np.errstate(all="ignore"):
+        return stored.astype(np.int64), beyond
+
+
+def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
+    """(y, x) of the first true place, row by row."""
+    y, x = np.unravel_index(int(places.argmax()), places.shape)
+    return int(y), int(x)
+
+
+def pixel_text(x: int, y: int) -> str:
+    """Name a pixel in messages by both conventions."""
+    return f"pixel at x = {x}, y = {y} (row {y}, column {x})"

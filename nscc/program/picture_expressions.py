@@ -1,0 +1,373 @@
+"""Expressions of images and planes: from the tree to nodes, every name and type checked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any, Literal, cast
+
+from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Fix
+from nscc.program.constants import constant
+from nscc.program.expressions import Meaning
+from nscc.program.looking import level_e
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems
+from nscc.source import Span
+from nscc.syntax import tree
+from nscc.words import pictures as p
+
+Kind = Literal["image", "plane", "bucket"]
+_FUNCTIONS = ("abs", "any", "all", "agree", "max", "min")
+
+
+class _Wrong(Exception):
+    """An expression has an error, which is reported."""
+
+
+class Reader:
+    """Reads the expressions of a text in its order; `kinds` are the images and planes so far."""
+
+    def __init__(
+        self,
+        declared: Declarations,
+        constants: Mapping[str, Meaning],
+        target: Target,
+        buckets: Sequence[str],
+        kernels: Mapping[str, p.Weights],
+        outside: int | None,
+        problems: Problems,
+    ) -> None:
+        self.declared, self.constants, self.target = declared, constants, target
+        self.buckets, self.kernels, self.outside = buckets, kernels, outside
+        self.problems = problems
+        self.kinds: dict[str, Kind] = {}
+        self.failed: set[str] = set()
+        self._outside_asked = False
+
+    def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
+        """A picture is known from here on."""
+        if not sound:
+            self.failed.add(name)
+        else:
+            self.kinds[name] = "plane" if is_plane else "image"
+
+    def image(self, expr: tree.Expr) -> p.Value | None:
+        """The image that an expression is; None after reporting why it is none."""
+        try:
+            return self._image(expr)
+        except _Wrong:
+            return None
+
+    def condition(self, expr: tree.Expr) -> p.Condition | None:
+        """The plane that an expression is; None after reporting why it is none."""
+        try:
+            return self._condition(expr)
+        except _Wrong:
+            return None
+
+    # --- images
+
+    def _image(self, expr: tree.Expr) -> p.Value:
+        match expr:
+            case tree.Name():
+                return self._named_image(expr)
+            case tree.Unary(op="-", operand=operand):
+                return _sum((Fraction(-1), self._image(operand)))
+            case tree.Binary(op="+" | "-" as op, left=left, right=right):
+                sign = Fraction(1 if op == "+" else -1)
+                return _sum((Fraction(1), self._image(left)), (sign, self._image(right)))
+            case tree.Binary(op="*" | "/", left=left, right=right):
+                return self._scaled(expr, left, right)
+            case tree.IfElse():
+                return p.Chosen(
+                    self._condition(expr.condition), self._image(expr.then),
+                    self._image(expr.otherwise),
+                )  # fmt: skip
+            case tree.Call():
+                return self._call(expr)
+        raise self._wrong(
+            "NS0531", "this is not an image", expr.span, "no image",
+            ("an image is made of `exposure`, buckets and images by `+`, `-`, `* integer`, "
+             "`/ power of two`, kernels, `abs(..)` and `A if PLANE else B`",),
+        )  # fmt: skip
+
+    def _named_image(self, name: tree.Name) -> p.Value:
+        text = name.text
+        if text == "exposure":
+            if len(self.buckets) == 1:
+                return p.Source(self.buckets[0])
+            raise self._wrong(
+                "NS0323", "this program has several buckets", name.span, "whose exposure?",
+                (f"name the bucket: `{self.buckets[0]}`",),
+            )  # fmt: skip
+        kind = self.kinds.get(text)
+        if kind == "image":
+            return p.Source(text)
+        if kind == "plane":
+            raise self._wrong(
+                "NS0531", f"`{text}` is a plane, and an image belongs here", name.span, "a plane",
+                (f"choose by it: `A if {text} else B`",),
+            )  # fmt: skip
+        if text in self.buckets and text not in self.kinds:
+            return p.Source(text)
+        raise self._unknown("an image or a bucket", name, "image")
+
+    def _scaled(self, expr: tree.Binary, left: tree.Expr, right: tree.Expr) -> p.Value:
+        if expr.op == "*" and self._is_number(left):
+            left, right = right, left
+        if not self._is_number(right):
+            raise self._wrong(
+                "NS0531", "images are multiplied and divided by integers only", expr.span,
+                "two images" if not self._is_number(left) else "divided by an image",
+                ("a pixel adds, subtracts and halves; it has no product of two values",),
+            )  # fmt: skip
+        number = constant(right, self.constants, self.problems, "a factor")
+        if number is None:
+            raise _Wrong
+        if expr.op == "*":
+            return _sum((Fraction(number), self._image(left)))
+        if number < 1 or number & (number - 1):
+            raise self._no_power(number, right.span)
+        return _sum((Fraction(1, number), self._image(left)))
+
+    def _no_power(self, number: int, span: Span) -> _Wrong:
+        helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
+        fixes: tuple[Fix, ...] = ()
+        if number > 0:
+            near = nearest_power(number)
+            percent = 100 * abs(number / near - 1)
+            helps = (f"`/ {near}` changes the result by {percent:.0f} %", *helps)
+            fixes = (Fix(f"divide by {near}", span, str(near), sure=False),)
+        notes = ("one word halves a value; there is no other division",)
+        return self._wrong(
+            "NS0532", f"a pixel cannot divide by {number}", span, "no power of two", helps,
+            notes=notes, fixes=fixes,
+        )  # fmt: skip
+
+    def _call(self, call: tree.Call) -> p.Value:
+        name, arguments = call.function.text, call.arguments
+        if name in ("agree", "max", "min"):
+            raise self._wrong(
+                "NS0539", f"`{name}` of images is not supported yet", call.span, "not yet",
+                ("use sums, kernels, `abs(..)` and `A if PLANE else B`",),
+            )  # fmt: skip
+        if name in ("any", "all"):
+            raise self._wrong(
+                "NS0531", f"`{name}` makes a plane, and an image belongs here", call.span,
+                "a plane", (f"declare it: `plane p = {name}(..)`, then choose: `A if p else B`",),
+            )  # fmt: skip
+        if name != "abs" and name not in self.kernels:
+            if name in self.declared.kernels:
+                raise _Wrong
+            raise self._unknown("a kernel", call.function, "kernel")
+        if len(arguments) != 1:
+            raise self._wrong(
+                "NS0531", f"`{name}` takes one image", call.span, f"{len(arguments)} are given",
+                (f"write `{name}(EXPR)`",),
+            )  # fmt: skip
+        value = self._image(arguments[0])
+        return p.Absolute(value) if name == "abs" else p.Filtered(name, value)
+
+    # --- planes
+
+    def _condition(self, expr: tree.Expr) -> p.Condition:
+        match expr:
+            case tree.Bool():
+                return p.Constant(expr.value)
+            case tree.Name():
+                return self._named_plane(expr)
+            case tree.Unary(op="not"):
+                return p.Inverse(self._condition(expr.operand))
+            case tree.Binary(op="and" | "or" | "xor" as op):
+                left, right = self._condition(expr.left), self._condition(expr.right)
+                return p.Joined(cast(Any, op), left, right)
+            case tree.Compare():
+                return self._compare(expr)
+            case tree.Place():
+                self._needs_outside(expr.span)
+                x = constant(expr.right, self.constants, self.problems, "columns to the right")
+                y = constant(expr.down, self.constants, self.problems, "rows down")
+                if x is None or y is None:
+                    raise _Wrong
+                return p.At(self._named_plane(expr.base), x, y)
+            case tree.Call():
+                return self._near(expr)
+        raise self._wrong(
+            "NS0531", "this is not a plane", expr.span, "no condition",
+            ("a plane is made of comparisons such as `image > 6%`, planes, `and`, `or`, `xor`, "
+             "`not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",),
+        )  # fmt: skip
+
+    def _named_plane(self, name: tree.Name) -> p.Condition:
+        kind = self.kinds.get(name.text)
+        if kind == "plane":
+            return p.Bit(name.text)
+        if kind == "image" or name.text in (*self.buckets, "exposure"):
+            raise self._wrong(
+                "NS0531", f"`{name.text}` is an image, and a plane belongs here", name.span,
+                "an image", (f"compare it with a level: `{name.text} > 6%`",),
+            )  # fmt: skip
+        raise self._unknown("a plane", name, "plane")
+
+    def _near(self, call: tree.Call) -> p.Condition:
+        kind = call.function.text
+        if kind not in ("any", "all"):
+            image = kind in self.kernels or kind in _FUNCTIONS
+            if not image:
+                raise self._unknown("a function of planes", call.function, "function")
+            raise self._wrong(
+                "NS0531", f"`{kind}(..)` is an image, and a plane belongs here", call.span,
+                "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
+            )  # fmt: skip
+        if len(call.arguments) != 2 or not isinstance(call.arguments[1], tree.Name):
+            raise self._wrong(
+                "NS0531", f"`{kind}` takes a plane and a kernel", call.span, "these arguments",
+                (f"write `{kind}(PLANE, KERNEL)`",),
+            )  # fmt: skip
+        kernel = call.arguments[1]
+        if kernel.text not in self.kernels:
+            if kernel.text in self.declared.kernels:
+                raise _Wrong
+            raise self._unknown("a kernel", kernel, "kernel")
+        self._needs_outside(call.span)
+        return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel.text)
+
+    def _needs_outside(self, span: Span) -> None:
+        if self.outside is not None or self._outside_asked:
+            return
+        self._outside_asked = True
+        self.problems.error(
+            "NS0534", "bits of neighbours are read, and those beyond the array have no value", span,
+            "at the border this reads beyond the array",
+            helps=("say what they are: `outside 0`, or `outside 1`",),
+        )  # fmt: skip
+
+    def _compare(self, compare: tree.Compare) -> p.Condition:
+        operands = (compare.first, *compare.rest)
+        found: p.Condition | None = None
+        for op, left, right in zip(compare.ops, operands, compare.rest, strict=False):
+            if op in ("==", "!="):
+                raise self._wrong(
+                    "NS0533", "charges are compared by `>` and `<`", compare.span,
+                    f"this is `{op}`",
+                    ("a pixel compares with both sides of a small range: "
+                     "`-2% < image < 2%`",),
+                    notes=("no comparator can tell whether two charges are equal",),
+                )  # fmt: skip
+            one = self._one_comparison(op[0] == ">", left, right, compare.span)
+            found = one if found is None else p.Joined("and", found, one)
+        assert found is not None
+        return found
+
+    def _one_comparison(
+        self, above: bool, left: tree.Expr, right: tree.Expr, span: Span
+    ) -> p.Condition:
+        """`left > right` where `above`, else `left < right`; at least one side is an image."""
+        levels = [self._steps(each) for each in (left, right)]
+        if levels[0] is not None and levels[1] is not None:
+            raise self._wrong(
+                "NS0533", "a comparison has an image on at least one side", span, "two levels",
+                ("compare an image with a level: `image > 6%`",),
+            )  # fmt: skip
+        if levels[0] is not None:
+            return self._one_comparison(not above, right, left, span)
+        value = self._image(left)
+        if levels[1] is None:
+            value, above = _sum((Fraction(1), value), (Fraction(-1), self._image(right))), above
+        test = p.Above(value, levels[1] or 0)
+        return test if above else p.Inverse(test)
+
+    def _steps(self, expr: tree.Expr) -> int | None:
+        """A level in steps of IN; None for what is no level."""
+        sign, inner = 1, expr
+        while isinstance(inner, tree.Unary) and inner.op == "-":
+            sign, inner = -sign, inner.operand
+        if isinstance(inner, tree.Int):
+            if inner.value == 0:
+                return 0
+            raise self._wrong(
+                "NS0533", "a level has a unit", expr.span, "without a unit",
+                (f"write `{inner.value}%` of a full well, `{inner.value}e` or `{inner.value}lsb`; "
+                 "only `0` needs none",),
+            )  # fmt: skip
+        if not isinstance(inner, tree.Amount):
+            return None
+        target = self.target
+        electrons = sign * level_e(float(inner.value), inner.unit, target)
+        steps = round(electrons / target.electrons_per_step)
+        reach = min(target.in_high, -target.in_low)
+        if abs(steps) > reach or steps == 0 != electrons:
+            least, most = target.electrons_per_step, reach * target.electrons_per_step
+            raise self._wrong(
+                "NS0533", f"IN cannot be {electrons:g} e", expr.span, "this level",
+                (f"give a level from {100 * least / target.full_well_e:.3g}% to "
+                 f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
+                notes=(f"IN has steps of {least:.4g} e, up to {reach} of them",),
+            )  # fmt: skip
+        return steps
+
+    # --- both
+
+    def _is_number(self, expr: tree.Expr) -> bool:
+        """Whether an expression has neither images nor levels in it."""
+        match expr:
+            case tree.Int():
+                return True
+            case tree.Name():
+                return expr.text in self.declared.lets or expr.text in ("N", "rows", "cols")
+            case tree.Unary(op="-"):
+                return self._is_number(expr.operand)
+            case tree.Binary():
+                return self._is_number(expr.left) and self._is_number(expr.right)
+        return False
+
+    def _unknown(self, what: str, name: tree.Name, kind: str) -> _Wrong:
+        text = name.text
+        if text in self.failed or text in self.declared.refused:
+            return _Wrong()
+        later = [each for each in self.declared.pictures if each.name.text == text]
+        if later:
+            return self._wrong(
+                "NS0531", f"`{text}` is declared further down", name.span, "not computed yet",
+                ("images and planes are computed in the order of the text: move it up",),
+            )  # fmt: skip
+        if text in (*self.declared.senses, *self.declared.states):
+            return self._wrong(
+                "NS0539", f"`{text}` in images and planes is not supported yet", name.span,
+                "not yet", ("use exposures, images and planes",),
+            )  # fmt: skip
+        known = {
+            "kernel": [*self.kernels, "abs"],
+            "function": ["any", "all"],
+            "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
+        }.get(kind, [*self.buckets, *(n for n, k in self.kinds.items() if k == "image")])
+        self.problems.unknown(what, text, name.span, known)
+        return _Wrong()
+
+    def _wrong(
+        self, code: str, message: str, span: Span, label: str, helps: tuple[str, ...], **more: Any
+    ) -> _Wrong:
+        self.problems.error(code, message, span, label, helps=helps, **more)
+        return _Wrong()
+
+
+def nearest_power(number: int) -> int:
+    """The power of two whose ratio to a number above 0 is nearest to 1."""
+    low = 1 << (number.bit_length() - 1)
+    return low if number / low <= 2 * low / number else 2 * low
+
+
+def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
+    """A sum without sums in it, and without terms that add nothing."""
+    flat: list[tuple[Fraction, p.Value]] = []
+    for factor, value in terms:
+        parts = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
+        flat += [(factor * inner, part) for inner, part in parts]
+    merged: dict[p.Value, Fraction] = {}
+    for factor, value in flat:
+        merged[value] = merged.get(value, Fraction(0)) + factor
+    kept = tuple((factor, value) for value, factor in merged.items() if factor)
+    if len(kept) == 1 and kept[0][0] == 1:
+        return kept[0][1]
+    return p.Sum(kept)

@@ -1,0 +1,293 @@
+"""The statements of version 3, checked: kernels, images, planes, and what is read or reported."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal, cast
+
+from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Fix, Label, Rejected
+from nscc.program.arrays_file import ArraysFile
+from nscc.program.constants import constant
+from nscc.program.expressions import Meaning
+from nscc.program.looking import level_e
+from nscc.program.names import Declarations
+from nscc.program.picture_expressions import Reader, nearest_power
+from nscc.program.problems import Problems, clipped, counted
+from nscc.program.scopes import constants_scope
+from nscc.source import Span
+from nscc.syntax import tree
+from nscc.words.pictures import Picture, Pictures, Report, Weights
+
+MOST_SIDE = 9
+"""Most rows and columns of a kernel."""
+MOST_WEIGHT = 1 << 16
+MOST_EVENTS = 4000
+"""Most coordinates that the chip's library scans in one call."""
+_REPORTS = ("any", "events", "box")
+
+
+def make_pictures(
+    declared: Declarations,
+    constants: Mapping[str, Meaning],
+    target: Target | None,
+    base: Path,
+    problems: Problems,
+) -> Pictures | None:
+    """The statements of version 3; None where there are none, or after reporting what is wrong.
+
+    Reports kernels (NS0530), expressions (NS0531 to NS0535), what is read and reported (NS0536),
+    assumptions (NS0537) and what this version of the compiler does not do yet (NS0539).
+    """
+    used = declared.pictures or declared.reports or declared.kernels or declared.assumes
+    if not used or target is None:
+        return None
+    maker = _Maker(declared, constants, target, base, problems)
+    made = maker.make()
+    return None if problems.has_errors() else made
+
+
+class _Maker:
+    def __init__(
+        self,
+        declared: Declarations,
+        constants: Mapping[str, Meaning],
+        target: Target,
+        base: Path,
+        problems: Problems,
+    ) -> None:
+        self.declared, self.target, self.base, self.problems = declared, target, base, problems
+        self.constants = constants_scope(declared, constants)
+        self.buckets = [
+            rule.name.text if isinstance(rule, tree.Bucket) else "frame" for rule in declared.rules
+        ]
+
+    def make(self) -> Pictures | None:
+        if not self._possible():
+            return None
+        kernels = [self._kernel(each) for each in self.declared.kernels.values()]
+        known = {each.name: each for each in kernels if each is not None}
+        outside = self._outside()
+        reader = Reader(
+            self.declared, self.constants, self.target, self.buckets, known, outside, self.problems
+        )
+        items = []
+        for picture in self.declared.pictures:
+            is_plane = isinstance(picture, tree.Plane)
+            node = reader.condition(picture.condition) if isinstance(picture, tree.Plane) else (
+                reader.image(picture.value)
+            )  # fmt: skip
+            reader.declare(picture.name.text, is_plane, sound=node is not None)
+            if node is not None:
+                items.append(Picture(picture.name.text, node))
+        reads = self._reads(reader)
+        reports = self._reports(reader)
+        limits = self._limits()
+        if not (reads or reports) and not self.problems.has_errors():
+            self.problems.error(
+                "NS0536", "nothing of this program leaves the chip", self._place(),
+                "computed, and never read",
+                helps=("send it with the frame: `read NAME`", "or say less: `report any PLANE`"),
+            )  # fmt: skip
+        return Pictures(tuple(known.values()), tuple(items), outside, limits, reads, reports)
+
+    def _place(self) -> Span:
+        declared = self.declared
+        kernels = declared.kernels.values()
+        first = next(iter([*declared.pictures, *declared.reports, *kernels]), None)
+        return first.span if first else declared.assumes[0].span
+
+    def _possible(self) -> bool:
+        """Whether the chip has what images take, and the program nothing else beside them."""
+        target = self.target
+        lacks = None
+        if target.streamed:
+            lacks = "have no processor"
+        elif not target.sees_neighbours or "NEWS" not in target.analog_registers:
+            lacks = "do not see their neighbours"
+        if lacks is not None:
+            self.problems.error(
+                "NS0538", f"the pixels of {target.name} {lacks}", self._place(),
+                "needs pixels that compute after the exposure",
+                helps=("compile for such a chip: `target scamp5`",),
+            )  # fmt: skip
+            return False
+        if self.declared.senses or self.declared.states:
+            each = next(iter([*self.declared.senses.values(), *self.declared.states.values()]))
+            self.problems.error(
+                "NS0539", "images and planes beside senses and states are not supported yet",
+                each.span, "declared here",
+                related=(Label(self._place(), "the images"),),
+                helps=("use fixed shutters here, or leave images and planes to the host",),
+            )  # fmt: skip
+            return False
+        return True
+
+    def _outside(self) -> int | None:
+        given = self.declared.outside
+        if given is None:
+            return None
+        if given.bit.value not in (0, 1):
+            self.problems.error(
+                "NS0534", "bits beyond the array are 0 or 1", given.bit.span,
+                f"this is {given.bit.value}", helps=("write `outside 0` or `outside 1`",),
+            )  # fmt: skip
+        return given.bit.value & 1
+
+    # --- kernels
+
+    def _kernel(self, kernel: tree.Kernel | tree.KernelFromFile) -> Weights | None:
+        name = kernel.name.text
+        if isinstance(kernel, tree.KernelFromFile):
+            return self._from_file(kernel)
+        rows = []
+        for row in kernel.rows:
+            values = [constant(v, self.constants, self.problems, "a weight") for v in row.values]
+            if None in values:
+                return None
+            rows.append(tuple(cast(list[int], values)))
+        divisor = 1
+        if kernel.divisor is not None:
+            found = constant(kernel.divisor, self.constants, self.problems, "a divisor")
+            if found is None or not self._power_of_two(found, kernel.divisor.span, rows):
+                return None
+            divisor = found
+        fault = _kernel_fault(rows)
+        if fault is not None:
+            self._bad_kernel(name, fault, kernel.span)
+            return None
+        return Weights(name, tuple(rows), divisor)
+
+    def _from_file(self, kernel: tree.KernelFromFile) -> Weights | None:
+        try:
+            file = ArraysFile(self.base / kernel.path.value, kernel.path.value)
+            if kernel.sha256 is not None:
+                file.require_sha256(kernel.sha256.value)
+            key = (kernel.key or kernel.name).text
+            array = file.integers(key, most=MOST_SIDE**2)
+        except Rejected as wrong:
+            self.problems.adopt(wrong, kernel.path.span)
+            return None
+        if array.ndim != 2:
+            self._bad_kernel(kernel.name.text, f"its array has {array.ndim} axes", kernel.path.span)
+            return None
+        rows = [tuple(int(v) for v in row) for row in array]
+        fault = _kernel_fault(rows)
+        if fault is not None:
+            self._bad_kernel(kernel.name.text, fault, kernel.path.span)
+            return None
+        return Weights(kernel.name.text, tuple(rows), 1)
+
+    def _bad_kernel(self, name: str, fault: str, span: Span) -> None:
+        self.problems.error(
+            "NS0530", f"`{clipped(name)}` is not a kernel: {fault}", span, "this kernel",
+            notes=(f"a kernel has an odd number of rows and of columns, up to {MOST_SIDE} x "
+                   f"{MOST_SIDE}; the centre is the pixel itself",),
+            helps=("fill up with zeros: `[[0, 1, 1], ..]` for a kernel of two columns",),
+        )  # fmt: skip
+
+    def _power_of_two(self, divisor: int, span: Span, rows: list[tuple[int, ...]]) -> bool:
+        if divisor > 0 and divisor & (divisor - 1) == 0:
+            return True
+        helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
+        fixes: tuple[Fix, ...] = ()
+        if divisor > 0:
+            near = nearest_power(divisor)
+            error = 100 * abs(divisor / near - 1)
+            more = "larger" if near < divisor else "smaller"
+            text = f"`/ {near}` makes everything {error:.0f} % {more}"
+            helps = (f"{text}; choose levels to match", *helps)
+            fixes = (Fix(f"divide by {near}", span, str(near), sure=False),)
+        self.problems.error(
+            "NS0532", f"a pixel cannot divide by {divisor}", span, "no power of two",
+            notes=("one word halves a value; there is no other division",),
+            helps=helps, fixes=fixes,
+        )  # fmt: skip
+        return False
+
+    # --- what leaves the chip
+
+    def _reads(self, reader: Reader) -> tuple[str, ...]:
+        names = []
+        for name in self.declared.reads.values():
+            kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
+            if name.text in kinds:
+                names.append(name.text)
+            elif name.text not in (*self.declared.refused, *reader.failed):
+                self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
+        return tuple(names)
+
+    def _reports(self, reader: Reader) -> tuple[Report, ...]:
+        found = []
+        for each in self.declared.reports:
+            made = self._report(each, reader)
+            if made is not None:
+                found.append(made)
+        return tuple(found)
+
+    def _report(self, report: tree.Report, reader: Reader) -> Report | None:
+        kind, plane = report.kind.text, report.plane.text
+        if kind not in _REPORTS:
+            self._bad_report(report.kind.span, f"`{clipped(kind)}` is no kind of report")
+            return None
+        if reader.kinds.get(plane) != "plane":
+            if reader.kinds.get(plane) == "image":
+                self._bad_report(report.plane.span, f"`{plane}` is an image: reports are of planes")
+            elif plane not in reader.failed:
+                planes = [name for name, kind in reader.kinds.items() if kind == "plane"]
+                self.problems.unknown("a plane", plane, report.plane.span, planes)
+            return None
+        most = 0
+        if report.count is not None:
+            count = constant(report.count, self.constants, self.problems, "the number of events")
+            if count is None:
+                return None
+            most = count
+        listed = report.most is not None and report.most.text == "most"
+        if (kind == "events") != listed or (listed and not 1 <= most <= MOST_EVENTS):
+            message = f"events are at most 1 to {MOST_EVENTS}, other reports have no limit"
+            self._bad_report(report.span, message)
+            return None
+        return Report(cast(Literal["any", "events", "box"], kind), plane, most)
+
+    def _bad_report(self, span: Span, message: str) -> None:
+        helps = ("write `report any P`, `report events P at most 1000` or `report box P`",)
+        self.problems.error("NS0536", message, span, "this report", helps=helps)
+
+    def _limits(self) -> dict[str, float]:
+        """The exposures that are assumed, by bucket; a full well unless the text says less."""
+        target = self.target
+        full_e = min(target.full_well_e, target.register_max_e)
+        limits = dict.fromkeys(self.buckets, full_e)
+        for each in self.declared.assumes:
+            names = [each.bucket.text] if each.bucket is not None else self.buckets
+            if each.bucket is not None and each.bucket.text not in limits:
+                self.problems.unknown("a bucket", each.bucket.text, each.bucket.span, limits)
+                continue
+            most_e = level_e(float(each.level.value), each.level.unit, target)
+            if each.comparison != "<=" or not 0 < most_e <= full_e:
+                self.problems.error(
+                    "NS0537", "an assumption is `<=` a level above 0, up to a full well", each.span,
+                    f"`{each.comparison}`, {most_e:g} e",
+                    helps=(f"write `assume exposure <= 50%`; a full well is {full_e:g} e",),
+                )  # fmt: skip
+                continue
+            limits.update(dict.fromkeys(names, most_e))
+        return limits
+
+
+def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
+    """What is wrong with a kernel's weights, as half a sentence."""
+    widths = {len(row) for row in rows}
+    if len(widths) != 1:
+        return "its rows have different lengths"
+    height, width = len(rows), widths.pop()
+    if height % 2 == 0 or width % 2 == 0 or max(height, width) > MOST_SIDE:
+        return f"it has {counted(height, 'row')} and {counted(width, 'column')}"
+    flat = [weight for row in rows for weight in row]
+    if not any(flat):
+        return "all its weights are 0"
+    if max(map(abs, flat)) > MOST_WEIGHT:
+        return f"a weight is beyond {MOST_WEIGHT}"
+    return None

@@ -1,0 +1,210 @@
+"""Codes from the field values of all pixels: those in use, or those of a compiled program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
+from nscc.program.arrays_file import ArraysFile
+from nscc.program.field_planes import (
+    Plane,
+    Stored,
+    first_place,
+    pixel_text,
+    planes_of,
+    stored_planes,
+)
+from nscc.program.problems import clipped, counted
+from nscc.program.wide import grouped
+from nscc.words.container import DecodeTable
+
+_DENSE = 2**20
+"""Value ranges up to this are counted in a table; wider ones are sorted."""
+
+
+def codes_in_use(
+    planes: Sequence[Plane], shape: tuple[int, int]
+) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+    """The distinct codes of the pixels, and the row of each pixel's code. `planes` holds one array
+    of `shape` (rows, cols) for each field. The codes (codes, fields) are sorted by field values,
+    first field first; without fields there is one code."""
+    codes = np.zeros((1, 0), dtype=np.int64)
+    at_pixel = np.zeros(shape, dtype=np.int64)
+    for plane in planes:
+        values, of_pixel = _ranked(plane)
+        pairs, at_pixel = _ranked(at_pixel * len(values) + of_pixel)
+        codes = np.column_stack((codes[pairs // len(values)], values[pairs % len(values)]))
+    return codes, at_pixel.astype(np.int32)
+
+
+def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
+    """The distinct values of `plane`, ascending, and the index of each pixel's value."""
+    low = int(plane.min())
+    span = int(plane.max()) - low + 1
+    if span > _DENSE:
+        values, ranks = np.unique(plane, return_inverse=True)
+        return values, ranks.reshape(plane.shape).astype(np.int64)
+    offsets = plane - low
+    present = np.zeros(span, dtype=bool)
+    present[offsets] = True
+    return np.flatnonzero(present) + low, (np.cumsum(present) - 1)[offsets]
+
+
+Ranges = Mapping[str, tuple[int, int]]
+"""The smallest and the largest value of each field."""
+
+
+def codes_from_file(
+    path: Path,
+    table: DecodeTable,
+    rows: int,
+    cols: int,
+    *,
+    shown: str | None = None,
+    mode: str = "fixed",
+    ranges: Callable[[], Ranges] = dict,
+) -> NDArray[np.int32]:
+    """For a compiled program, read pixel codes from a file and return the row of `table.codes` at
+    each pixel.
+
+    The file holds one array for each field of `table`, under the field's name: integers (rows,
+    cols), or single bits (see `nscc.program.field_planes.planes_of`). In messages `shown` is the
+    path. `mode` "open" says that `table` holds every legal code. `ranges` returns the ranges of the
+    fields.
+
+    Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
+    NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
+    about pixels name the first such pixel and their number.
+    """
+    file = ArraysFile(path, str(path) if shown is None else shown)
+    planes: list[Stored] = []
+    for name, chunk_names in grouped(table.fields).items():
+        planes += stored_planes(file, name, (rows, cols), len(chunk_names))
+    return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
+
+
+def codes_from_arrays(
+    arrays: Mapping[str, NDArray[Any]],
+    table: DecodeTable,
+    rows: int,
+    cols: int,
+    *,
+    mode: str = "fixed",
+    ranges: Callable[[], Ranges] = dict,
+) -> NDArray[np.int32]:
+    """Like `codes_from_file`, from arrays by field name. Raises Rejected: NS0314 for missing,
+    additional or unsuitable arrays, and the errors of `codes_from_file` for values."""
+    fields = grouped(table.fields)
+    for name in {*arrays} - {*fields}:
+        raise rejected(
+            "NS0314",
+            f"the program's code has no field '{clipped(name)}'",
+            notes=(f"its fields: {', '.join(fields) or 'none'}",),
+            helps=meant(name, fields),
+        )
+    planes: list[Stored] = []
+    for name, chunk_names in fields.items():
+        if name not in arrays:
+            raise rejected("NS0314", f"the array for the code field '{name}' is missing")
+        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(chunk_names))
+    return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
+
+
+def _rows_of_table(
+    checked_planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    table: DecodeTable,
+    shape: tuple[int, int],
+    origin: str,
+    mode: str,
+    ranges: Callable[[], Ranges],
+) -> NDArray[np.int32]:
+    """The row of `table.codes` at each pixel, for planes from `as_plane`; messages name the source
+    as `origin`."""
+    planes = [plane for plane, _ in checked_planes]
+    missing = np.zeros(shape, dtype=bool)
+    for _, beyond in checked_planes:
+        missing |= beyond
+    rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
+    missing |= unknown
+    if missing.any():
+        known = ranges()
+        for name, plane in zip(table.fields, planes, strict=True):
+            if name in known:
+                refuse_outside(origin, name, plane, known[name])
+        raise _unknown(origin, table, planes, missing, mode)
+    return rows
+
+
+def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """Raise NS0311 if a pixel's value is outside `values`; messages name the source as `origin`."""
+    low, high = values
+    outside = (plane < low) | (plane > high)
+    if outside.any():
+        y, x = first_place(outside)
+        count = int(outside.sum())
+        raise rejected(
+            "NS0311",
+            f"in {origin} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
+            notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
+            helps=(
+                f"use values from {low} to {high}, or extend the range `code {name}` in the "
+                "program",
+            ),
+            data={"field": name, "x": x, "y": y, "pixels": count},
+        )
+
+
+def _unknown(
+    origin: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
+) -> Rejected:
+    y, x = first_place(missing)
+    count = int(missing.sum())
+    code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
+    if mode == "open":
+        return rejected(
+            "NS0312",
+            f"in {origin} the {pixel_text(x, y)} has {code}, which the program forbids",
+            notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
+            helps=("use codes within the ranges of the fields that fulfil every `require`",),
+            data={"x": x, "y": y, "pixels": count},
+        )
+    return rejected(
+        "NS0319",
+        f"the program was not compiled for a code in {origin}: {pixel_text(x, y)} has {code}",
+        notes=(
+            f"{counted(count, 'pixel has', 'pixels have')} such codes; the program was "
+            f"compiled for {counted(len(table.codes), 'code')}",
+        ),
+        helps=("`--codes open` compiles the program (.nsl) for every code that it allows",),
+        data={"x": x, "y": y, "pixels": count},
+    )
+
+
+def rows_of(
+    codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
+) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
+    """The row of `codes` (sorted, distinct) with the values of `planes` at each place, and the
+    places without one. `planes` has an array of equal shape for each field, at least one."""
+    shape = planes[0].shape
+    unknown = np.zeros(shape, dtype=bool)
+    # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`
+    # is the prefix of each pixel's code.
+    known = np.zeros(len(codes), dtype=np.int64)
+    at_pixel = np.zeros(shape, dtype=np.int64)
+    for column, plane in zip(codes.T, planes, strict=True):
+        values, of_code = _ranked(column)
+        of_pixel = np.minimum(np.searchsorted(values, plane), len(values) - 1)
+        unknown |= values[of_pixel] != plane
+        beginnings, known = _ranked(known * len(values) + of_code)
+        beginning = at_pixel * len(values) + of_pixel
+        at_pixel = np.minimum(np.searchsorted(beginnings, beginning), len(beginnings) - 1)
+        unknown |= beginnings[at_pixel] != beginning
+    # The codes are sorted and distinct, so their numbers are their rows.
+    return at_pixel.astype(np.int32), unknown

@@ -1,0 +1,58 @@
+"""The proof of a container file: its words against its decode table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+from nscc.prove.proof import Failure, Proof, prove
+from nscc.prove.stream_proof import prove_stream
+from nscc.words.container import Container
+from nscc.words.file import read_container
+from nscc.words.legality import decoded
+
+
+def prove_file(path: Path) -> tuple[Container, Proof]:
+    """The container in `path`, and the proof that its words match its decode table. Raises Rejected
+    if the file cannot be read or has invalid words; with status 1, NS0443 if it has no decode
+    table, and NS0440 if the proof fails."""
+    container = read_container(path)
+    kernels = decoded(container)
+    if container.target.streamed:
+        return container, _accepted_proof(path, prove_stream(container), "planes")
+    if not container.has_table:
+        raise rejected(
+            "NS0443",
+            f"'{path.as_posix()}' has no decode table, so there are no shutters to compare "
+            "its words with",
+            helps=(
+                "`nscc shutters` prints the shutters that the words implement",
+                "add a decode table to the assembly text: `.shutter` and `.code` lines",
+            ),
+            status=1,
+        )
+    return container, _accepted_proof(path, prove(container, kernels), "words")
+
+
+def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
+    """Return a successful proof; raise NS0440 for a failed one."""
+    if proof.failure is not None:
+        raise rejected(
+            "NS0440",
+            f"the {subject} of '{path.as_posix()}' do not match its decode table: "
+            f"{proof.failure.what} ({_failure_place(proof.failure)})",
+            notes=proof.failure.doubts,
+            helps=("build the program again; `nscc diff` shows which words changed",),
+            data={
+                "frame": proof.failure.frame,
+                "bucket": proof.failure.bucket,
+                "shutter": proof.failure.shutter,
+            },
+            status=1,
+        )
+    return proof
+
+
+def _failure_place(failure: Failure) -> str:
+    places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}
+    return ", ".join(f"{kind} {number}" for kind, number in places.items() if number is not None)

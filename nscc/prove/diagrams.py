@@ -1,0 +1,154 @@
+"""Decision diagrams over answers of comparisons: numbers, and bits, that depend on them.
+
+A diagram is the number of a node. A leaf is an exact fraction, bits are 0 and 1; an inner node asks
+one answer. Variables have one order, and equal diagrams are one node: two values are the same for
+all answers just where their numbers are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+Number = Fraction
+_LEAF = -1
+MOST_NODES = 2_000_000
+"""Most nodes of all diagrams of a program: beyond that its proof is given up."""
+
+
+class TooLarge(Exception):
+    """The diagrams of a program need more than MOST_NODES nodes."""
+
+
+class Diagrams:
+    """All diagrams of one proof; `zero` and `one` are leaves."""
+
+    def __init__(self) -> None:
+        self._nodes: list[tuple[int, int, int]] = []
+        self._values: dict[int, Fraction] = {}
+        self._number: dict[object, int] = {}
+        self._known: dict[tuple[str, int, int], int] = {}
+        self._support: dict[int, frozenset[int]] = {}
+        self._order: list[tuple[int, int, int]] = []
+        self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
+
+    def leaf(self, value: Fraction) -> int:
+        """The diagram that is the same number for all answers."""
+        number = self._number.get(value)
+        if number is None:
+            number = self._add(value, (_LEAF, 0, 0))
+            self._values[number] = value
+        return number
+
+    def new_variable(self, at: tuple[int, int]) -> int:
+        """The bit of an answer that nothing depends on yet, asked at a place of the array.
+
+        Answers of places that are near each other stand near each other in the order of variables:
+        what planes make of their neighbours' bits then stays small.
+        """
+        x, y = at
+        self._order.append((y, x, len(self._order)))
+        return self._node(len(self._order) - 1, self.zero, self.one)
+
+    def value(self, node: int) -> Fraction | None:
+        """The number of a leaf; None for a node that depends on answers."""
+        return self._values.get(node)
+
+    def first_value(self, node: int) -> Fraction:
+        """A number that is not 0 among a diagram's leaves, the same for equal diagrams; 0 for the
+        diagram that is 0."""
+        stack = [node]
+        seen = set()
+        while stack:
+            node = stack.pop()
+            if node in seen:
+                continue
+            seen.add(node)
+            variable, low, high = self._nodes[node]
+            if variable != _LEAF:
+                stack += (high, low)
+            elif self._values[node]:
+                return self._values[node]
+        return Fraction(0)
+
+    def support(self, node: int) -> frozenset[int]:
+        """The variables that a diagram depends on."""
+        found = self._support.get(node)
+        if found is None:
+            variable, low, high = self._nodes[node]
+            found = frozenset()
+            if variable != _LEAF:
+                found = self.support(low) | self.support(high) | {variable}
+            self._support[node] = found
+        return found
+
+    def add(self, a: int, b: int) -> int:
+        """The sum of two numbers."""
+        if a == self.zero:
+            return b
+        if b == self.zero:
+            return a
+        return self._apply("+", min(a, b), max(a, b), lambda x, y: x + y)
+
+    def times(self, a: int, b: int) -> int:
+        """The product of two numbers; of bits, `and`."""
+        if self.zero in (a, b):
+            return self.zero
+        if a == self.one:
+            return b
+        if b == self.one:
+            return a
+        return self._apply("*", min(a, b), max(a, b), lambda x, y: x * y)
+
+    def either(self, a: int, b: int) -> int:
+        """`or` of two bits."""
+        return self.inverse(self.times(self.inverse(a), self.inverse(b)))
+
+    def differs(self, a: int, b: int) -> int:
+        """`xor` of two bits."""
+        return self._apply("^", min(a, b), max(a, b), lambda x, y: Fraction(x != y))
+
+    def inverse(self, bit: int) -> int:
+        """`not` of a bit."""
+        return self.add(self.one, self.scaled(Fraction(-1), bit))
+
+    def scaled(self, factor: Fraction, node: int) -> int:
+        """A number times a fraction."""
+        return self.times(self.leaf(factor), node)
+
+    def chosen(self, bit: int, then: int, otherwise: int) -> int:
+        """One number where a bit is 1, another one where it is 0."""
+        return self.add(self.times(bit, then), self.times(self.inverse(bit), otherwise))
+
+    def _apply(
+        self, name: str, a: int, b: int, op: Callable[[Fraction, Fraction], Fraction]
+    ) -> int:
+        key = (name, a, b)
+        found = self._known.get(key)
+        if found is None:
+            (va, la, ha), (vb, lb, hb) = self._nodes[a], self._nodes[b]
+            if va == vb == _LEAF:
+                found = self.leaf(op(self._values[a], self._values[b]))
+            else:
+                asked = (v for v in (va, vb) if v != _LEAF)
+                top = min(asked, key=self._order.__getitem__)
+                lows = la if va == top else a, lb if vb == top else b
+                highs = ha if va == top else a, hb if vb == top else b
+                low = self._apply(name, *lows, op)
+                found = self._node(top, low, self._apply(name, *highs, op))
+            self._known[key] = found
+        return found
+
+    def _node(self, variable: int, low: int, high: int) -> int:
+        if low == high:
+            return low
+        key = (variable, low, high)
+        number = self._number.get(key)
+        return self._add(key, key) if number is None else number
+
+    def _add(self, key: object, node: tuple[int, int, int]) -> int:
+        if len(self._nodes) >= MOST_NODES:
+            raise TooLarge
+        self._nodes.append(node)
+        self._number[key] = len(self._nodes) - 1
+        return len(self._nodes) - 1

@@ -1,0 +1,111 @@
+"""Values of pixels as exact linear forms in the exposures, on a small array of pixels.
+
+A form maps unknowns to numbers, which may depend on answers of comparisons (`Diagrams`). Unknowns
+are the exposures of pixels, steps of IN, light beyond the array, and what a register holds that
+nobody wrote. An answer is the sign of a form: forms that differ by a factor share it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from nscc.prove.diagrams import Diagrams
+
+Unknown = tuple[str, int, int]
+"""A bucket and its pixel, or another kind of unknown with numbers that tell it from others."""
+Form = Mapping[Unknown, int]
+"""By unknown the diagram of its factor; factors that are 0 are left out."""
+
+IN: Unknown = ("IN", 0, 0)
+BEYOND = "beyond the array"
+"""The kind of unknowns that light beyond the array, or a bus there, stands for."""
+
+
+@dataclass
+class Forms:
+    """The forms of one proof, on an array of `rows` x `cols` pixels."""
+
+    rows: int
+    cols: int
+    diagrams: Diagrams = field(default_factory=Diagrams)
+    _answers: dict[tuple[tuple[Unknown, int], ...], int] = field(default_factory=dict)
+    _beyond: set[int] = field(default_factory=set)
+    _fresh: int = 0
+
+    def places(self) -> list[tuple[int, int]]:
+        """All pixels (x, y), row by row."""
+        return [(x, y) for y in range(self.rows) for x in range(self.cols)]
+
+    def inside(self, x: int, y: int) -> bool:
+        """Whether a place is on the array."""
+        return 0 <= x < self.cols and 0 <= y < self.rows
+
+    def exposure(self, bucket: str, x: int, y: int) -> Form:
+        """The exposure of a pixel."""
+        return {(bucket, x, y): self.diagrams.one}
+
+    def beyond(self) -> Form:
+        """A value beyond the array, unlike any other."""
+        self._fresh += 1
+        return {(BEYOND, self._fresh, 0): self.diagrams.one}
+
+    def sum(self, *terms: tuple[Fraction, Form]) -> Form:
+        """The sum of forms times factors."""
+        diagrams = self.diagrams
+        found: dict[Unknown, int] = {}
+        for factor, form in terms:
+            for unknown, number in form.items():
+                scaled = number if factor == 1 else diagrams.scaled(factor, number)
+                found[unknown] = diagrams.add(found.get(unknown, diagrams.zero), scaled)
+        return {unknown: number for unknown, number in found.items() if number != diagrams.zero}
+
+    def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
+        """One form where a bit is 1, another one where it is 0."""
+        diagrams = self.diagrams
+        if bit == diagrams.one:
+            return then
+        if bit == diagrams.zero or then == otherwise:
+            return otherwise
+        zero = diagrams.zero
+        found = {
+            unknown: diagrams.chosen(bit, then.get(unknown, zero), otherwise.get(unknown, zero))
+            for unknown in then.keys() | otherwise.keys()
+        }
+        return {unknown: number for unknown, number in found.items() if number != zero}
+
+    def positive(self, form: Form, at: tuple[int, int]) -> int:
+        """The bit that says whether a form of the pixel `at` is above 0.
+
+        Of a form and its negative one is taken to be positive: comparators do not tell whether two
+        charges are equal.
+        """
+        diagrams = self.diagrams
+        unknowns = sorted(form)
+        if all(unknown == IN for unknown in unknowns):
+            steps = diagrams.value(form[IN]) if form else Fraction(0)
+            if steps is not None:
+                return diagrams.one if steps > 0 else diagrams.zero
+        first = diagrams.first_value(form[unknowns[0]])
+        scale = 1 / first
+        key = tuple((u, diagrams.scaled(scale, form[u])) for u in unknowns)
+        answer = self._answers.get(key)
+        if answer is None:
+            answer = diagrams.new_variable(at)
+            self._answers[key] = answer
+            if self.depends_beyond(form):
+                self._beyond |= diagrams.support(answer)
+        return answer if first > 0 else diagrams.inverse(answer)
+
+    def unknown_bit(self, at: tuple[int, int]) -> int:
+        """A bit of a pixel that nobody wrote."""
+        return self.diagrams.new_variable(at)
+
+    def depends_beyond(self, value: Form | int) -> bool:
+        """Whether a form, or a bit, depends on light beyond the array."""
+        if isinstance(value, int):
+            return bool(self._beyond and self.diagrams.support(value) & self._beyond)
+        return any(
+            unknown[0] == BEYOND or self.depends_beyond(number) for unknown, number in value.items()
+        )

@@ -1,0 +1,224 @@
+"""The proof of programs with senses: words against the state machine, for every code, state and
+answer.
+
+All outcomes of all comparisons are followed from every initial node. At each boundary the program's
+comparisons must be made exactly once, by a `where` whose sum is exactly level - signal, or signal -
+level; each lane then splits in two, one for each answer. At the end of the frame, every bucket must
+hold the light of the program's open slots, and code and states must be as the container says. A
+second frame starts from the final registers of the first.
+
+An analog value is a number for one random light, and its debt: `owes` times the exposure that each
+bucket should hold by now, plus a rest. Lanes with equal node, bits, debts and rests behave equally
+for any gathered exposure, so they are merged; otherwise accumulating programs would have 2^looks
+histories. A merged lane has the numbers of one history, and `exact` says whether all its histories
+had equal exposures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import Op
+from nscc.prove.pixels import (
+    TOLERANCE,
+    WRONG_CODE,
+    WRONG_EXPOSURE,
+    Bits,
+    Pixels,
+    Values,
+    Wrong,
+)
+from nscc.truth import rows
+from nscc.words.container import Container
+from nscc.words.machine import LIGHT, Machine
+
+MOST_LANES = 10**7
+"""Most transitions to follow in a frame."""
+
+_DIGITS = 1e8
+"""Rests that differ by less than this fraction of the frame's light are equal."""
+
+
+class Looks(Pixels):
+    """The lanes of a container's machine during the proof. For each lane: `node` and the `outcome`
+    of the current look so far, int64 (lanes,); `due` (lanes, buckets), the program's exposures;
+    `since` (lanes,), its `light`; `exact` bool (lanes,)."""
+
+    def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
+        assert container.machine is not None
+        self.machine: Machine = container.machine
+        self.full_e = container.target.full_well_e
+        nodes = np.arange(self.machine.first[1], dtype=np.int64)
+        encoding = container.encoding[self.machine.behaviour[nodes]]
+        super().__init__(container, kernels, encoding, terms=len(container.buckets))
+        self.pending: list[int] = []
+        self._start(nodes)
+        self.bits |= self._state_bits(kept_only=True)
+
+    def _start(self, nodes: NDArray[np.int64]) -> None:
+        """Create the lanes at boundary 0."""
+        self.node, self.outcome = nodes, np.zeros_like(nodes)
+        self.due = np.zeros((len(nodes), len(self.container.buckets)))
+        self.since = np.zeros(len(nodes))
+        self.exact = np.ones(len(nodes), np.bool_)
+
+    def choose(self, lanes: NDArray[np.intp]) -> None:
+        """Select lanes by index, possibly repeated."""
+        super().choose(lanes)
+        self.node, self.outcome = self.node[lanes], self.outcome[lanes]
+        self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
+
+    def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
+        """The content of the states' registers in each lane; with `kept_only`, of kept states
+        only."""
+        known_registers: dict[str, Bits] = {}
+        for k, state in enumerate(self.machine.states):
+            planes = self.container.state_planes.get(state.name)
+            if planes is None or (kept_only and not state.is_kept):
+                continue
+            bits = dict(zip(planes.values, planes.bits, strict=True))
+            values = self.machine.values[self.node, k].tolist()
+            if not bits.keys() >= set(values):
+                raise Wrong(f"no bits represent some value of the state `{state.name}`")
+            value_rows = np.array([bits[value] for value in values], np.bool_)
+            registers = value_rows.reshape(len(values), -1)
+            known_registers |= zip(planes.registers, self.known(registers), strict=True)
+        return known_registers
+
+    def prove_frame(self, light: Values) -> None:
+        """Run one frame in `light` (N,); raises Wrong at the first error."""
+        machine, slots = self.machine, self.container.slots
+        light_e = light * (self.full_e / light.sum())
+        self.start_frame()
+        self._merge({})
+        for boundary in range(slots + 1):
+            looks = boundary in machine.looks
+            self.pending = machine.order(boundary) if looks else []
+            self.run_launches(boundary)
+            if self.pending:
+                level = machine.at(boundary)[self.pending[0]].level
+                raise Wrong(
+                    f"no comparison uses the level of {level} steps of IN at boundary {boundary}"
+                )
+            if looks:
+                self.node = machine.steps[self.node, self.outcome].astype(np.int64)
+                self.outcome = np.zeros_like(self.node)
+                self._merge(self._readouts())
+            if boundary < slots:
+                self._fall(boundary, float(light_e[boundary]))
+        self.end_frame()
+        self._check_end()
+        self._next_frame()
+
+    def _readouts(self) -> dict[str, int]:
+        """The bucket that each analog register is read out as."""
+        buckets = self.container.buckets
+        return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
+
+    def _fall(self, slot: int, light_e: float) -> None:
+        """Apply the program's resets and the light of a slot."""
+        self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
+        # The content of a register stays constant, so its rest shrinks as exposures grow.
+        self.due += self.machine.opens[self.node, :, slot] * light_e
+        self.analog["PIX"][:, 0] += light_e
+
+    def _check_end(self) -> None:
+        gains = {readout.bucket: readout for readout in self.container.readouts}
+        for bucket, name in enumerate(self.container.buckets):
+            if name not in gains:
+                raise Wrong("no register is read out", name)
+            value = self.analog[gains[name].register] * gains[name].gain
+            right = self._amounts_to(value, bucket, self.due[:, bucket])
+            if not right.all():
+                worst = int(self.machine.behaviour[self.node[int(np.argmin(right))]])
+                raise Wrong(WRONG_EXPOSURE, name, worst)
+        states = self._state_bits(kept_only=False)
+        for register, bits in states.items():
+            if self.read(register) != bits:
+                raise Wrong(f"{register} does not hold its state at the end of the frame")
+        encoding = self.container.encoding[self.machine.behaviour[self.node]]
+        for register, bits in self.code_bits(encoding).items():
+            if register not in states and self.read(register) != bits:
+                raise Wrong(WRONG_CODE)
+
+    def _next_frame(self) -> None:
+        """Set the initial nodes of the next frame from the kept states."""
+        machine = self.machine
+        kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
+        keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
+        starts = {tuple(key): node for node, key in enumerate(keys[: int(machine.first[1])])}
+        self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
+
+    def compare(self, word: Op) -> Bits:
+        """Check a comparison of the program and split all lanes by its answer."""
+        if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
+            raise Wrong(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
+        total = self.total(word)
+        comparisons = self.machine.at(self._boundary)
+        for number in self.pending:
+            comparison = comparisons[number]
+            level_e = comparison.level * self.target.electrons_per_step
+            for above in (False, True):
+                if self._is(total if above else -total, comparison.signal, level_e):
+                    self.pending.remove(number)
+                    return self._follow_both(number, above)
+        raise Wrong(
+            f"`{word}` compares a sum that is not a signal and its level, at boundary "
+            f"{self._boundary}"
+        )
+
+    def _is(self, value: Values, signal: int, level_e: float) -> bool:
+        """Whether a value (lanes, parts) is exactly signal - level, for each lane."""
+        if signal == LIGHT:
+            return bool(self._amounts_to(value, None, self.since - level_e).all())
+        return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
+
+    def _amounts_to(
+        self, value: Values, bucket: int | None, expected_e: Values
+    ) -> NDArray[np.bool_]:
+        """Whether, for each lane, a value (lanes, parts) equals `expected_e` in any light: it owes
+        the exposure of `bucket` once and nothing else."""
+        owes = value[:, 1:].copy()
+        if bucket is not None:
+            owes[:, bucket] -= 1.0
+        owed_once = (np.abs(owes) <= TOLERANCE).all(axis=1)
+        return (np.abs(value[:, 0] - expected_e) <= TOLERANCE * self.full_e) & (
+            owed_once | self.exact
+        )
+
+    def _follow_both(self, number: int, above: bool) -> Bits:
+        """Double the lanes; returns FLAG, which is 1 if comparison `number` is `above`."""
+        count = self.lanes
+        self.transitions += 2 * count
+        if self.transitions > MOST_LANES:
+            raise Wrong(f"the proof needs more than {MOST_LANES} transitions")
+        self.choose(np.tile(np.arange(count), 2))
+        self.outcome |= np.repeat([0, 1], count) << number
+        no = (1 << count) - 1
+        yes = no << count
+        return (yes, no) if above else (no, yes)
+
+    def _merge(self, readouts: Mapping[str, int]) -> None:
+        """Merge equal lanes. If all histories of a lane have equal exposures, the registers in
+        `readouts` are determined by these."""
+        for register, bucket in readouts.items():
+            self.analog[register][self.exact, 1:] = 0.0
+            self.analog[register][self.exact, 1 + bucket] = 1.0
+        values = np.stack(list(self.analog.values()), axis=1)
+        owes = values[:, :, 1:]
+        rests = values[:, :, 0] - (owes * self.due[:, None]).sum(axis=2)
+        lights = np.rint(np.column_stack((self.since, rests)) * (_DIGITS / self.full_e))
+        terms = np.rint(owes.reshape(self.lanes, -1) * 1024)
+        numbers = np.column_stack((self.node, lights, terms)).astype(np.int64)
+        bits = rows([vector for bits in self.bits.values() for vector in bits], self.lanes)
+        keys = np.hstack((numbers.view(np.uint8), np.packbits(bits, axis=1)))
+        keys = np.ascontiguousarray(keys).view(f"V{keys.shape[1]}")[:, 0]
+        _, first, group = np.unique(keys, return_index=True, return_inverse=True)
+        same = (np.abs(self.due - self.due[first[group]]) <= self.full_e / _DIGITS).all(axis=1)
+        exact = np.ones(len(first), np.bool_)
+        np.logical_and.at(exact, group, same & self.exact)
+        self.choose(first)
+        self.exact = exact

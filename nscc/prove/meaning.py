@@ -1,0 +1,154 @@
+"""What the text of a program says of its images and planes, as forms on a small array."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import NamedTuple, assert_never
+
+from nscc.prove.forms import IN, Form, Forms
+from nscc.words import pictures as p
+
+Place = tuple[int, int]
+Fields = dict[Place, Form]
+Bits = dict[Place, int]
+
+
+class Reach(NamedTuple):
+    """How many columns and rows around a pixel what is computed for it depends on."""
+
+    left: int = 0
+    right: int = 0
+    up: int = 0
+    down: int = 0
+
+    def joined(self, other: Reach) -> Reach:
+        """What one of two values depends on."""
+        return Reach(*map(max, self, other))
+
+    def moved(self, right: int, down: int) -> Reach:
+        """The reach of a value of the pixel so far away."""
+        return Reach(
+            max(0, self.left - right), max(0, self.right + right),
+            max(0, self.up - down), max(0, self.down + down),
+        )  # fmt: skip
+
+
+def reaches(pictures: p.Pictures) -> dict[str, Reach]:
+    """The reach of every image and plane by the text."""
+    found: dict[str, Reach] = {}
+    weights = pictures.weights_by_name
+
+    def reach(node: p.Node) -> Reach:
+        if isinstance(node, p.Source | p.Bit):
+            return found.get(node.name, Reach())
+        joined = Reach()
+        for part in p.operands(node):
+            joined = joined.joined(reach(part))
+        match node:
+            case p.Filtered() | p.Near():
+                moved = [joined.moved(*place) for place in weights[node.kernel].taps]
+                joined = Reach(*map(max, *moved, (0,) * 4))
+            case p.At():
+                joined = joined.moved(node.right, node.down)
+        return joined
+
+    for item in pictures.items:
+        found[item.name] = reach(item.node)
+    return found
+
+
+class Meaning:
+    """The images and planes of a text on the array of `forms`.
+
+    Images are also defined beyond the array, where they depend on light there: a kernel may reach
+    over the border and another one back. Bits beyond it are the text's `outside`.
+    """
+
+    def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
+        self.forms, self.weights = forms, pictures.weights_by_name
+        self.nodes = {item.name: item.node for item in pictures.items}
+        diagrams = forms.diagrams
+        self.outside = diagrams.one if pictures.outside else diagrams.zero
+        self._images: dict[tuple[int, Place], Form] = {}
+        self._bits: dict[tuple[int, Place], int] = {}
+
+    def value(self, name: str, at: Place) -> Form | int:
+        """What an image, a plane or a bucket is at a pixel of the array."""
+        node = self.nodes.get(name)
+        if node is None:
+            return self.forms.exposure(name, *at)
+        return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
+
+    def image(self, value: p.Value, at: Place) -> Form:
+        """An image at a place."""
+        found = self._images.get((id(value), at))
+        if found is None:
+            found = self._images[id(value), at] = self._image(value, at)
+        return found
+
+    def _image(self, value: p.Value, at: Place) -> Form:
+        forms, (x, y) = self.forms, at
+        match value:
+            case p.Source():
+                node = self.nodes.get(value.name)
+                if node is not None:
+                    assert not isinstance(node, p.Condition)
+                    return self.image(node, at)
+                return forms.exposure(value.name, x, y) if forms.inside(x, y) else forms.beyond()
+            case p.Sum():
+                return forms.sum(*((factor, self.image(part, at)) for factor, part in value.terms))
+            case p.Filtered():
+                taps = self.weights[value.kernel].taps.items()
+                return forms.sum(
+                    *((w, self.image(value.value, (x + dx, y + dy))) for (dx, dy), w in taps)
+                )
+            case p.Absolute():
+                form = self.image(value.value, at)
+                return forms.chosen(forms.positive(form, at), form, forms.sum((Fraction(-1), form)))
+            case p.Chosen():
+                if not forms.inside(x, y):
+                    return forms.beyond()
+                bit = self.bit(value.condition, at)
+                return forms.chosen(
+                    bit, self.image(value.then, at), self.image(value.otherwise, at)
+                )
+        assert_never(value)
+
+    def bit(self, condition: p.Condition, at: Place) -> int:
+        """A plane at a place."""
+        if not self.forms.inside(*at):
+            return self.outside
+        found = self._bits.get((id(condition), at))
+        if found is None:
+            found = self._bits[id(condition), at] = self._bit(condition, at)
+        return found
+
+    def _bit(self, condition: p.Condition, at: Place) -> int:
+        forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
+        match condition:
+            case p.Bit():
+                node = self.nodes[condition.name]
+                assert isinstance(node, p.Condition)
+                return self.bit(node, at)
+            case p.Constant():
+                return diagrams.one if condition.bit else diagrams.zero
+            case p.Above():
+                level = {IN: diagrams.leaf(Fraction(-condition.steps))} if condition.steps else {}
+                form = self.image(condition.value, at)
+                return forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
+            case p.Inverse():
+                return diagrams.inverse(self.bit(condition.condition, at))
+            case p.Joined():
+                join = {"and": diagrams.times, "or": diagrams.either, "xor": diagrams.differs}
+                left, right = self.bit(condition.left, at), self.bit(condition.right, at)
+                return join[condition.op](left, right)
+            case p.At():
+                return self.bit(condition.condition, (x + condition.right, y + condition.down))
+            case p.Near():
+                every = condition.kind == "all"
+                found = diagrams.one if every else diagrams.zero
+                for dx, dy in self.weights[condition.kernel].taps:
+                    near = self.bit(condition.condition, (x + dx, y + dy))
+                    found = diagrams.times(found, near) if every else diagrams.either(found, near)
+                return found
+        assert_never(condition)

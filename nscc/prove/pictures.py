@@ -1,0 +1,265 @@
+"""The proof of images and planes: the words after the exposure, replayed on a small array.
+
+Registers hold exact forms in the exposures of pixels (`nscc.prove.forms`), bits are decision
+diagrams over answers of comparisons. The array is just so large that its pixels meet the border in
+every way in which a pixel of a larger one can: the middle one sees all that it depends on. What the
+words leave must be what the text says, for all exposures and answers, in every pixel but those that
+depend on a bus beyond the array, of which nothing is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.prove.diagrams import TooLarge
+from nscc.prove.forms import IN, Form, Forms
+from nscc.prove.meaning import Bits, Fields, Meaning, Reach, reaches
+from nscc.words.container import Container
+from nscc.words.legality import picture_words
+from nscc.words.pictures import Condition
+
+
+class Wrong(Exception):
+    """A word does what no proof covers."""
+
+
+Launched = Sequence[tuple[Op, int | None]]
+"""Words in the order in which they run, each with the steps of IN; None: IN is not set."""
+
+
+def pictures_fault(container: Container) -> str | None:
+    """What of a container's images and planes its words do wrong; None where the proof holds."""
+    pictures = container.pictures
+    if pictures is None:
+        return None
+    try:
+        words = picture_words(container)
+        size = words_reach(words, container)
+        for reach in reaches(pictures).values():
+            size = size.joined(reach)
+        forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
+        replay = PictureReplay(container, forms)
+        for op, level in words:
+            replay.run(op, level)
+        return _difference(container, replay, Meaning(pictures, forms), (size.left, size.up))
+    except Wrong as wrong:
+        return str(wrong)
+    except Rejected as rejected:
+        return rejected.diagnostics[0].message
+    except TooLarge:
+        return "its planes depend on too many comparisons to be proved"
+
+
+def _difference(
+    container: Container, replay: PictureReplay, meaning: Meaning, middle: tuple[int, int]
+) -> str | None:
+    """Where what registers hold is not what the text says."""
+    pictures, forms = container.pictures, replay.forms
+    assert pictures is not None
+    for name in pictures.wanted:
+        register = pictures.registers.get(name, "")
+        held: Fields | Bits | None = replay.analog.get(register)
+        if isinstance(meaning.nodes.get(name), Condition):
+            held = replay.digital.get(register)
+        if held is None:
+            return f"no register holds `{name}`"
+        for at in forms.places():
+            if forms.depends_beyond(held[at]):
+                if at == middle:
+                    return f"`{name}` depends on what is beyond every array"
+            elif held[at] != meaning.value(name, at):
+                return f"`{name}` is not what the text says"
+    written = {r for op, _ in picture_words(container) for r in op.destinations}
+    spoilt = written & {*container.code_registers}
+    return f"{min(spoilt)} holds code, and is written" if spoilt else None
+
+
+def words_reach(words: Launched, container: Container) -> Reach:
+    """How far around a pixel the registers of the end depend on others, by their words."""
+    reach: dict[str, Reach] = {}
+
+    def of(name: str) -> Reach:
+        if name in NEIGHBOURS:
+            return reach.get("NEWS", Reach()).moved(*STEPS[name])
+        return reach.get(name, Reach())
+
+    for op, _ in words:
+        found = Reach()
+        for name in op.sources:
+            found = found.joined(of(name))
+        effect = op.operation.effect
+        if effect is Effect.DIGITAL_NEIGHBOURS:
+            moved = [of(op.sources[0]).moved(*step) for step in STEERING.values()]
+            moved += [of(name) for name in STEERING]
+            found = Reach(*map(max, *moved))
+        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL, Effect.FLAG_ALL):
+            reach["FLAG"] = Reach() if effect is Effect.FLAG_ALL else found
+        elif op.operation.phase is Phase.READ:
+            reach["bus"] = found
+        elif op.operation.phase is Phase.WRITE:
+            found = of("bus")
+        for name in op.destinations:
+            if name in NEIGHBOURS:
+                right, down = STEPS[name]
+                name, found = "NEWS", found.moved(-right, -down)
+            masked = name == container.target.masked_register
+            if effect is Effect.BUS or masked:
+                found = found.joined(of(name)).joined(of("FLAG"))
+            reach[name] = found
+    total = Reach()
+    for value in reach.values():
+        total = total.joined(value)
+    return total
+
+
+@dataclass
+class PictureReplay:
+    """The registers of a small array of pixels while the words after an exposure run."""
+
+    container: Container
+    forms: Forms
+    analog: dict[str, Fields] = field(default_factory=dict)
+    digital: dict[str, Bits] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        container, forms = self.container, self.forms
+        target = container.target
+        places = forms.places()
+        held = {readout.register: readout for readout in container.readouts}
+        for name in target.analog_registers:
+            readout = held.get(name)
+            if readout is not None:
+                gain = Fraction(1) / Fraction(readout.gain)
+                self.analog[name] = {
+                    at: forms.sum((gain, forms.exposure(readout.bucket, *at))) for at in places
+                }
+            else:
+                self.analog[name] = {at: self._junk(name, *at) for at in places}
+        for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
+            self.digital[name] = {at: forms.unknown_bit(at) for at in places}
+
+    def _junk(self, name: str, x: int, y: int) -> Form:
+        return {(f"what {name} held", x, y): self.forms.diagrams.one}
+
+    def run(self, op: Op, level: int | None) -> None:
+        """One word in all pixels, with IN at so many steps."""
+        forms, one = self.forms, self.forms.diagrams.one
+        row = op.operation
+        match row.effect:
+            case Effect.NONE:
+                return
+            case Effect.FLAG_ALL:
+                self.digital["FLAG"] = dict.fromkeys(forms.places(), one)
+            case Effect.FLAG_DIGITAL:
+                self.digital["FLAG"] = self._some(op)
+            case Effect.FLAG_ANALOG:
+                before, totals = self.digital["FLAG"], self._totals(op, level)
+                found = {at: forms.positive(total, at) for at, total in totals.items()}
+                if self.container.target.where_obeys_flag:
+                    times = forms.diagrams.times
+                    found = {at: times(bit, before[at]) for at, bit in found.items()}
+                self.digital["FLAG"] = found
+            case Effect.BUS:
+                self._bus(op, level)
+            case Effect.DIGITAL_NEIGHBOURS:
+                self._write(op.destinations[0], self._near(op))
+            case Effect.DIGITAL:
+                self._digital(op)
+            case _:
+                raise Wrong(f"`{op}` has no place after the exposure")
+
+    def _totals(self, op: Op, level: int | None) -> Fields:
+        """The sum of a word's analog sources in every pixel."""
+        forms = self.forms
+        one = Fraction(1)
+        fields: list[Fields | Mapping[tuple[int, int], Form]] = []
+        for name in op.sources:
+            if name == "IN":
+                if level is None:
+                    raise Wrong(f"`{op}` reads IN, which is not set")
+                steps = {IN: forms.diagrams.leaf(Fraction(level))} if level else {}
+                fields.append(dict.fromkeys(forms.places(), steps))
+            elif name in NEIGHBOURS:
+                fields.append(self._moved(self.analog["NEWS"], *STEPS[name]))
+                if not self.container.target.news_read_keeps:
+                    self.analog["NEWS"] = {at: forms.beyond() for at in forms.places()}
+            elif name in self.analog:
+                fields.append(self.analog[name])
+            else:
+                raise Wrong(f"`{op}` reads {name} after the exposure")
+        return {at: forms.sum(*((one, part[at]) for part in fields)) for at in forms.places()}
+
+    def _moved(self, fields: Fields, right: int, down: int) -> Fields:
+        """What the pixels so far away hold."""
+        return {
+            (x, y): fields.get((x + right, y + down)) or self._edge(fields, x + right, y + down)
+            for x, y in fields
+        }
+
+    def _edge(self, fields: Fields, x: int, y: int) -> Form:
+        """A form that is 0, or what lies beyond the array."""
+        return fields[x, y] if (x, y) in fields else self.forms.beyond()
+
+    def _bus(self, op: Op, level: int | None) -> None:
+        forms, flag = self.forms, self.digital["FLAG"]
+        directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
+        if directed and any(bit != forms.diagrams.one for bit in flag.values()):
+            raise Wrong(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
+        factor = Fraction(-1, op.operation.divisor)
+        values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
+        for name in op.destinations:
+            if name in NEIGHBOURS:
+                right, down = STEPS[name]
+                self.analog["NEWS"] = self._moved(values, -right, -down)
+                continue
+            held = self.analog[name]
+            self.analog[name] = {at: forms.chosen(flag[at], values[at], held[at]) for at in held}
+
+    def _some(self, op: Op) -> Bits:
+        """The OR of a word's digital sources."""
+        diagrams = self.forms.diagrams
+        found = dict.fromkeys(self.forms.places(), diagrams.zero)
+        for name in op.sources:
+            found = {at: diagrams.either(bit, self.digital[name][at]) for at, bit in found.items()}
+        return found
+
+    def _near(self, op: Op) -> Bits:
+        """The OR of a source in those neighbours that a pixel chooses."""
+        diagrams = self.forms.diagrams
+        source = self.digital[op.sources[0]]
+        beyond = diagrams.one if op.operation.inverted else diagrams.zero
+        found = {}
+        for x, y in source:
+            bit = diagrams.zero
+            for name, (right, down) in STEERING.items():
+                near = source.get((x + right, y + down), beyond)
+                bit = diagrams.either(bit, diagrams.times(self.digital[name][x, y], near))
+            found[x, y] = bit
+        return found
+
+    def _digital(self, op: Op) -> None:
+        row = op.operation
+        if row.phase is Phase.WRITE:
+            value = self.digital["bus"]
+        else:
+            value = self._some(op)
+            if row.inverted:
+                value = {at: self.forms.diagrams.inverse(bit) for at, bit in value.items()}
+            if row.phase is Phase.READ:
+                self.digital["bus"] = value
+                return
+        target: Target = self.container.target
+        for name in sorted(op.destinations, key=lambda name: name != target.masked_register):
+            self._write(name, value)
+
+    def _write(self, name: str, value: Bits) -> None:
+        target, diagrams = self.container.target, self.forms.diagrams
+        if name == target.masked_register and target.mask_register is not None:
+            mask, held = self.digital[target.mask_register], self.digital[name]
+            value = {at: diagrams.chosen(mask[at], bit, held[at]) for at, bit in value.items()}
+        self.digital[name] = dict(value)

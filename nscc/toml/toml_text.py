@@ -1,0 +1,96 @@
+"""TOML as text: parsing, the places of keys, and the spelling of values."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+from nscc.source import Span
+
+LARGEST_FILE = 64 * 1024
+_LONGEST_LINE = 1000
+
+
+class NotToml(Exception):
+    """The bytes are not a TOML file, for a reason in half a sentence."""
+
+
+def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
+    """Decode and parse the bytes of a file; raises NotToml."""
+    try:
+        if len(data) > LARGEST_FILE:
+            raise NotToml(f"it is larger than {LARGEST_FILE // 1024} KiB")
+        text = data.decode("utf-8-sig").replace("\r\n", "\n")
+        longest = max(map(len, text.split("\n")))
+        if longest > _LONGEST_LINE:
+            raise NotToml(
+                f"a line has {longest} characters, but at most {_LONGEST_LINE} are allowed"
+            )
+        return text, tomllib.loads(text)
+    except UnicodeDecodeError as error:
+        raise NotToml(f"byte {error.start} is not UTF-8 text") from error
+    except RecursionError as error:
+        raise NotToml("it is nested too deeply") from error
+    except ValueError as error:
+        raise NotToml(str(error).replace("\n", " ")[:200]) from error
+
+
+def span_of(text: str, section: str, name: str) -> Span:
+    """The place of a key in a TOML text, else of its section's header, else of the first line."""
+    current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
+    for line in text.split("\n"):
+        stripped = line.strip()
+        opened = re.match(r"\[+\s*([^\]\s]+)\s*\]", stripped)
+        begin = offset + len(line) - len(line.lstrip())
+        if opened:
+            current = opened[1].strip("\"'")
+            if current in (section, name):
+                header = Span(begin, begin + len(opened[0]))
+            if current == name and not section:
+                return header
+        elif current == section and stripped.split("=")[0].strip().strip("\"'") == name:
+            return Span(begin, begin + len(stripped.partition("#")[0].rstrip()))
+        offset += len(line) + 1
+    return header
+
+
+def shown(value: Any) -> str:
+    """Format any value for a message: short, on one line."""
+    if isinstance(value, Mapping):
+        return "a table"
+    if isinstance(value, list | tuple):
+        return "an empty list" if not value else f"a list of {len(value)}"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int) and abs(value) > 10**20:
+        return "a huge number"
+    text = ascii(value) if isinstance(value, str) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def spelled_value(text: str) -> Any:
+    """The value of a TOML expression; the text itself if it is not TOML."""
+    try:
+        document = tomllib.loads(f"value = {text}")
+    except (ValueError, RecursionError):
+        return text
+    return document["value"] if document.keys() == {"value"} else text
+
+
+def written(value: Any) -> str:
+    """The TOML spelling of a text, number, boolean, or list of these."""
+    if isinstance(value, str):
+        return '"' + "".join(map(_character, value)) + '"'
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(written, value)) + "]"
+    return repr(value)
+
+
+def _character(c: str) -> str:
+    if c in '"\\':
+        return "\\" + c
+    return c if c.isprintable() else f"\\u{ord(c):04x}" if ord(c) < 1 << 16 else f"\\U{ord(c):08x}"

@@ -1,0 +1,159 @@
+"""Elements of assembly text: names, numbers, times and ranges, written and read.
+
+Each `read_*` function reads exactly what its `*_text` partner writes, and returns None for
+malformed text.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+_PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_.+-]*")
+_INTEGER = re.compile(r"-?[0-9]{1,19}")
+_RANGE = re.compile(r"([0-9]{1,9})(?:\.\.([0-9]{1,9})(?:/([0-9]{1,9}))?)?")
+_FEW_TURNS = 8
+_POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
+
+
+def name_text(name: str) -> str:
+    """A name as one token: bare if possible, else a JSON string."""
+    return name if _PLAIN.fullmatch(name) else json.dumps(name)
+
+
+def number_text(value: float) -> str:
+    """The shortest decimal number that reads back as `value`."""
+    return repr(float(value)).removesuffix(".0")
+
+
+def read_integer(text: str) -> int | None:
+    """Read an integer of 64 bits."""
+    if not _INTEGER.fullmatch(text):
+        return None
+    value = int(text)
+    return value if -(1 << 63) <= value < 1 << 63 else None
+
+
+def read_number(text: str) -> float | None:
+    """Read a finite decimal number."""
+    value = float(text)
+    return value if isfinite(value) else None
+
+
+def read_time_us(text: str) -> float | None:
+    """Read a finite positive time such as `125us`, in microseconds."""
+    from decimal import Decimal
+
+    number = text.rstrip("nums")
+    # Decimal moves the point exactly; a product of floats would round twice.
+    value = float(Decimal(number).scaleb(_POWER[text[len(number) :]]))
+    return value if isfinite(value) and value > 0 else None
+
+
+def ranges_text(values: Sequence[int]) -> str:
+    """Format ascending integers as ranges joined by commas: `0..15`, `1..63/2` (every second),
+    `4`."""
+    texts: list[str] = []
+    at = 0
+    while at < len(values):
+        step = values[at + 1] - values[at] if at + 1 < len(values) else 1
+        end = at
+        while end + 1 < len(values) and values[end + 1] - values[end] == step:
+            end += 1
+        if end - at < 2 and step > 1:
+            end = at
+        if end == at:
+            texts.append(str(values[at]))
+        else:
+            texts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
+        at = end + 1
+    return ",".join(texts)
+
+
+def read_ranges(text: str, most: int) -> list[range] | None:
+    """The inverse of `ranges_text`; None for malformed or empty ranges and values beyond `most`."""
+    ranges: list[range] = []
+    for range_text in text.split(","):
+        match = _RANGE.fullmatch(range_text)
+        if match is None:
+            return None
+        first = int(match[1])
+        last = int(match[2]) if match[2] else first
+        step = int(match[3]) if match[3] else 1
+        if not first <= last <= most or step < 1:
+            return None
+        ranges.append(range(first, last + 1, step))
+    return ranges
+
+
+def slots_text(slots: NDArray[np.bool_]) -> str:
+    """Format open slots, bool (slots,): ranges, `never`, or `x` and hexadecimal. The hexadecimal
+    form, used if shorter, has slot 8 k + i in bit i of byte k."""
+    if not slots.any():
+        return "never"
+    turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
+    hexadecimal = 1 + 2 * ((len(slots) + 7) // 8)
+    if len(turns) <= _FEW_TURNS:
+        runs = zip(turns[::2], turns[1::2], strict=True)
+        return ",".join(f"{a}..{b - 1}" if b - a > 1 else str(a) for a, b in runs)
+    # A range takes at least two characters, which bounds the length without formatting.
+    if len(turns) < 4 * hexadecimal:
+        ranges = ranges_text(np.flatnonzero(slots).tolist())
+        if len(ranges) <= max(hexadecimal, 20):
+            return ranges
+    return "x" + np.packbits(slots, bitorder="little").tobytes().hex()
+
+
+def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
+    """The inverse of `slots_text`: bool (slots,)."""
+    opened = np.zeros(slots, dtype=np.bool_)
+    if text == "never":
+        return opened
+    if text.startswith("x"):
+        if len(text) != 1 + 2 * ((slots + 7) // 8) or not re.fullmatch("[0-9a-fA-F]+", text[1:]):
+            return None
+        packed = np.frombuffer(bytes.fromhex(text[1:]), dtype=np.uint8)
+        bits = np.unpackbits(packed, bitorder="little").view(np.bool_)
+        return None if bits[slots:].any() else bits[:slots]
+    ranges = read_ranges(text, slots - 1)
+    if ranges is None:
+        return None
+    for span in ranges:
+        opened[span.start : span.stop : span.step] = True
+    return opened
+
+
+def block_text(lines: Sequence[str]) -> list[str]:
+    """Lines of free text, each after a bar; unprintable ones and those with trailing blanks as
+    JSON."""
+    return [
+        f"| {line}" if line.isprintable() and not line.endswith(" ") and line
+        else "|" if not line
+        else f"|= {json.dumps(line)}"
+        for line in lines
+    ]  # fmt: skip
+
+
+def read_block_line(text: str) -> str | None:
+    """Read one line of `block_text`, starting at its bar."""
+    if text == "|":
+        return ""
+    if text.startswith("| "):
+        return text[2:]
+    if text.startswith("|= "):
+        return read_string(text[3:])
+    return None
+
+
+def read_string(text: str) -> str | None:
+    """Read a JSON string."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return value if isinstance(value, str) else None

@@ -1,0 +1,279 @@
+"""Images and planes: what a program of version 3 computes of its exposures, as plain values.
+
+An image is a value of every pixel, a plane a bit. Both are evaluated once, after the last slot. The
+expressions are trees of frozen nodes; `to_plain` and `from_plain` turn them into lists for a file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
+from fractions import Fraction
+from typing import Any, Literal
+
+Word = tuple[int, int, int, int, int]
+Offset = tuple[int, int]
+"""Columns to the right and rows down."""
+
+
+@dataclass(frozen=True)
+class Weights:
+    """A kernel: at (row i, column j) the numerator of the weight of the pixel that lies j minus the
+    centre columns to the right and i minus the centre rows down; all are divided by `divisor`."""
+
+    name: str
+    rows: tuple[tuple[int, ...], ...]
+    divisor: int
+
+    @property
+    def taps(self) -> dict[Offset, Fraction]:
+        """The weights that are not zero, by where their pixels lie."""
+        down, right = len(self.rows) // 2, len(self.rows[0]) // 2
+        return {
+            (j - right, i - down): Fraction(weight, self.divisor)
+            for i, row in enumerate(self.rows)
+            for j, weight in enumerate(row)
+            if weight
+        }
+
+
+# --- images ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Source:
+    """A bucket's exposure, or an image that was computed before."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Sum:
+    """`terms` are factors and images."""
+
+    terms: tuple[tuple[Fraction, Value], ...]
+
+
+@dataclass(frozen=True)
+class Filtered:
+    """The sum of the neighbours of `value`, weighted by a kernel."""
+
+    kernel: str
+    value: Value
+
+
+@dataclass(frozen=True)
+class Absolute:
+    """`value` without its sign."""
+
+    value: Value
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """`then` where `condition` is 1, else `otherwise`."""
+
+    condition: Condition
+    then: Value
+    otherwise: Value
+
+
+# --- planes ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Bit:
+    """A plane that was computed before."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Constant:
+    """The same bit in every pixel."""
+
+    bit: bool
+
+
+@dataclass(frozen=True)
+class Above:
+    """Whether an image is above a level (steps of IN)."""
+
+    value: Value
+    steps: int
+
+
+@dataclass(frozen=True)
+class Inverse:
+    """`not`."""
+
+    condition: Condition
+
+
+@dataclass(frozen=True)
+class Joined:
+    """`and`, `or` or `xor` of two conditions."""
+
+    op: Literal["and", "or", "xor"]
+    left: Condition
+    right: Condition
+
+
+@dataclass(frozen=True)
+class Near:
+    """Whether any, or all, of a pixel's neighbours under a kernel have a 1; bits beyond the array
+    are the program's `outside`."""
+
+    kind: Literal["any", "all"]
+    condition: Condition
+    kernel: str
+
+
+@dataclass(frozen=True)
+class At:
+    """The bit of the pixel that lies so many columns to the right and rows down."""
+
+    condition: Condition
+    right: int
+    down: int
+
+
+Value = Source | Sum | Filtered | Absolute | Chosen
+Condition = Bit | Constant | Above | Inverse | Joined | Near | At
+Node = Value | Condition
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An image or a plane under its name."""
+
+    name: str
+    node: Node
+
+    @property
+    def is_plane(self) -> bool:
+        """Whether it is a bit a pixel."""
+        return isinstance(self.node, Condition)
+
+
+@dataclass(frozen=True)
+class Report:
+    """What the host is told of a plane: whether `any` bit is 1, the coordinates of `events` (at
+    most `most`), or the `box` around them."""
+
+    kind: Literal["any", "events", "box"]
+    plane: str
+    most: int = 0
+
+
+@dataclass(frozen=True)
+class TailLaunch:
+    """Kernel number `kernel` of the pictures runs, with IN at `level` steps; None: IN is not
+    read."""
+
+    kernel: int
+    level: int | None
+
+
+@dataclass(frozen=True)
+class PictureCost:
+    """What an image or a plane takes: its `words`, those that others share with the first;
+    `peak_gain`, its largest value as a multiple of the largest exposure; `noise_gain`, the standard
+    deviation of its error where each word has an error of standard deviation 1."""
+
+    name: str
+    words: int
+    peak_gain: float
+    noise_gain: float
+
+
+@dataclass(frozen=True)
+class Pictures:
+    """Everything that follows the last slot: what is computed, and after lowering the words.
+
+    `items` are in the order in which they are evaluated. `outside` is the bit beyond the array,
+    None where no neighbour's bit is read. `limits_e` are the exposures that are assumed, by bucket.
+    `reads` are the images, planes and buckets that come with the frame. `kernels` run as `launches`
+    say, after all words of the exposure; `registers` then hold what is read or reported.
+    """
+
+    weights: tuple[Weights, ...]
+    items: tuple[Picture, ...]
+    outside: int | None
+    limits_e: Mapping[str, float]
+    reads: tuple[str, ...]
+    reports: tuple[Report, ...]
+    kernels: tuple[tuple[Word, ...], ...] = ()
+    launches: tuple[TailLaunch, ...] = ()
+    registers: Mapping[str, str] = field(default_factory=dict)
+    costs: tuple[PictureCost, ...] = ()
+
+    @property
+    def weights_by_name(self) -> dict[str, Weights]:
+        """The kernels of the text."""
+        return {kernel.name: kernel for kernel in self.weights}
+
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """The names of what leaves the chip, each once."""
+        return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
+
+    @property
+    def words(self) -> int:
+        """Words executed after the last slot."""
+        return sum(len(self.kernels[each.kernel]) for each in self.launches)
+
+
+_NODES = {
+    cls.__name__: cls
+    for cls in (
+        Source, Sum, Filtered, Absolute, Chosen, Bit, Constant, Above, Inverse, Joined, Near, At
+    )
+}  # fmt: skip
+
+
+def operands(node: Node) -> tuple[Node, ...]:
+    """The direct parts of a node."""
+    match node:
+        case Sum():
+            return tuple(value for _, value in node.terms)
+        case Filtered() | Absolute() | Above():
+            return (node.value,)
+        case Chosen():
+            return (node.condition, node.then, node.otherwise)
+        case Inverse() | Near() | At():
+            return (node.condition,)
+        case Joined():
+            return (node.left, node.right)
+    return ()
+
+
+def every(node: Node) -> Iterator[Node]:
+    """A node and all its parts."""
+    yield node
+    for part in operands(node):
+        yield from every(part)
+
+
+def to_plain(node: Node) -> list[Any]:
+    """A node as lists, texts and numbers; fractions are [numerator, denominator]."""
+    if isinstance(node, Sum):
+        parts = [[f.numerator, f.denominator, to_plain(value)] for f, value in node.terms]
+        return ["Sum", *parts]
+    values = (getattr(node, each.name) for each in fields(node))
+    return [type(node).__name__, *(to_plain(v) if isinstance(v, Node) else v for v in values)]
+
+
+def from_plain(plain: Any) -> Node:
+    """The node of `to_plain`'s lists; ValueError where they are none."""
+    try:
+        name, *values = plain
+        if name == "Sum":
+            terms: Any = tuple((Fraction(n, d), from_plain(value)) for n, d, value in values)
+            return Sum(terms)
+        parts: list[Any] = [from_plain(v) if isinstance(v, list) else v for v in values]
+        make: Any = _NODES[name]
+        node: Node = make(*parts)
+    except (TypeError, KeyError, ValueError, ZeroDivisionError) as error:
+        raise ValueError("an expression of its pictures is malformed") from error
+    return node

@@ -1,0 +1,121 @@
+"""Images and planes in a container's file: what its header says, and whether it is sound."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64decode, b64encode
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from nscc.words.pictures import (
+    Filtered,
+    Near,
+    Picture,
+    PictureCost,
+    Pictures,
+    Report,
+    TailLaunch,
+    Weights,
+    every,
+    from_plain,
+    to_plain,
+)
+
+if TYPE_CHECKING:
+    from nscc.words.container import Container
+
+_WIDTH = 96
+
+
+def header_of(pictures: Pictures) -> dict[str, Any]:
+    """What the header says of images and planes: JSON values."""
+    return {
+        "kernels": [[k.name, [list(row) for row in k.rows], k.divisor] for k in pictures.weights],
+        "items": [[item.name, to_plain(item.node)] for item in pictures.items],
+        "outside": pictures.outside,
+        "limits_e": dict(pictures.limits_e),
+        "reads": list(pictures.reads),
+        "reports": [[r.kind, r.plane, r.most] for r in pictures.reports],
+        "words": [[list(word) for word in kernel] for kernel in pictures.kernels],
+        "launches": [[launch.kernel, launch.level] for launch in pictures.launches],
+        "registers": dict(pictures.registers),
+        "costs": [[c.name, c.words, c.peak_gain, c.noise_gain] for c in pictures.costs],
+    }
+
+
+def pictures_from(header: Any) -> Pictures:
+    """The images and planes of `header_of`'s values; ValueError where they are none."""
+    try:
+        return Pictures(
+            tuple(
+                Weights(name, tuple(tuple(map(int, row)) for row in rows), int(divisor))
+                for name, rows, divisor in header["kernels"]
+            ),
+            tuple(Picture(str(name), from_plain(node)) for name, node in header["items"]),
+            header["outside"],
+            {str(name): float(limit) for name, limit in header["limits_e"].items()},
+            tuple(map(str, header["reads"])),
+            tuple(Report(kind, str(plane), int(most)) for kind, plane, most in header["reports"]),
+            tuple(tuple((a, b, c, d, e) for a, b, c, d, e in kernel) for kernel in header["words"]),
+            tuple(TailLaunch(kernel, level) for kernel, level in header["launches"]),
+            {str(name): str(register) for name, register in header["registers"].items()},
+            tuple(
+                PictureCost(str(name), int(words), float(peak), float(noise))
+                for name, words, peak, noise in header["costs"]
+            ),
+        )
+    except (TypeError, KeyError, AttributeError) as error:
+        raise ValueError("the header's pictures are malformed") from error
+
+
+def to_text(pictures: Pictures) -> Iterator[str]:
+    """The lines that `.pictures` has in assembly text: base64 of the header."""
+    data = json.dumps(header_of(pictures), sort_keys=True, separators=(",", ":")).encode("ascii")
+    text = b64encode(data).decode("ascii")
+    for start in range(0, len(text), _WIDTH):
+        yield text[start : start + _WIDTH]
+
+
+def from_text(text: str) -> Pictures | None:
+    """The images and planes of `to_text`'s lines; None where they are none."""
+    try:
+        return pictures_from(json.loads(b64decode(text, validate=True)))
+    except (ValueError, RecursionError):
+        return None
+
+
+def faults(container: Container) -> Iterator[str]:
+    """What is wrong with a container's images and planes, each as part of a sentence."""
+    pictures = container.pictures
+    if pictures is None:
+        return
+    known: set[str] = {*container.buckets}
+    weights = {kernel.name for kernel in pictures.weights}
+    for item in pictures.items:
+        for node in every(item.node):
+            name = getattr(node, "name", None)
+            if name is not None and name not in known:
+                yield f"`{item.name[:40]!a}` reads what is not computed before it"
+                return
+            if isinstance(node, Filtered | Near) and node.kernel not in weights:
+                yield f"`{item.name[:40]!a}` names a kernel that does not exist"
+                return
+        known.add(item.name)
+    if pictures.outside not in (None, 0, 1) or pictures.limits_e.keys() != {*container.buckets}:
+        yield "its pictures are malformed"
+    if not known.issuperset(pictures.wanted) or not pictures.wanted:
+        yield "its pictures do not say what leaves the chip"
+    for kernel in pictures.kernels:
+        if not all(type(x) is int and 0 <= x < 1 << 32 for word in kernel for x in word):
+            yield "a word of its pictures is not five 32-bit integers"
+            return
+    for launch in pictures.launches:
+        level = launch.level
+        if launch.kernel not in range(len(pictures.kernels)) or not (
+            level is None or type(level) is int
+        ):
+            yield "a launch of its pictures is malformed"
+            return
+    registers = {*container.target.analog_registers, *container.target.digital_registers}
+    if not registers.issuperset(pictures.registers.values()):
+        yield f"its pictures are in registers that {container.target.name} does not have"

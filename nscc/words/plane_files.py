@@ -1,0 +1,125 @@
+"""Bit planes from files, and the pixel codes of hand-written programs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from hashlib import sha256
+from io import BytesIO
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.diagnostics.suggest import meant
+from nscc.files import reads
+from nscc.npy import npy_header, npy_values
+from nscc.words.draft import Faults, PlaneDraft, shown
+
+_LARGEST_FILE = 1 << 28
+
+
+class _BadPlaneError(Exception):
+    """A plane's file is invalid, for a reason in words."""
+
+
+def read_planes(
+    drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
+) -> dict[str, NDArray[np.bool_]]:
+    """The planes bool (rows, cols) by register, in the order of the target's registers. Reports
+    NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
+    planes: dict[str, NDArray[np.bool_]] = {}
+    for draft in drafts:
+        register = draft.register.text
+        if register not in target.digital_registers:
+            message = f"{target.name} has no digital register {shown(register)}"
+            helps = meant(register, target.digital_registers)
+            faults.add("NS0712", message, draft.register.span, helps=helps)
+        elif register in planes:
+            faults.add("NS0719", f"{register} has two planes", draft.register.span)
+        try:
+            stated_sha256 = draft.sha256.text if draft.sha256 else None
+            shape = (target.rows, target.cols)
+            planes[register] = _plane(base / draft.file.text, register, shape, stated_sha256)
+        except _BadPlaneError as error:
+            message = f"the plane file {shown(draft.file.text)} cannot be used: {error}"
+            faults.add("NS0716", message, draft.file.span)
+    return {name: planes[name] for name in target.digital_registers if name in planes}
+
+
+def codes_of_planes(
+    planes: Mapping[str, NDArray[np.bool_]], target: Target
+) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
+    """The distinct register contents of pixels, bool (codes, registers), and the row of each pixel.
+    Without planes there is one code with all registers 0, and no pixel data."""
+    if not planes:
+        return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
+    pattern = np.zeros((target.rows, target.cols), dtype=np.int64)
+    for bit, plane in enumerate(planes.values()):
+        pattern |= plane.astype(np.int64) << bit
+    distinct, codes = np.unique(pattern, return_inverse=True)
+    encoding = np.zeros((len(distinct), len(target.digital_registers)), dtype=np.bool_)
+    for bit, register in enumerate(planes):
+        encoding[:, target.digital_registers.index(register)] = distinct >> bit & 1
+    return encoding, codes.reshape(pattern.shape).astype(np.int32)
+
+
+def _plane(
+    path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None
+) -> NDArray[np.bool_]:
+    try:
+        if not path.is_file():
+            raise _BadPlaneError("it is not a file" if path.exists() else "it does not exist")
+        reads(path)
+        with open(path, "rb") as file:
+            data = file.read(_LARGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "invalid path"
+        raise _BadPlaneError(reason) from None
+    if len(data) > _LARGEST_FILE:
+        raise _BadPlaneError(f"it has more than {_LARGEST_FILE} bytes")
+    actual_sha256 = sha256(data).hexdigest()
+    if stated_sha256 is not None and stated_sha256.lower() != actual_sha256:
+        raise _BadPlaneError(f"its SHA-256 is {actual_sha256}, not {stated_sha256[:64]!a}")
+    values = _values(data, register, shape)
+    if not np.isin(values, (0, 1)).all():
+        raise _BadPlaneError("it contains values other than 0 and 1")
+    return values.astype(np.bool_)
+
+
+def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
+    if data.startswith(b"\x93NUMPY"):
+        return _array(BytesIO(data), shape)
+    from zipfile import BadZipFile, ZipFile
+    from zlib import error as DeflateError  # noqa: N812 (a class with a small name)
+
+    try:
+        with ZipFile(BytesIO(data)) as archive:
+            members = [name for name in archive.namelist() if name.endswith(".npy")]
+            named = f"{register}.npy"
+            if named not in members and len(members) != 1:
+                count = len(members)
+                raise _BadPlaneError(f"it has {count} arrays, and none has the name {register}")
+            with archive.open(named if named in members else members[0]) as member:
+                return _array(member, shape)
+    except (
+        BadZipFile, DeflateError, EOFError, OSError, ValueError, RuntimeError, NotImplementedError,
+    ):  # fmt: skip
+        raise _BadPlaneError("it is neither an .npy nor an .npz file, or is damaged") from None
+
+
+def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
+    """Read the array of an .npy stream after checking its size."""
+    try:
+        _, stored_shape, fortran, dtype = npy_header(file)
+    except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
+        raise _BadPlaneError("its .npy header is damaged") from None
+    if tuple(stored_shape) != shape:
+        raise _BadPlaneError(f"its shape is {stored_shape}, but the array has {shape}")
+    if dtype.kind not in "biuf":
+        raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
+    values = npy_values(file, shape, fortran, dtype)
+    if values is None:
+        raise _BadPlaneError("its data is incomplete, or too long")
+    return values

@@ -1,0 +1,244 @@
+"""The whole array while the words after an exposure run: registers shifted from pixel to pixel.
+
+The words of one pixel are those of `nscc_runtime.reference.words`. Here NEWS of a neighbour is read
+and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0, and
+`tainted` says which registers of which pixels depend on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.words.cost import word_us
+from nscc_runtime.noise import key, normals
+from nscc_runtime.reference.digital import Digital
+from nscc_runtime.reference.trace import RunningWord, retention_us
+from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import Bits, Values, WordPixels
+
+RANGE_BIT = 32
+"""In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
+_DRAWS = 2
+"""The source, in the keys, of what is drawn for words after an exposure."""
+
+
+@dataclass(eq=False, kw_only=True)
+class ArrayPixels(WordPixels):
+    """All pixels of an array, `shape` its rows and columns; other arrays are (pixels,).
+
+    `exposed` and `exposed_by` are what registers hold of an exposure, and the bits of what cut it
+    off; `code` is what digital registers hold. `cut_by` and `tainted` have by register what cut a
+    value off, and where it depends on what is beyond the array.
+    """
+
+    shape: tuple[int, int]
+    exposed: Mapping[str, Values]
+    exposed_by: Mapping[str, NDArray[np.uint8]]
+    code: Mapping[str, Bits]
+    cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
+    tainted: dict[str, Bits] = field(init=False)
+
+    def __post_init__(self) -> None:
+        # Registers without an exposure hold whatever it has left: the same in all of them.
+        arbitrary = self.arbitrary(0)
+        self.begin()
+        left = arbitrary * (self.sensor.register_max_e / 2)
+        self.register = {**dict.fromkeys(self.target.analog_registers, left), **self.exposed}
+        registers = (*self.target.digital_registers, "FLAG")
+        bits = {**dict.fromkeys(registers, arbitrary < 0.5), **self.code}
+        self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
+        self.number, self.after_us, self.in_e = 0, 0.0, 0.0
+        self._rooms: list[Values] = []
+        self._own: set[int] = set()
+        pixels = len(self.places)
+        self._uncut, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
+        cut = {name: by for name, by in self.exposed_by.items() if by.any()}
+        self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
+        self.tainted = dict.fromkeys((*self.register, *self.digital.bits, "IN"), untainted)
+
+    def draw(self, name: str, number: int) -> Values:
+        effect = next(each for each in self.effects.effects if each.name == name)
+        return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
+
+    def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
+        """Words in their order, each with the steps of IN."""
+        for op, level in words:
+            if level is not None:
+                self.in_e = level * self.target.electrons_per_step
+            self.after_us += word_us(op, self.target)
+            word = RunningWord(self.number, self.container.slots, self.after_us, op, self.in_e)
+            self.number += op.analog
+            self._run(word)
+
+    # --- words
+
+    def _run(self, word: RunningWord) -> None:
+        op, digital = word.op, self.digital
+        match op.operation.effect:
+            case Effect.BUS:
+                self._bus_on_array(word)
+            case Effect.FLAG_ANALOG:
+                total = self.total(word)
+                for seen in self.at("compare"):
+                    total = seen(self, total, word)
+                found = total > 0
+                if self.target.where_obeys_flag:
+                    found &= digital.read("FLAG") == 1
+                self.tainted["FLAG"] = self._taint(op)
+                digital.write("FLAG", found)
+            case Effect.DIGITAL_NEIGHBOURS:
+                self._near(op)
+            case Effect.FLAG_DIGITAL | Effect.FLAG_ALL:
+                self.tainted["FLAG"] = self._taint(op)
+                digital.run(op)
+            case _:
+                self._taint_bits(op)
+                digital.run(op)
+
+    def _taint(self, op: Op) -> Bits:
+        """Where any source of a word depends on what is beyond the array."""
+        found = np.zeros(len(self.places), np.bool_)
+        for name in op.sources:
+            if name in NEIGHBOURS:
+                found = found | self.moved(self.tainted["NEWS"], *STEPS[name], beyond=True)
+            else:
+                found = found | self.tainted[name]
+        return found
+
+    def _taint_bits(self, op: Op) -> None:
+        if op.operation.phase is not Phase.WRITE:
+            self.tainted["bus"] = self._taint(op)
+        if op.operation.phase is Phase.READ:
+            return
+        for name in op.destinations:
+            found = self.tainted["bus"]
+            if name == self.target.masked_register:
+                found = found | self.tainted[name]
+            self.tainted[name] = found
+
+    def _room(self) -> Values:
+        """An array of ours that nothing holds: new ones cost more than what is computed in them."""
+        if self._rooms:
+            return self._rooms.pop()
+        found = np.empty(len(self.places))
+        self._own.add(id(found))
+        return found
+
+    def _leave(self, values: Values) -> None:
+        """Takes an array of ours back."""
+        if id(values) in self._own:
+            self._rooms.append(values)
+
+    def total(self, word: RunningWord) -> Values:
+        found = self._room()
+        found[:] = 0.0
+        for name in word.op.sources:
+            if name in NEIGHBOURS:
+                (right, down), news = STEPS[name], self.register["NEWS"].reshape(self.shape)
+                rows, cols = self.shape
+                here = _overlap(rows, -down), _overlap(cols, -right)
+                found.reshape(self.shape)[here] += news[_overlap(rows, down), _overlap(cols, right)]
+            else:
+                found += word.in_e if name == "IN" else self.register[name]
+        return found
+
+    def _bus_on_array(self, word: RunningWord) -> None:
+        result = self.total(word)
+        result /= -word.op.operation.divisor
+        cut, taint = self._cut(word.op), self._taint(word.op)
+        for index, name in enumerate(word.op.destinations):
+            value = self._written(result, word, index, name)
+            by = self._with_range(cut, value)
+            for bends in self.at("registers"):
+                value = bends(self, value)
+            if index > 0 and value is result:
+                value = self._room()
+                value[:] = result
+            self._store(name, value, by, taint)
+
+    def _cut(self, op: Op) -> NDArray[np.uint8]:
+        """What cut any source of a word off."""
+        found = self._uncut
+        for name in op.sources:
+            by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
+            if by is not self._uncut:
+                if name in NEIGHBOURS:
+                    by = self.moved(by, *STEPS[name], beyond=np.uint8(0))
+                found = found | by
+        return found
+
+    def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
+        """The marks of a value, with that of one beyond the registers' range."""
+        high, low = self.target.register_max_e, self.target.register_min_e
+        if value.max() <= high and value.min() >= low:
+            return cut
+        over = (value > high) | (value < low)
+        return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
+
+    def _store(self, name: str, value: Values, by: NDArray[np.uint8], tainted: Bits) -> None:
+        """A register takes a value with its marks, where FLAG is 1."""
+        if name in NEIGHBOURS:
+            right, down = STEPS[name]
+            moved = self.moved(value, -right, -down, beyond=0.0, into=self._room())
+            self._leave(value)
+            value = moved
+            if by is not self._uncut:
+                by = self.moved(by, -right, -down, beyond=np.uint8(0))
+            tainted = self.moved(tainted, -right, -down, beyond=True)
+            name = "NEWS"
+        here, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
+        old = self.register[name]
+        if not here.all() or doubt.any():
+            np.copyto(value, old, where=~here)
+            if by is not self._uncut or self.cut_by[name] is not self._uncut:
+                by = np.where(here, by, self.cut_by[name])
+            tainted = np.where(here, tainted, self.tainted[name]) | doubt
+        self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
+        self._leave(old)
+
+    def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
+        """What a word writes of its exact result."""
+        register = "NEWS" if name in NEIGHBOURS else name
+        for written in self.at("words"):
+            sign = error_sign(register, self.container)
+            result = written(self, result, word, index, sign)
+        return result
+
+    def _near(self, op: Op) -> None:
+        """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
+        source, outside, digital = op.sources[0], op.operation.inverted, self.digital
+        found = np.zeros(len(self.places), np.bool_)
+        tainted = np.zeros(len(self.places), np.bool_)
+        bits = digital.read(source) == 1
+        for name, (right, down) in STEERING.items():
+            chosen = digital.read(name) == 1
+            if chosen.any():
+                found |= chosen & self.moved(bits, right, down, beyond=outside)
+                far = self.moved(self.tainted[source], right, down, beyond=False)
+                tainted |= chosen & far
+            tainted |= self.tainted[name]
+        digital.write(op.destinations[0], found)
+        self.tainted[op.destinations[0]] = tainted
+
+    def moved(
+        self, values: NDArray[Any], right: int, down: int, *, beyond: Any,
+        into: NDArray[Any] | None = None,
+    ) -> NDArray[Any]:  # fmt: skip
+        """What the pixels so far to the right and down hold."""
+        rows, cols = self.shape
+        found = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
+        found[:] = beyond
+        there, here = _overlap(cols, right), _overlap(cols, -right)
+        found[_overlap(rows, -down), here] = values.reshape(self.shape)[_overlap(rows, down), there]
+        return found.reshape(-1)
+
+
+def _overlap(size: int, step: int) -> slice:
+    """Those of so many places that lie on the array a step before, as well."""
+    return slice(max(0, step), size + min(0, step))

@@ -1,0 +1,85 @@
+"""Random programs of version 3: every image and plane is what SciPy makes of the text."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from marks import slow
+from neighbours_oracle import Program, random_program
+
+from nscc.chips.load import builtin_target
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
+from nscc.words.container import Container
+from nscc.words.file import from_bytes, to_bytes
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.neighbours.frames import PicturedProgram
+from nscc_runtime.sensor import default_sensor
+
+PROGRAMS, CHUNKS = 1000, 20
+ROWS, COLS = 40, 36
+ALLOWED = {"NS0535", "NS0540", "NS0541"}
+"""What such a program may be refused for: it is too large for the chip."""
+MOST_REFUSED = 0.25
+
+
+def compiled(text: str, level: int) -> Container | None:
+    """The proved container for a small array; None where the program is refused for good."""
+    target = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
+    try:
+        made = run_passes(
+            Source("random.nsl", text), Path(), Options(level=level, target=target, cache=False)
+        )
+    except Rejected as rejected:
+        if {d.code for d in rejected.diagnostics if d.severity.value == "error"} <= ALLOWED:
+            return None
+        raise
+    assert made.container is not None
+    return made.container
+
+
+def agree(program: Program, container: Container, seed: int) -> None:
+    """The emulator's frame of random light is what the oracle says."""
+    rng = np.random.default_rng(seed)
+    light = (rng.integers(0, 1 << 20, (2, ROWS, COLS)) / 128).astype(np.float32)
+    sensor = default_sensor(container.target)
+    runner = PicturedProgram(container, sensor, selected("none"), threads=1)
+    (frame,) = runner.frames(Light.of_clip(light), 0, seed, 1)
+    slots = light.astype(np.float64)
+    exposures = {"exposure": slots.sum(axis=0), "early": slots[0], "late": slots[1]}
+    known = program.evaluate(exposures)
+    margin = frame.told["margin"]
+    assert not margin[ROWS // 2, COLS // 2]
+    for name in program.reads:
+        value = known[name]
+        key = f"image_{name}" if f"image_{name}" in frame.told else f"plane_{name}"
+        sure = ~margin & ~value.unknown
+        assert sure[10:-10, 10:-10].mean() > 0.9
+        np.testing.assert_allclose(
+            frame.told[key][sure].astype(float), value.values[sure].astype(float), atol=1e-6
+        )
+    if program.reported is not None:
+        bits = known[program.reported]
+        found = frame.told[f"report_events_{program.reported}"]
+        for x, y in found[found[:, 0] >= 0]:
+            assert bits.values[y, x] or bits.unknown[y, x] or margin[y, x]
+
+
+@pytest.mark.parametrize("chunk", [slow(c) if c >= 4 else c for c in range(CHUNKS)])
+def test_words_compute_what_the_text_says(chunk: int) -> None:
+    size = PROGRAMS // CHUNKS
+    refused = 0
+    for seed in range(chunk * size, (chunk + 1) * size):
+        program = random_program(seed)
+        container = compiled(program.text, level=1)
+        if container is None:
+            refused += 1
+            continue
+        assert to_bytes(from_bytes(to_bytes(container), "random.icw")) == to_bytes(container)
+        agree(program, container, seed)
+    assert refused <= MOST_REFUSED * size

@@ -1,0 +1,173 @@
+"""The statements of version 3: what they mean, what is refused, and what stays a name before it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.pipeline import Options, run_passes
+from nscc.program.program import Program
+from nscc.source import Source
+from nscc.syntax.format import format_source
+from nscc.syntax.parse import parse
+from nscc.words.pictures import Above, At, Inverse, Joined, from_plain, to_plain
+
+HEAD = "nsl 3 frame 4 slots of 1ms "
+ONE = HEAD + "open when true "
+TWO = HEAD + "bucket a open when n < 2 bucket b open when n > 1 "
+KERNEL = "kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] / 8 "
+
+
+def program(text: str) -> Program:
+    return run_passes(Source("p.nsl", text), Path(), Options(level=0, cache=False)).program
+
+
+def refused(text: str) -> list[str]:
+    with pytest.raises(Rejected) as caught:
+        program(text)
+    return [diagnostic.code for diagnostic in caught.value.diagnostics]
+
+
+@pytest.mark.parametrize("version", [1, 2])
+def test_words_of_version_3_are_names_before_it(version: int) -> None:
+    names = ("kernel", "image", "plane", "outside", "report", "assume")
+    lets = " ".join(f"let {name} = {number}" for number, name in enumerate(names))
+    text = f"nsl {version} frame 4 slots of 1ms {lets} open when n < {' + '.join(names)}"
+    assert parse(Source("p.nsl", text))[1] == ()
+
+
+@pytest.mark.parametrize("version", [1, 2])
+@pytest.mark.parametrize(
+    "statement",
+    ["image i = exposure", "plane p = x > 6%", "outside 0", "report any p", "kernel k = [[1]]"],
+)
+def test_statements_of_version_3_are_refused_before_it(version: int, statement: str) -> None:
+    text = f"nsl {version} frame 4 slots of 1ms open when true\n{statement}"
+    found = [diagnostic.code for diagnostic in parse(Source("p.nsl", text))[1]]
+    assert found[:1] == ["NS0109"]
+
+
+@pytest.mark.parametrize(
+    ("text", "codes"),
+    [
+        (ONE + "kernel k = [[1, 2]] image i = k(exposure) read i", ["NS0530"]),
+        (ONE + "kernel k = [[1], [1, 2], [1]] image i = exposure / 2 read i", ["NS0530"]),
+        (ONE + "kernel k = [[0]] image i = exposure / 2 read i", ["NS0530"]),
+        (ONE + f"kernel k = {[[1] * 11]} image i = exposure / 2 read i", ["NS0530"]),
+        (ONE + "kernel k = [[1]] / 3 image i = exposure / 2 read i", ["NS0532"]),
+        (ONE + "image i = exposure / 6 read i", ["NS0532"]),
+        (ONE + "image i = exposure / 0 read i", ["NS0532"]),
+        (ONE + "image i = exposure * exposure read i", ["NS0531"]),
+        (ONE + "image i = exposure + 3 read i", ["NS0531"]),
+        (ONE + "image i = exposure * (6%) read i", ["NS0531"]),
+        (ONE + "image i = later image later = exposure / 2 read i", ["NS0531"]),
+        (ONE + "plane p = exposure > 6% image i = p read i", ["NS0531"]),
+        (ONE + "image i = exposure / 2 plane p = i read p", ["NS0531"]),
+        (ONE + KERNEL + "image i = any(exposure > 6%, k) read i", ["NS0531"]),
+        (ONE + KERNEL + "plane p = k(exposure) read p", ["NS0531"]),
+        (ONE + "image i = abs(exposure, exposure) read i", ["NS0531"]),
+        (ONE + "image i = blur(exposure) read i", ["NS0214"]),
+        (TWO + "image i = exposure read i", ["NS0323"]),
+        (ONE + "plane p = exposure == 6% read p", ["NS0533"]),
+        (ONE + "plane p = exposure > 6 read p", ["NS0533"]),
+        (ONE + "plane p = exposure > 130% read p", ["NS0533"]),
+        (ONE + "plane p = 3% > 6% read p", ["NS0533"]),
+        (ONE + KERNEL + "plane p = any(exposure > 6%, k) read p", ["NS0534"]),
+        (ONE + "plane p = exposure > 6% plane q = p[1, 0] read q", ["NS0534"]),
+        (ONE + "outside 2 image i = exposure / 2 read i", ["NS0534"]),
+        (ONE + "image i = exposure / 2", ["NS0536"]),
+        (ONE + "plane p = exposure > 6% report events p", ["NS0536"]),
+        (ONE + "plane p = exposure > 6% report any p at most 3", ["NS0536"]),
+        (ONE + "plane p = exposure > 6% report events p at most 5000", ["NS0536"]),
+        (ONE + "plane p = exposure > 6% report some p", ["NS0536"]),
+        (ONE + "image i = exposure / 2 report any i", ["NS0536"]),
+        (ONE + "image i = exposure / 2 read j", ["NS0214"]),
+        (ONE + "assume exposure < 6% image i = exposure / 2 read i", ["NS0537"]),
+        (ONE + "assume exposure <= 120% image i = exposure / 2 read i", ["NS0537"]),
+        (ONE + KERNEL + "image i = max(exposure, k) read i", ["NS0539"]),
+        (ONE + KERNEL + "plane p = exposure > 6% image i = agree(p, k) read i", ["NS0539"]),
+        (ONE + "image i = exposure * 2 read i", ["NS0540"]),
+        (ONE + "outside 0 plane p = exposure > 6% plane q = p[0, 65] read q", ["NS0541"]),
+        (ONE + "image i = exposure / 2 image i = exposure read i", ["NS0201"]),
+        (TWO + "image a = b / 2 read a", ["NS0201"]),
+        (ONE + "outside 0 outside 1 image i = exposure / 2 read i", ["NS0205"]),
+    ],
+)  # fmt: skip
+def test_what_is_refused(text: str, codes: list[str]) -> None:
+    assert refused(text) == codes
+
+
+def test_images_beside_senses_are_refused() -> None:
+    text = (
+        ONE.replace("open when true", "open when not full")
+        + "sense full when light > 45% at n in [2] image i = exposure / 2 read i"
+    )
+    assert refused(text) == ["NS0539"]
+
+
+def test_a_chip_that_sees_no_neighbours_is_refused() -> None:
+    text = (
+        "nsl 3 target dual-tap frame 4 slots of 20ms bucket a open when n < 2 "
+        "bucket b open when n > 1 image i = a - b read i"
+    )
+    assert refused(text) == ["NS0538"]
+
+
+def test_too_large_values_have_ways_out_that_compile() -> None:
+    kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
+    with pytest.raises(Rejected) as caught:
+        program(ONE + kernel)
+    (found,) = caught.value.diagnostics
+    assert found.code == "NS0540"
+    assert "by 4" in found.helps[0]
+    assert "assume exposure <= 25%" in found.helps[1]
+    program(ONE + "assume exposure <= 25% " + kernel)
+    program(ONE + kernel.replace("]] image", "]] / 4 image"))
+
+
+def test_a_kernel_from_a_file(tmp_path: Path) -> None:
+    np.savez(tmp_path / "k.npz", k=np.array([[0, 1, 0], [1, -4, 1], [0, 1, 0]]))
+    text = ONE + 'assume exposure <= 20% kernel k from "k.npz" image i = k(exposure) read i'
+    made = run_passes(Source("p.nsl", text), tmp_path, Options(level=0, cache=False)).program
+    assert made.pictures is not None
+    assert made.pictures.weights[0].rows == ((0, 1, 0), (1, -4, 1), (0, 1, 0))
+
+
+def test_comparisons_are_nodes() -> None:
+    text = ONE + "outside 0 plane p = -4% < exposure < 40% plane q = p[-1, 2] read q"
+    pictures = program(text).pictures
+    assert pictures is not None
+    first, second = (item.node for item in pictures.items)
+    assert isinstance(first, Joined)
+    assert isinstance(first.left, Above)
+    assert isinstance(first.right, Inverse)
+    assert isinstance(second, At)
+    assert (second.right, second.down) == (-1, 2)
+
+
+def test_nodes_in_files_are_the_same() -> None:
+    text = (
+        TWO + KERNEL + "outside 1 plane p = a > b and not all(b > 2%, k) "
+        "image i = abs(k(a) - 3 * b / 4) / 4 if p else -(b / 2) read i"
+    )
+    pictures = program(text).pictures
+    assert pictures is not None
+    for item in pictures.items:
+        assert from_plain(to_plain(item.node)) == item.node
+    with pytest.raises(ValueError, match="malformed"):
+        from_plain(["Sum", [1, 0, ["Source", "a"]]])
+
+
+def test_the_style_of_images() -> None:
+    text = (
+        "nsl 3\nkernel  k=[[1,0,-1]]/2\nimage i=abs ( k( exposure ) )-exposure*2/4\n"
+        "plane p=i>-4%  and i[ 1,-1 ]\n"
+    )
+    formatted = format_source(Source("p.nsl", text))
+    assert formatted == (
+        "nsl 3\nkernel k = [[1, 0, -1]] / 2\nimage i = abs(k(exposure)) - exposure * 2 / 4\n"
+        "plane p = i > -4% and i[1, -1]\n"
+    )

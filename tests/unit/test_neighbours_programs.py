@@ -1,0 +1,127 @@
+"""Programs of one input: what they compute, how short they are, and what their errors add up to."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from scipy.ndimage import correlate
+
+from nscc.neighbours.programs import (
+    TURNS,
+    UNIT,
+    Program,
+    exact_taps,
+    kernel_of,
+    program_from_text,
+    turned,
+    turned_taps,
+)
+from nscc.neighbours.synthesis import Synthesis, accumulated, noise_gain
+from nscc.neighbours.table import ROWS
+from nscc.operations import NEIGHBOURS
+
+Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
+_FETCH = {"XN": (1, 0), "XE": (0, -1), "XS": (-1, 0), "XW": (0, 1)}
+"""How an array rolls so that each pixel has what its neighbour had."""
+
+
+def run_on_array(program: Program, image: Array) -> Array:
+    """The program on an array whose ends meet; written anew for this test."""
+    held = {"x": image}
+    result = image
+    for word in program:
+        total = np.zeros_like(image)
+        for name in word.sources:
+            rolled = (
+                np.roll(held["NEWS"], _FETCH[name], (0, 1)) if name in NEIGHBOURS else held[name]
+            )
+            total = total + rolled
+        result = -total / len(word.destinations)
+        for name in word.destinations:
+            if name in NEIGHBOURS:  # NEWS takes the bus of the opposite neighbour
+                down, right = _FETCH[name]
+                held["NEWS"] = np.roll(result, (-down, -right), (0, 1))
+            else:
+                held[name] = result
+    return held[program[-1].destinations[0]] if program else image
+
+
+def weights_of(rows: list[list[int]], divisor: int = 1) -> dict[tuple[int, int], Fraction]:
+    down, right = len(rows) // 2, len(rows[0]) // 2
+    return {
+        (j - right, i - down): Fraction(w, divisor)
+        for i, row in enumerate(rows)
+        for j, w in enumerate(row)
+        if w
+    }
+
+
+def outer(column: list[int], row: list[int]) -> list[list[int]]:
+    return [[a * b for b in row] for a in column]
+
+
+GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], [0, 1, 2, 1, 0]]
+KERNELS = {
+    "sobel x": (outer([1, 2, 1], [1, 0, -1]), 1, 7),
+    "sobel x / 8": (outer([1, 2, 1], [1, 0, -1]), 8, 7),
+    "sobel y / 8": (outer([1, 0, -1], [1, 2, 1]), 8, 7),
+    "prewitt x": (outer([1, 1, 1], [1, 0, -1]), 1, 7),
+    "laplace 4": ([[0, -1, 0], [-1, 4, -1], [0, -1, 0]], 1, 8),
+    "laplace 8": ([[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]], 1, 13),
+    "gauss 3x3": (outer([1, 2, 1], [1, 2, 1]), 16, 8),
+    "box 3x3": (outer([1] * 3, [1] * 3), 1, 8),
+    "box 5x5": (outer([1] * 5, [1] * 5), 1, 12),
+    "sharpen": ([[0, -1, 0], [-1, 5, -1], [0, -1, 0]], 1, 10),
+    "gauss 5x5": (GAUSS_5, 64, 22),
+}
+"""Kernel, divisor, and the most words that it may take."""
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_a_kernel_takes_few_words(name: str) -> None:
+    rows, divisor, most = KERNELS[name]
+    taps = exact_taps(weights_of(rows, divisor))
+    best = Synthesis(20_000).programs(taps)[0].program
+    assert kernel_of(best) == taps
+    assert len(best) <= most
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_program_does_what_scipy_does(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    rows = rng.integers(-4, 5, [(3, 3), (1, 5), (5, 3), (1, 1), (7, 1)][seed % 5])
+    rows.flat[0] = rng.integers(1, 4)
+    divisor = int(2 ** rng.integers(0, 5))
+    image = rng.integers(0, 1000, (12, 14)).astype(float)
+    expected = correlate(image, rows / divisor, mode="wrap")
+    taps = exact_taps(weights_of(rows.tolist(), divisor))
+    for each in (*(found.program for found in Synthesis(300).programs(taps)), accumulated(taps)):
+        np.testing.assert_allclose(run_on_array(each, image), expected, atol=1e-9)
+
+
+@pytest.mark.parametrize("line", [line for line in ROWS.split("\n") if line])
+def test_a_row_of_the_table_and_its_turns_run(line: str) -> None:
+    program = program_from_text(line)
+    taps = kernel_of(program)
+    image = np.random.default_rng(1).normal(size=(10, 11))
+    for turn in TURNS:
+        turned_program = turned(program, turn)
+        assert kernel_of(turned_program) == turned_taps(taps, turn)
+        expected = np.zeros_like(image)
+        for (x, y), weight in turned_taps(taps, turn).items():
+            expected += weight / UNIT * np.roll(image, (-y, -x), (0, 1))
+        np.testing.assert_allclose(run_on_array(turned_program, image), expected, atol=1e-9)
+
+
+def test_the_search_is_deterministic() -> None:
+    taps = exact_taps(weights_of(GAUSS_5, 64))
+    assert Synthesis(500).programs(taps) == Synthesis(500).programs(taps)
+
+
+def test_the_error_of_a_result_adds_up() -> None:
+    """Two words with an error each: the first one's is halved."""
+    program = program_from_text("an=x b=a")
+    assert noise_gain(program) == pytest.approx(np.sqrt(2))
+    assert noise_gain(program_from_text("a=x bn=a")) == pytest.approx(np.sqrt(1 + 1 / 4))

@@ -1,0 +1,156 @@
+"""The proof of images and planes notices every word that is changed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from marks import slow
+
+from nscc.chips.load import builtin_target
+from nscc.operations import NEIGHBOURS, Op, op
+from nscc.pipeline import Options, run_passes
+from nscc.prove.pictures import pictures_fault
+from nscc.syntax.parse import read_source
+from nscc.words.container import Container
+from nscc.words.encoding import encode, matching
+from nscc.words.legality import picture_fault
+from nscc_runtime.effects import selected
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.neighbours.frames import PicturedProgram
+from nscc_runtime.sensor import default_sensor
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+NAMES = ("edges", "bright_spots", "motion_in_a_frame", "local_contrast")
+SIDE = 20
+MUTATIONS = 50
+"""Of each program, in each of five parts."""
+
+
+@cache
+def container_of(name: str) -> Container:
+    target = replace(builtin_target("scamp5"), rows=SIDE, cols=SIDE)
+    source = read_source(EXAMPLES / f"{name}.nsl")
+    made = run_passes(source, EXAMPLES, Options(level=1, target=target, cache=False)).container
+    assert made is not None
+    return made
+
+
+def with_word(container: Container, kernel: int, index: int, word: Op | None) -> Container:
+    """The container with another word, or without one, in the kernels of its images."""
+    pictures = container.pictures
+    assert pictures is not None
+    kernels = [list(words) for words in pictures.kernels]
+    kernels[kernel][index : index + 1] = [] if word is None else [encode(word)]
+    return replace(container, pictures=replace(pictures, kernels=tuple(map(tuple, kernels))))
+
+
+def mutated(word: Op, rng: np.random.Generator, container: Container) -> Op | None:
+    """Another word that the target takes, with other operands; None takes the word away."""
+    if rng.random() < 0.15:
+        return None
+    analog = [*container.target.analog_registers, *NEIGHBOURS, "IN"]
+    names = analog if word.analog else list(container.target.digital_registers)
+    for _ in range(200):
+        destinations, sources = list(word.destinations), list(word.sources)
+        operands = destinations if destinations and rng.random() < 0.4 else sources
+        if operands and rng.random() < 0.7:
+            operands[rng.integers(len(operands))] = str(rng.choice(names))
+        elif operands:
+            operands.append(str(rng.choice(names)))
+        else:
+            destinations.append(str(rng.choice(names)))
+        name = word.name
+        if rng.random() < 0.1:
+            name = {"bus": "bus2", "bus2": "bus", "OR": "NOR", "NOT": "MOV", "MOV": "NOT",
+                    "DNEWS0": "DNEWS1", "DNEWS1": "DNEWS0", "SET": "CLR", "CLR": "SET"}.get(
+                name, name)  # fmt: skip
+        try:
+            made = op(name, destinations, sources)
+        except ValueError:
+            continue
+        if made != word and picture_fault(made, container.target) is None:
+            return made
+    return None
+
+
+def frame_of(container: Container, seed: int) -> Frame:
+    rng = np.random.default_rng(seed)
+    light = rng.integers(0, 30000, (container.slots, SIDE, SIDE)) / container.slots
+    sensor = default_sensor(container.target)
+    runner = PicturedProgram(container, sensor, selected("none"), threads=1)
+    (frame,) = runner.frames(Light.of_clip(light.astype(np.float32)), 0, seed, 1)
+    return frame
+
+
+def same_frames(first: Container, second: Container) -> bool:
+    """Whether two containers give the same images and planes outside of their margins."""
+    for seed in range(2):
+        a, b = frame_of(first, seed), frame_of(second, seed)
+        inside = ~(a.told["margin"] | b.told["margin"])
+        for key, values in a.told.items():
+            computed = key.startswith(("image_", "plane_")) and "saturated" not in key
+            if computed and not np.allclose(values[inside], b.told[key][inside], atol=1e-6):
+                return False
+            reported = key.startswith("report_") and inside.all()
+            if reported and not np.array_equal(values, b.told[key]):
+                return False
+    return True
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_words_prove(name: str) -> None:
+    assert pictures_fault(container_of(name)) is None
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("part", [0, *(slow(part) for part in range(1, 5))])
+def test_no_changed_word_passes(name: str, part: int) -> None:
+    container = container_of(name)
+    pictures = container.pictures
+    assert pictures is not None
+    rng = np.random.default_rng(44 + part)
+    passed = 0
+    for _ in range(MUTATIONS):
+        kernel = int(rng.integers(len(pictures.kernels)))
+        index = int(rng.integers(len(pictures.kernels[kernel])))
+        word = matching(pictures.kernels[kernel][index])
+        assert word is not None
+        changed = with_word(container, kernel, index, mutated(word, rng, container))
+        if pictures_fault(changed) is None:
+            passed += 1
+            assert same_frames(container, changed), f"{word} in kernel {kernel}, word {index}"
+    assert passed < MUTATIONS // 2  # words that are not needed, such as a second `all`
+
+
+def test_another_level_of_in_does_not_pass() -> None:
+    container = container_of("edges")
+    pictures = container.pictures
+    assert pictures is not None
+    launches = tuple(
+        replace(launch, level=None if launch.level is None else launch.level + 1)
+        for launch in pictures.launches
+    )
+    changed = replace(container, pictures=replace(pictures, launches=launches))
+    assert pictures_fault(changed) == "`edge` is not what the text says"
+
+
+def test_bits_beyond_the_array_are_proved() -> None:
+    """`outside` is part of the meaning: the words for 0 do not prove for 1."""
+    container = container_of("bright_spots")
+    pictures = container.pictures
+    assert pictures is not None
+    changed = replace(container, pictures=replace(pictures, outside=1))
+    assert pictures_fault(changed) == "`core` is not what the text says"
+
+
+def test_code_registers_stay() -> None:
+    container = container_of("bright_spots")
+    assert (
+        pictures_fault(replace(container, code_registers=("R5",)))
+        == "R5 holds code, and is written"
+    )

@@ -1,0 +1,147 @@
+"""The best fixed pattern of stops for stills: a search over the whole space of simple patterns.
+
+A search that goes from code to code by small steps never changes the number of exposure levels.
+Here every pattern of 1 to 8 geometric levels is tried, and merging neighbours, which favours no
+pattern, decides. Pixels of class b do not depend on each other's shutters, so the frame of a
+pattern is put together from frames of the emulator in which all pixels have one stop.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import everything
+from nscc_runtime.light import Light
+from nscc_runtime.response import response_of
+from nscc_runtime.simulate import Request, simulate
+from nscc_training.baselines.hdr import merged
+from nscc_training.design.chip import Chip
+from nscc_training.design.scene import peak_of, stops_tried
+from nscc_training.metrics import mu_psnr, psnr
+
+Values = NDArray[np.float64]
+Levels = NDArray[np.int64]
+Progress = Callable[[Sequence[int]], Iterable[int]]
+
+_HALF_STOPS = (2, 3, 4, 5, 6, 7, 8)
+"""From level to level: factors of 2 to 16."""
+_FINALISTS = 8
+_DB_PER_WORD = 0.005
+"""What a word of the frame costs in the objective: 28 words, those of a 2 x 2 tile, 0.14 dB."""
+_ORDERED = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
+
+
+@dataclass(frozen=True, eq=False)
+class Pattern:
+    """A tile of stops (rows, cols), and what it reaches: mean PSNR over scenes, in dB."""
+
+    name: str
+    stops: Levels
+    linear_db: float = 0.0
+    mu_db: float = 0.0
+
+    @property
+    def mean_db(self) -> float:
+        """The mean of both measures: no pattern is to win by one alone."""
+        return (self.linear_db + self.mu_db) / 2
+
+
+def shapes() -> dict[str, Levels]:
+    """Return the level of every place of a tile, 0 the longest, by the pattern's name."""
+    levels_of_shape = {
+        "uniform": np.array([[0]]),
+        "checkerboard": np.array([[0, 1], [1, 0]]),
+        "L-shaped": np.array([[0, 1], [1, 2]]),
+        "2 x 2": np.array([[0, 1], [2, 3]]),
+        "ordered 4 x 4": _ORDERED // 2,
+    }
+    for levels in (2, 3, 4, 8):
+        places = np.random.default_rng(levels).permutation(64) * levels // 64
+        levels_of_shape[f"stochastic, {levels} levels"] = places.reshape(8, 8)
+    return levels_of_shape
+
+
+def patterns(slots: int) -> list[Pattern]:
+    """Return all that are tried: each shape with each ratio of its levels and longest stop."""
+    stops = np.array(stops_tried(slots))
+    tried = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
+    for name, levels in shapes().items():
+        deepest = int(levels.max())
+        for step in _HALF_STOPS:
+            for longest in range(len(stops) - 1, -1, -1):
+                if deepest and longest >= step * deepest:
+                    tried.append(Pattern(name, stops[longest - step * levels]))
+    return tried
+
+
+def judged(
+    chip: Chip, scenes: Sequence[Values], slots: int, slot_us: float,
+    compiled: Callable[[int], Container], progress: Progress,
+) -> list[Pattern]:  # fmt: skip
+    """Return all patterns with what they reach by merging under every effect, the best first.
+
+    `scenes` are electrons over the frame (rows, cols); `compiled` makes the program in which all
+    pixels have one stop.
+    """
+    tried = patterns(slots)
+    sums = np.zeros((len(tried), 2))
+    for number in progress(range(len(scenes))):
+        light_e = np.asarray(scenes[number], np.float64)
+        peak = peak_of(light_e.reshape(-1), number)
+        frames = _frames(chip, light_e, slots, slot_us, compiled, number)
+        truth = np.clip(light_e / peak, 0, 1)
+        for k, pattern in enumerate(tried):
+            light = np.clip(_merged(chip, frames, pattern, slots) / peak, 0, 1)
+            sums[k] += psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)
+    means = sums / len(scenes)
+    results = [Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(tried, means, strict=True)]
+    return sorted(results, key=lambda pattern: -pattern.mean_db)
+
+
+def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Pattern:
+    """Return the pattern of the largest objective among the best ones: decibels less its words."""
+    return max(ranked[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
+
+
+def _frames(
+    chip: Chip, light_e: Values, slots: int, slot_us: float, compiled: Callable[[int], Container],
+    number: int,
+) -> dict[int, tuple[Values, NDArray[np.bool_]]]:  # fmt: skip
+    """Return exposures in electrons, and what is saturated of them, by stop."""
+    seconds = np.full(slots, slot_us * 1e-6)
+    target, sensor = chip.target, chip.sensor
+    rows, cols = light_e.shape
+    margins = ((0, target.rows - rows), (0, target.cols - cols))
+    padded = np.pad(light_e / seconds.sum(), margins, mode="edge").astype(np.float32)
+    light = Light.of_still(padded, seconds)
+    frame_by_stop = {}
+    for stop in stops_tried(slots):
+        container = compiled(stop)
+        request = Request.of(effects="all", seed=1000 * number + stop)
+        frame = simulate(container, light, sensor, request).frame
+        electrons = response_of(container, sensor, everything()).electrons(frame.frame)[0]
+        frame_by_stop[stop] = (electrons[:rows, :cols], frame.saturated[0, :rows, :cols])
+    return frame_by_stop
+
+
+def _merged(
+    chip: Chip, frames: dict[int, tuple[Values, NDArray[np.bool_]]], pattern: Pattern, slots: int
+) -> Values:
+    """Return the light over the frame that merging makes of a pattern."""
+    rows, cols = next(iter(frames.values()))[0].shape
+    repeats = [
+        -(-side // period) for side, period in zip((rows, cols), pattern.stops.shape, strict=True)
+    ]
+    stops = np.tile(pattern.stops, repeats)[:rows, :cols]
+    exposed, saturated = np.zeros((rows, cols)), np.zeros((rows, cols), bool)
+    for stop in np.unique(pattern.stops):
+        has_stop = stops == stop
+        exposed[has_stop], saturated[has_stop] = (values[has_stop] for values in frames[int(stop)])
+    noise_e = float(chip.exposed_sd_e(np.zeros(1))[0])
+    lsb_e = chip.code_e
+    return merged(np.maximum(exposed, 0) / lsb_e, stops / slots, lsb_e, saturated, noise_e)

@@ -1,0 +1,109 @@
+"""PSNR against readout time: clips in one to four readouts of one exposure, and in bursts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import asdict, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.load import load_target
+from nscc.compiler import compile_file
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.examples import examples
+from nscc.pipeline import Options
+from nscc.tradeoff.points import Point, Refused
+from nscc.tradeoff.rows import Rows
+from nscc.words.container import Container
+from nscc_runtime.decode_table import decode_arrays
+from nscc_runtime.frame_file import meta
+from nscc_runtime.light import Light
+from nscc_runtime.simulate import Request, simulate
+from nscc_training.any_code.decode import decoded_clip
+from nscc_training.any_code.frames import CodedFrame, coded_frame
+from nscc_training.demo.expose import CLIPS, camera
+from nscc_training.measures import number
+from nscc_training.metrics import finite_mean
+from nscc_training.tradeoff.sensor import Bench, Settings
+
+SLOTS, SLOT_US = 16, 125.0
+"""Of the programs that come with nscc."""
+Progress = Callable[[Sequence[tuple[str, int]]], Iterable[tuple[str, int]]]
+
+
+def measure_readouts(
+    settings: Settings, counts: Sequence[int], progress: Progress = iter, rows: Rows | None = None
+) -> tuple[tuple[Point, ...], tuple[Refused, ...]]:
+    """Return the points of coded readouts and of bursts of so many ordinary frames, and what does
+    not fit the target.
+
+    The time of a point is that of its readouts. Coded readouts are decoded by the decoder for any
+    code; every frame of a burst is shown for as long as it was open.
+    """
+    target = load_target(settings.target, Path())
+    bench = Bench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
+    points: list[Point] = []
+    refused: list[Refused] = []
+    rows = rows or Rows()
+    for method, count in progress([(m, k) for k in counts for m in ("burst", "coded")]):
+        row = rows.once(f"readouts, {method}, {count}", partial(_row, method, count, bench))
+        if "code" in row:
+            refused.append(Refused(**row))
+        else:
+            points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
+    return tuple(points), tuple(refused)
+
+
+def _row(method: str, count: int, bench: Bench) -> dict[str, Any]:
+    """Return the fields of a Point, or of Refused."""
+    settings = bench.settings
+    try:
+        if method == "burst":
+            container = camera(SLOTS, SLOT_US, settings.target, count)
+        else:
+            options = Options(level=settings.level, target=settings.target)
+            coded = compile_file(examples()[CLIPS[count]], options).container
+            assert coded is not None  # what does not fit is rejected
+            container = coded
+    except Rejected as error:
+        first = error.diagnostics[0]
+        return asdict(Refused("readouts", method, str(count), first.code, first.message))
+    psnr_db = finite_mean(
+        number(scene.scores(_clip(method, container, scene.light_e, bench, k))["psnr_db"])
+        for k, scene in enumerate(bench.scenes)
+    )
+    time_ms = count * bench.target.readout_us / 1e3
+    return asdict(
+        Point("readouts", method, f"{count} x {bench.target.readout_us / 1e3:g} ms", psnr_db,
+              "psnr_db", (time_ms,), more_is_better=True)
+    )  # fmt: skip
+
+
+def _clip(
+    method: str, container: Container, light_e: NDArray[Any], bench: Bench, number_of_scene: int
+) -> NDArray[np.float64]:
+    """Return what is decoded of a scene's light, electrons in each of its frames."""
+    light = Light.of_clip(light_e.astype(np.float32))
+    seed = bench.settings.seed
+    request = Request.of(
+        effects=bench.settings.effects, seed=1000 * seed + number_of_scene, device_seed=seed
+    )
+    simulated = simulate(container, light, bench.sensor, request)
+    about = meta(container, light, simulated.frame, simulated.origin)
+    table = decode_arrays(container, bench.sensor, about["plan"])
+    arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
+    coded = coded_frame(arrays | table, about)
+    if method == "coded":
+        return np.asarray(decoded_clip(coded.clip().tensors())[0].numpy(), np.float64)
+    return _shown(coded)
+
+
+def _shown(coded: CodedFrame) -> NDArray[np.float64]:
+    """Return the frames of a burst, each for as long as it was open."""
+    slots = coded.opened[0].sum(axis=-1)
+    light = coded.value_e / slots[:, None, None]
+    return np.repeat(np.asarray(light, np.float64), slots, axis=0)
