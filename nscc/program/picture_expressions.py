@@ -246,7 +246,9 @@ class Reader:
     def _compare(self, compare: tree.Compare) -> p.Condition:
         operands = (compare.first, *compare.later_operands)
         condition: p.Condition | None = None
-        for op, first, second in zip(compare.ops, operands, compare.later_operands, strict=False):
+        for op, first, second in zip(
+            compare.ops, operands[:-1], compare.later_operands, strict=True
+        ):
             if op in ("==", "!="):
                 raise self._report(
                     "NS0533", "charges are compared by `>` and `<`", compare.span,

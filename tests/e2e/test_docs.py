@@ -53,7 +53,7 @@ def test_programs_compile(text: str, tmp_path: Path) -> None:
 
 def test_programs_are_the_examples() -> None:
     shown = blocks("README.md", "nsl")
-    for name, program in zip(("hdr_2x2", "float_pixel"), shown, strict=True):
+    for name, program in zip(("hdr_2x2", "float_pixel", "edges"), shown, strict=True):
         assert (ROOT / "examples" / f"{name}.nsl").read_text().endswith(program)
 
 

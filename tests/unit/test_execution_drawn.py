@@ -21,7 +21,7 @@ def drawn(rates: np.ndarray, begin: int = 0, end: int | None = None) -> np.ndarr
     draw_counts(
         counting=Counting(
             begin=begin, end=len(rates) if end is None else end, pixels=len(rates), groups=1,
-            more=0, rate_cap=RATE_CAP,
+            accumulates=0, rate_cap=RATE_CAP,
         ),
         keys=np.array([STREAM], np.uint64), rates=rates[None], places=np.arange(len(rates)),
         values=np.empty(BLOCK), scratch=np.empty(ROOM), pending_rates=np.empty(BLOCK),

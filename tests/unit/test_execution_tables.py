@@ -143,8 +143,8 @@ def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
     made = Program.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
     most = [[brute_force(made.tables, lane, slot) for lane in lanes] for slot in slots]
-    assert made.reach.held is not None
-    np.testing.assert_array_equal(made.reach.held.max(axis=0), most)
+    assert made.reach.held_weights is not None
+    np.testing.assert_array_equal(made.reach.held_weights.max(axis=0), most)
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -170,7 +170,7 @@ def test_many_lanes_share_the_reach_of_the_worst() -> None:
     text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
     container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
     made = Program.of(container, sensor_of(container))
-    assert made.reach.held is None
+    assert made.reach.held_weights is None
     assert made.reach.least_e.shape[1] == len(container.encoding) > 64
     assert np.ptp(made.reach.least_e) == 0
 

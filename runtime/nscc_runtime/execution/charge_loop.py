@@ -22,13 +22,13 @@ SITES = 5
 LIT, DARK = range(2)
 """Sources of charge."""
 SURE = 9.0
-"""Standard deviations below which a count does not come."""
+"""Number of standard deviations below the mean that a count never falls short of."""
 
 
 class Sites(NamedTuple):
-    """The light of pixels and of those beside them: the `number` of each place that was asked for
-    in `rows` and `scales` (sites, 2), which say where in `sums`, a row of slots + 1 for each group,
-    the light and the dark charge of each begin, and by what they are multiplied."""
+    """The light of sites. `number`: the row of each place in `rows` and `scales` (sites, 2), for
+    light and dark charge. `rows`: the start of their cumulative sums in `sums`, slots + 1 numbers
+    for each group. `scales`: the factors on these."""
 
     number: Written[Annotated[Ints32, "rows cols"]]
     rows: Written[Annotated[Ints, "sites 2"]]
@@ -45,8 +45,8 @@ class Away(NamedTuple):
 
 
 class Counts(NamedTuple):
-    """Scratch: the keys of a frame's counts, the counts that were drawn, and of which pixel each
-    is (-1 at first); a pixel's place and those of its neighbours."""
+    """Scratch: the keys of a frame's counts, the drawn counts, the pixel of each count (-1 at
+    first), and the places of a pixel and its neighbours."""
 
     streams: Written[Words]
     heap: Written[Floats]
@@ -56,13 +56,13 @@ class Counts(NamedTuple):
 
 @compiled
 def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
-    """`nscc_runtime.noise.key`, from the half of it that seed, effect and source decide."""
+    """Return `nscc_runtime.noise.key` from its first half, `base`."""
     return bits(base, frame, group)
 
 
 @compiled
 def _rate_between(sums: Floats, row: int, first: int, stop: int) -> float:
-    """The rates of a group in the slots `first` .. `stop` - 1, from their sums up to each slot."""
+    """Return the rate of a group in the slots `first` .. `stop` - 1 from cumulative sums."""
     rate: float = sums[row + stop] - sums[row + first]
     return rate
 
@@ -72,7 +72,7 @@ def _split_node(
     sizes: Sizes, counts: Counts, top: int, parent: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
-    """Halve the count of a node."""
+    """Split the count of a node between its two halves of slots."""
     heap, stamps, slots, padded_slots = counts.heap, counts.stamps, sizes.slots, sizes.padded_slots
     size, above = padded_slots, parent
     while above > 1:
@@ -101,8 +101,8 @@ def _count_between(
     sizes: Sizes, counts: Counts, top: int, first: int, stop: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
-    """The count of a group in the slots `first` .. `stop` - 1. `heap` from `top` on keeps the
-    counts of the nodes that were found for this pixel."""
+    """Return the count of a group in the slots `first` .. `stop` - 1. `heap` holds from `top` on
+    the counts of nodes that were split for this pixel."""
     total = 0.0
     low, high = first + sizes.padded_slots, stop + sizes.padded_slots
     while low < high:
@@ -132,9 +132,10 @@ def _charge_of_source(
     sizes: Sizes, numbers: Numbers, source: int, place: int, begin: int, stop: int,
     sites: Sites, counts: Counts, heap_number: int,
 ) -> float:  # fmt: skip
-    """The charge of the slots `begin` .. `stop` - 1 of one source (`LIT`, `DARK`) at a site, whose
-    counts are kept in heaps from number `heap_number` on. A group's count is drawn when it is first
-    asked for."""
+    """Return the charge of one source (`LIT`, `DARK`) in the slots `begin` .. `stop` - 1 at a site.
+
+    Counts are stored in heaps from `heap_number` on; each is drawn when it is first needed.
+    """
     total, sums, heap, stamps = 0.0, sites.sums, counts.heap, counts.stamps
     slots, count = sizes.slots, sizes.groups
     counted = source == DARK or sizes.counts_light == 1
@@ -154,8 +155,7 @@ def _charge_of_source(
                 stream = counts.streams[2 * source * count + group]
                 heap[top + 1] = poisson_exact(uniform(stream, place), rate)
                 stamps[top + 1] = place
-            # Where nothing was counted there is nothing to spread: so it is with most dark charge.
-            # Nor is there where no slot of the group is left out.
+            # A count of 0 needs no split (most dark charge), nor does a group without other slots.
             whole_group = sums[row + begin] <= 0.0 and sums[row + stop] >= sums[row + slots]
             if heap[top + 1] <= 0.0 or whole_group:
                 total += heap[top + 1]
@@ -168,7 +168,7 @@ def _charge_of_source(
 
 @compiled
 def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> None:
-    """The keys of a frame's counts and of how they spread, of each source, for each group."""
+    """Set the keys of a frame's counts, and of their splits, for each source and group."""
     count = sizes.groups
     for group in range(count):
         name = group_ids[group]
@@ -180,7 +180,7 @@ def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> No
 
 @compiled
 def _heaps_at(sizes: Sizes, place: int) -> int:
-    """Where a site's counts are kept: next to those of its neighbours, never in their place."""
+    """Return the heap of a site; neighbouring sites have different heaps."""
     if not sizes.exchanges or sizes.counts_known:
         return 0
     row, col = place // sizes.cols, place % sizes.cols
@@ -193,7 +193,7 @@ def _charge_of_site(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     counts: Counts,
 ) -> float:  # fmt: skip
-    """The charge of the slots `begin` .. `stop` - 1 at a site."""
+    """Return the charge of a site in the slots `begin` .. `stop` - 1."""
     heap_number = 2 * _heaps_at(sizes, place)
     total = _charge_of_source(sizes, numbers, LIT, place, begin, stop, sites, counts, heap_number)
     if sizes.counts_dark:
@@ -208,15 +208,15 @@ def _charge_spread_evenly(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     away: Away,
 ) -> float:  # fmt: skip
-    """The charge of the slots `begin` .. `stop` - 1 at a site whose counts are so far `away` from
-    their means, spread as its light is."""
+    """Return the charge of a site in the slots `begin` .. `stop` - 1, with the known deviations of
+    counts in `away` split in proportion to the light of these slots."""
     slots, site, sums = sizes.slots, 2 * sites.number[place], sites.sums
     lit, dark, scale = sites.rows[site + LIT], sites.rows[site + DARK], sites.scales[site + LIT]
     pixels, total = sizes.rows * sizes.cols, 0.0
     for group in range(sizes.groups):
         inside, group_rate = _rate_between(sums, lit, begin, stop), sums[lit + slots]
         total += scale * inside
-        # Of rates beyond the cap, sums know no count.
+        # Sums have no counts for rates above the cap.
         known = scale * group_rate < numbers.rate_cap
         if sizes.counts_dark:
             in_time = _rate_between(sums, dark, begin, stop)
@@ -235,7 +235,7 @@ def charge(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
     counts: Counts,
 ) -> float:  # fmt: skip
-    """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
+    """Return the charge of the pixel in the slots `begin` .. `stop` - 1, after crosstalk."""
     if begin >= stop:
         return 0.0
     own_e = _charge_of_site(sizes, numbers, counts.places[0], begin, stop, sites, counts)
@@ -259,7 +259,7 @@ def charge_evenly(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
     counts: Counts,
 ) -> float:  # fmt: skip
-    """As `charge`, the pixel's own counts spread as light is, too."""
+    """Like `charge`, but also split the pixel's own counts in proportion to light."""
     own_e = _charge_spread_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)
     flow = 0.0
     for beside in range(1, SITES if sizes.exchanges else 1):
@@ -274,8 +274,8 @@ def charge_evenly(
 def least_charge(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites
 ) -> float:
-    """What falls on a pixel in these slots for sure: less with a chance below 1e-17, by Chernoff's
-    bound of counts, exp(-SURE**2 / 2)."""
+    """Return a lower bound of the charge of a pixel in the slots `begin` .. `stop` - 1. It is
+    violated with a probability below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound)."""
     site, mean = 2 * sites.number[place] + LIT, 0.0
     row = sites.rows[site]
     for _ in range(sizes.groups):

@@ -1,4 +1,4 @@
-"""What all scenes under a set of effects have in common on some pixels of a chip."""
+"""Quantities of a chip under a set of effects that do not depend on the scene."""
 
 from __future__ import annotations
 
@@ -36,16 +36,17 @@ T = TypeVar("T")
 Values = NDArray[np.float64]
 
 _LEAK_SIGMAS = 4.0
-"""The rates of leakage lie about as far apart as those of all but one pixel in ten thousand."""
+"""The two leakage rates cover all but one pixel in ten thousand."""
 
 
 @dataclass(frozen=True, eq=False)
 class Chip:
     """A program on some pixels of one chip under the effects in `kept_effects`.
 
-    `requested_effects` also has the effects that are left out by choice: noise and patterns of
-    words are weighed as with all of these, so that leaving out what weighs them changes them least.
-    Arrays are made when they are asked for, and not to be written to."""
+    Noise and patterns of words are weighted as under `requested_effects`, which also contain the
+    effects dropped by the planner, so that dropping one changes them least. Arrays are computed on
+    demand and must not be written to.
+    """
 
     program: Program
     array: PixelArray
@@ -55,12 +56,12 @@ class Chip:
 
     @property
     def device(self) -> Device:
-        """What is fixed on the chip."""
+        """The fixed patterns of the chip."""
         return self.array.device(self.program.sensor, self.device_seed)
 
     @property
     def factor(self) -> float:
-        """The factor on the light of every pixel: the previous frame's is the same."""
+        """Factor on the light of every pixel due to lag; the previous frame has the same light."""
         echo = self.kept_effects.find_part(Echo)
         return 1.0 + (0.0 if echo is None else echo.fraction(self.program.sensor))
 
@@ -74,7 +75,7 @@ class Chip:
 
     @cached_property
     def scale_32(self) -> NDArray[np.float32]:
-        """The same in float32, for light that is smeared."""
+        """`scale` in float32, for light with crosstalk."""
         return self.scale.astype(np.float32)
 
     @cached_property
@@ -85,7 +86,7 @@ class Chip:
 
     @cached_property
     def current(self) -> Values:
-        """The dark current of each pixel, 0 where there is none."""
+        """Dark current of each pixel; 0 without that effect."""
         dark_part = self.kept_effects.find_part(CountedDark)
         if dark_part is None:
             return np.zeros(self.array.lanes.size)
@@ -93,7 +94,7 @@ class Chip:
 
     @cached_property
     def counted(self) -> tuple[int, ...]:
-        """The groups of slots whose charge is counted: the open ones."""
+        """The groups of slots whose charge is counted."""
         return () if self.kept_effects.find_part(Counted) is None else self.program.open_groups
 
     @cached_property
@@ -106,10 +107,11 @@ class Chip:
 
     @cached_property
     def leak_rates(self) -> tuple[float, ...]:
-        """The rates of leakage in 1/s at which sums are made: two, where it differs from pixel to
-        pixel, at the Chebyshev nodes of what pixels have. Frames are short beside the time in which
-        registers leak: a line between the sums leaves out the square of the spread of rate times
-        age, a few parts in a million for the default sensor."""
+        """Leakage rates in 1/s at which sums are computed.
+
+        With a spread over the pixels these are two Chebyshev nodes, between which sums are linear.
+        The error is the square of the spread of rate times age, a few parts in a million for the
+        default sensor."""
         leak, sensor = self.kept_effects.find_part(Leak), self.program.sensor
         if leak is None:
             return (0.0,)
@@ -125,7 +127,7 @@ class Chip:
 
     @cached_property
     def leak_weights(self) -> Values:
-        """The weights (rates, pixels) with which these sums give that of each pixel."""
+        """Weights (rates, pixels) that combine these sums to that of each pixel."""
         leak = self.kept_effects.find_part(Leak)
         if leak is None or len(self.leak_rates) == 1:
             return np.ones((1, 1))
@@ -135,7 +137,7 @@ class Chip:
 
     @cached_property
     def dark_e(self) -> Values | None:
-        """What dark current adds to exposures (buckets, pixels), nothing saturated."""
+        """Mean dark charge in exposures (buckets, pixels), without saturation."""
         if self.kept_effects.find_part(CountedDark) is None:
             return None
         exchange, model = (
@@ -198,7 +200,7 @@ class Chip:
 
     @cached_property
     def sources(self) -> list[tuple[int, int]]:
-        """What counts charge: the effect's stream, and the source."""
+        """Sources of counts: the stream of the effect, and the source number."""
         lit = [(effect.stream, LIGHT) for effect, _ in self.kept_effects.having(CountedLight)]
         dark = [
             (effect.stream, WITHOUT_LIGHT) for effect, _ in self.kept_effects.having(CountedDark)
@@ -207,8 +209,8 @@ class Chip:
 
     @cached_property
     def noise(self) -> tuple[list[tuple[int, int]], Values]:
-        """The streams and draws of small errors, and the standard deviation (draws, buckets, lanes)
-        of each."""
+        """Streams and draw numbers of small errors, and their standard deviations (draws, buckets,
+        lanes)."""
         program, full_model = self.program, self.program.model(self.requested_effects)
 
         def make() -> tuple[list[tuple[int, int]], Values]:
@@ -229,9 +231,8 @@ class Chip:
 
     @cached_property
     def saturation_e(self) -> Values:
-        """The least charge (kinds, lanes) with which a pixel may saturate, infinite where none
-        does: of what PIX sees, and of each kind of what registers hold
-        (`nscc_runtime.execution.reach`)."""
+        """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: the charge
+        on PIX, then that of each kind of register content (`nscc_runtime.execution.reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
         kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)
@@ -246,14 +247,14 @@ class Chip:
 
     @remembered
     def compute_once(self, make: Callable[[Chip], T]) -> T:
-        """What else scenes have in common here, `make(self)`: made once."""
+        """Return `make(self)`, computed once."""
         return make(self)
 
 
 def chip_of(
     program: Program, device_seed: int, kept_effects: Selection, requested_effects: Selection
 ) -> Chip:
-    """The whole chip with these effects, kept with the program for a while."""
+    """Return the whole chip with these effects, cached with the program."""
     return program.recent_chips.of(
         (Chip, device_seed, kept_effects.on, requested_effects.on),
         lambda: Chip(program, program.array, device_seed, kept_effects, requested_effects),

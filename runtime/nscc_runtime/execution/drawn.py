@@ -1,7 +1,7 @@
-"""What is drawn for a block of pixels at a time: counts, and codes of the converter.
+"""Counts and converter codes of a block of pixels, for the loops over the pixels of a frame.
 
-Parts of the loops over the pixels of a frame. Numbers are keyed by the places of pixels on the
-chip; `scratch`, `pending_rates` and `pending_pixels` are rooms that the loops lend.
+Random numbers are keyed by the places of pixels on the chip. `scratch`, `pending_rates` and
+`pending_pixels` are working memory of the loops.
 """
 
 from __future__ import annotations
@@ -16,23 +16,23 @@ from nscc_runtime.noise.gaussian_fast import normal_fast
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
 
 BLOCK = 1024
-"""Pixels that go through all steps together."""
+"""Number of pixels of a block."""
 
 ROOM = 5 * BLOCK
-"""Numbers that `scratch` has room for where counts are drawn."""
+"""Size of `scratch` for counts."""
 
 MOST_COUNTED = 80
 _NOTHING = 1e-17
 
 FORMULA_FROM = 2.0
-"""Below this rate the formula is too often near a whole number to be asked."""
+"""The formula is used from this rate on; below, its value is too often near a whole number."""
 MARGIN = 0.02
 """A formula's value that is nearer to a whole number than this times (1 + |z|**5) / rate**1.5 does
 not decide: its error, 0.016 of the same from FORMULA_FROM to SEARCH_BELOW, could have moved it
 across."""
 _UNSURE = -1.0
 _FEW = 8
-"""So small a part of a block's pixels is searched without asking the formula first."""
+"""The formula is used if more than one pixel in this number needs it."""
 
 FIRST_LANE = np.uint64(0)
 
@@ -198,7 +198,7 @@ def counted(
 
 @inlined
 def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> float:
-    """What the ADC makes of an exposure."""
+    """Return the converter's code of an exposure."""
     code = np.rint(value / lsb + noise) + offset
     code = code if code > 0.0 else 0.0
     return float(np.rint(code if code < top else top))

@@ -1,4 +1,4 @@
-"""The words of a program as the loops over words take them."""
+"""The arguments of the loops over words: words, readouts, numbers and switches."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _WORD = np.dtype(Word)
 def program_of(
     container: Container, words: Sequence[RunningWord], starts: Sequence[int]
 ) -> Program:
-    """Words, of a frame whose intervals begin with the slots `starts`."""
+    """Return the words as arrays; the intervals of the frame begin with the slots `starts`."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     ends, slot_us = [*starts, container.slots], container.slot_us
     start_s = np.concatenate(([0.0], np.cumsum(slot_us)))[ends] * 1e-6
@@ -63,7 +63,7 @@ def program_of(
 
 
 def readouts_of(container: Container) -> Readouts:
-    """How a frame's buckets are read out."""
+    """Return the register, gain and waiting time of each bucket's readout."""
     of_bucket = {readout.bucket: readout for readout in container.readouts}
     readouts = [of_bucket[bucket] for bucket in container.buckets]
     place = container.target.analog_registers.index
@@ -75,7 +75,7 @@ def readouts_of(container: Container) -> Readouts:
 
 
 def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
-    """The figures of the effects; 0 of those that are off."""
+    """Return the parameters of the effects; 0 for effects that are off."""
     mark = effects.marking("registers")
     return Numbers(
         least_lost=mark.least_e(sensor) if mark else 0.0,
@@ -88,7 +88,7 @@ def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numb
 
 
 def switches_of(container: Container, effects: Selection) -> Switches:
-    """What words do."""
+    """Return the switches of the effects."""
     marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
     return Switches(
         registers=len(container.target.analog_registers),
@@ -99,13 +99,13 @@ def switches_of(container: Container, effects: Selection) -> Switches:
 
 
 def device_of(device_seed: int) -> OnDevice:
-    """The keys of a device."""
+    """Return the keys of a device's fixed patterns."""
     return OnDevice(**device_keys(OnDevice, device_seed))
 
 
 class Turns:
-    """The words of lanes, those of lane l from start[l] to start[l + 1] - 1, and which of them read
-    or reset PIX: its turns."""
+    """The words of lanes, those of lane l from start[l] to start[l + 1] - 1. A turn is a word that
+    reads or resets PIX."""
 
     def __init__(
         self, entries: NDArray[Any], acts: NDArray[np.bool_], start: NDArray[np.int64]
@@ -117,19 +117,18 @@ class Turns:
 
     @property
     def unread(self) -> NDArray[np.bool_]:
-        """Resets after which PIX is reset again before it is read: nothing hangs on them."""
+        """Resets that have no effect: PIX is reset again before it is read."""
         return np.asarray(self._resets & self._then(self._resets, 1))
 
     @property
     def flags(self) -> NDArray[np.uint8]:
-        """`ACTS` and `SEEN` of each word: whether it acts, and whether what falls on PIX before it
-        is read, by it or later, before PIX is reset."""
+        """`ACTS` and `SEEN` of each word: whether it acts, and whether the charge before it is read
+        before PIX is reset."""
         is_read = self._then(self._turns & ~self._resets, 0)
         return np.asarray(ACTS * self._acts + SEEN * is_read, np.uint8)
 
     def _then(self, kind: NDArray[np.bool_], after: int) -> NDArray[np.bool_]:
-        """Whether the next turn, so many words after each or later, is of a kind; one of another
-        lane is none."""
+        """Whether the next turn of the same lane, at least `after` words later, is of a kind."""
         if not self._count:
             return np.zeros(0, np.bool_)
         turn_index = np.where(self._turns, np.arange(self._count), self._count)

@@ -1,5 +1,5 @@
-"""Small errors of words: those of single words, so that they add up to what sums draw at once. Part
-of the loop over single pixels (`nscc_runtime.execution.pixel_loop`)."""
+"""Small errors of single words whose sum is the error that sums draw at once. Part of the loop over
+single pixels (`nscc_runtime.execution.pixel_loop`)."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ class Lanes(NamedTuple):
 
 
 class Errors(NamedTuple):
-    """Scratch: keys that were found, 0 at first; what draws lack; the errors of each word of a
-    lane; of the draws that are made together, where they go, their keys, and themselves."""
+    """Scratch: cached keys (0 at first), the missing part of the draws, the errors of the words of
+    a lane; and for draws that are made together their targets, keys and values."""
 
     streams: Written[Words]
     missing: Written[Floats]
@@ -47,8 +47,7 @@ class Errors(NamedTuple):
 def _stream_of(
     sizes: Sizes, base: np.uint64, at: int, number: np.uint64, streams: Words
 ) -> np.uint64:
-    """The key of draw `number` in this frame, kept in streams[at] from when it is first asked
-    for."""
+    """Return the key of draw `number` in this frame, cached in streams[at]."""
     if streams[at] == _UNKNOWN:
         streams[at] = stream_key(base, sizes.frame, number)
     stream: np.uint64 = streams[at]

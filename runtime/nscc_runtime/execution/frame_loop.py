@@ -1,7 +1,6 @@
-"""The loops for frames by weighted sums: counts, what they and the noise of words make of the mean
-exposures, and the converter's codes.
+"""The loops for frames by weighted sums: counts, exposures from counts and noise, converter codes.
 
-What all frames of a scene have in common comes ready made (`nscc_runtime.execution.summed`).
+Arguments that all frames of a scene share are prepared by `nscc_runtime.execution.summed`.
 """
 
 from __future__ import annotations
@@ -28,8 +27,7 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 @record
 class Counting:
-    """Which of all `pixels` are counted; `accumulates`: beside what another source has left in
-    `away`."""
+    """The range of `pixels` to count; `accumulates`: add to the deviations of another source."""
 
     begin: int
     end: int
@@ -51,7 +49,7 @@ def draw_counts(
     pending_pixels: Written[Ints],
     away: Written[Annotated[Floats, "groups pixels"]],
 ) -> None:
-    """away[g, p] := how far a count of rates[g, p] is from its mean, or so much more.
+    """away[g, p] := the deviation of a count from its mean rates[g, p], or add it.
 
     `values`, `pending_rates`, `pending_pixels`: scratch for `BLOCK` pixels; `scratch` for five
     times as many."""
@@ -66,7 +64,7 @@ def draw_counts(
                 pending_pixels
             )  # fmt: skip
             for i in range(stop - first):
-                # No count is beyond the cap, and sums have that of light: it is no error there.
+                # Counts are clipped to the cap, but sums contain the light: no deviation there.
                 mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
                 before = away[at + i] if counting.accumulates else 0.0
                 away[at + i] = before + (values[i] - mean)
@@ -74,7 +72,7 @@ def draw_counts(
 
 @record
 class Adding:
-    """The rows from `begin` to `end` - 1, and what is added up there."""
+    """The rows from `begin` to `end` - 1, and the number of terms to add up there."""
 
     begin: int
     end: int
@@ -97,7 +95,7 @@ def _beside(
     adding: Adding, direction: int, group: int, bucket: int, first: int, stop: int,
     own_weights: Floats32, neighbour_weights: Floats32, away: Floats, total: Floats,
 ) -> None:  # fmt: skip
-    """total[b, i] += what neighbours in one direction give, less what goes to them."""
+    """total[b, i] += the charge from the neighbour in one direction minus the charge to it."""
     rows, cols, pixels = adding.rows, adding.cols, adding.pixels
     row, begin, end = first // cols, first, stop
     step = -cols
@@ -124,7 +122,7 @@ def _counted(
     adding: Adding, first: int, stop: int, own_weights: Floats32, neighbour_weights: Floats32, away:
     Floats, total: Floats,
 ) -> None:  # fmt: skip
-    """total[b, i] := what the groups' deviations make of the exposures at pixel first + i."""
+    """total[b, i] := the deviation of the exposure of pixel first + i due to counts."""
     for bucket in range(adding.buckets):
         at = bucket * BLOCK - first
         for p in range(first, stop):
@@ -172,7 +170,7 @@ def add_up(
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
-        # Rows one by one only where what is beside a pixel matters.
+        # With crosstalk a block must not extend over several rows.
         last = (first // cols + 1) * cols if adding.exchanges else end
         stop = min(first + BLOCK, last)
         _counted(adding, first, stop, own_weights, neighbour_weights, away, total)
@@ -196,8 +194,8 @@ def add_up(
 
 @record
 class Reading:
-    """Which of all `pixels` are read out, and the converter: see `read_out`. `last_bit` marks the
-    codes that are the last of the scale.
+    """The range of `pixels` to read out, and the converter (see `read_out`). `last_bit` marks the
+    last code.
     """
 
     begin: int
@@ -223,9 +221,9 @@ def convert(
     valid: Written[Annotated[Bytes, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:
-    """frame := the codes of exposures, 0 of what is no number; valid := whether they are finite.
+    """frame := the codes of exposures, 0 for NaN; valid := whether they are finite.
 
-    `scratch` is room for `BLOCK` pixels.
+    `scratch`: working memory for `BLOCK` pixels.
     """
     for first in range(reading.begin, reading.end, BLOCK):
         stop = min(first + BLOCK, reading.end)

@@ -1,8 +1,7 @@
-"""Frames of a scene under an execution: by sums with single pixels through their words, by the
-words of all pixels, or by the reference.
+"""Frames of a scene by sums (with pixels near saturation by words), by words, or by the reference.
 
-Draws are those of the reference (`nscc_runtime.effects`): effects that are left out and the
-approximations of sums are the only differences from it.
+Random numbers are those of the reference (`nscc_runtime.effects`). Frames differ from it only by
+dropped effects and by the approximations of sums.
 """
 
 from __future__ import annotations
@@ -65,10 +64,10 @@ class Execution:
 
 @dataclass(frozen=True, eq=False)
 class ExecutedScene:
-    """A scene made ready under an execution, to be exposed frame by frame.
+    """A scene that is exposed frame by frame.
 
-    `threads` change no bit; `torch_device`: where sums are drawn and added up, None for the
-    processor.
+    The result does not depend on `threads`. `torch_device`: the device that draws and adds up sums;
+    None for the processor.
     """
 
     program: Program
@@ -80,7 +79,7 @@ class ExecutedScene:
 
     @cached_property
     def chip(self) -> Chip:
-        """What the chip does to any scene under these effects."""
+        """The chip under these effects."""
         execution = self.execution
         return chip_of(
             self.program, self.device_seed, execution.kept_effects, execution.requested_effects
@@ -127,8 +126,8 @@ class ExecutedScene:
         return SummedScene(self.chip, self.light, self.threads)
 
     def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:
-        """Exposures (buckets, pixels) of frame number `frame` by sums and by the loop over words,
-        and what cut them off."""
+        """Return exposures (buckets, pixels) of frame number `frame`, by sums or by words, and
+        their saturation marks."""
         if self.execution.path == "words":
             return self._all_by_words.expose(seed, frame)
         away = self.summed.away(seed, frame)
@@ -141,8 +140,8 @@ class ExecutedScene:
     def _run_near(
         self, exposure: Values, marked: Marked, away: Values, seed: int, frame: int
     ) -> None:
-        """Have pixels near saturation run through their words; sums have their neighbours'
-        counts."""
+        """Replace the exposures of pixels near saturation by those of their words, with neighbours'
+        counts from sums."""
         assert self._near_saturation is not None
         running, places = self._near_saturation, self._near_saturation.chosen
         known_counts = (
@@ -193,14 +192,14 @@ class ExecutedScene:
 def near_pixels(
     program: Program, light: Light, device_seed: int, execution: Execution
 ) -> NDArray[np.int64]:
-    """The places of the pixels near saturation that run through their words under an execution."""
+    """Return the places of the pixels that run through their words on the path "sums"."""
     if execution.path != "sums" or not execution.kept_effects.names(Saturates):
         return np.empty(0, np.int64)
     return near_saturation(program, light, device_seed, execution.requested_effects).places
 
 
 def counts_agree(execution: Execution) -> bool:
-    """Whether pixels near saturation can take the counts of sums."""
+    """Whether pixels near saturation can use the counts of sums."""
     counted = (
         effects.names(Counted) for effects in (execution.kept_effects, execution.near_effects)
     )

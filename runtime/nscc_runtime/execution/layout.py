@@ -1,4 +1,4 @@
-"""What the loops over words are given beside arrays, by name."""
+"""Records and groups of arrays that the loops over words take as arguments."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from nscc_runtime.loop import Floats, Ints, Written, record
 
 @record
 class Switches:
-    """What words do to pixels: 0 is off. The effects' declarations say which switches, numbers and
-    keys are theirs (`nscc_runtime.effects.effect.InLoop`).
+    """Switches of effects in the loops; 0 is off. `nscc_runtime.effects.effect.InLoop` of an effect
+    names its switches, numbers and keys.
     """
 
     registers: int
@@ -39,7 +39,7 @@ class Switches:
 
 @record
 class Sizes:
-    """Of single pixels: how much there is of everything, and which effects of charge are on."""
+    """Sizes for the loop over single pixels, and switches of effects of charge."""
 
     pixels: int
     slots: int
@@ -70,9 +70,9 @@ class Sizes:
 
 @record
 class Numbers:
-    """What effects depend on; a variance is that of the logarithm.
+    """Parameters of effects; variances are those of the logarithm.
 
-    `pix_start` and `register_start`: twice the most that they hold when a frame begins.
+    `pix_start` and `register_start`: twice the largest content at the start of a frame.
     """
 
     pix_start: float
@@ -104,7 +104,7 @@ class Numbers:
 
 @record
 class OnDevice:
-    """Keys of what is fixed on the device."""
+    """Keys of the fixed patterns of the device."""
 
     uneven: np.uint64
     dark: np.uint64
@@ -115,9 +115,8 @@ class OnDevice:
 
 @record
 class Keys:
-    """Of single pixels: keys that a frame's follow from, of counts, of how counts spread over
-    slots, of the sums of small errors in the buckets, and of each of them in the words.
-    """
+    """Base keys for the loop over single pixels: of counts, of their split over slots, of the sums
+    of small errors in buckets, and of the errors of single words."""
 
     count_light: np.uint64
     count_dark: np.uint64
@@ -167,7 +166,7 @@ class Program(NamedTuple):
 
 
 class Readouts(NamedTuple):
-    """Of each bucket: the register that holds it, the readout's gain, and how long it waits."""
+    """For each bucket: its register, the gain of its readout, and the time until it is read."""
 
     register: Annotated[Ints, "buckets"]
     gain: Annotated[Floats, "buckets"]
@@ -175,8 +174,8 @@ class Readouts(NamedTuple):
 
 
 class Fixed(NamedTuple):
-    """What is fixed of each pixel of a block: the error of its words, the rate at which its
-    registers leak, and the offset of its comparator."""
+    """Fixed patterns of the pixels of a block: the error of words, the leakage rate of registers,
+    and the offset of the comparator."""
 
     pattern: Written[Floats]
     leak: Written[Floats]
@@ -189,8 +188,8 @@ class Fixed(NamedTuple):
 
 
 class RegisterContents(NamedTuple):
-    """What the registers of a block hold, PIX after them and IN last: the `value`, the time
-    `since_s` when it holds that, how much was `lost_e` on the way, and what is `full` of it
+    """The registers of a block, then PIX, then IN: the `value`, the time `since_s` when it was
+    written, the electrons `lost_e` by saturation, and the marks `full`
     (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX."""
 
     value: Written[Floats]
@@ -210,8 +209,8 @@ class RegisterContents(NamedTuple):
 
 
 class Result(NamedTuple):
-    """What a word makes of its sources at each pixel that runs it: their sum, what was lost on the
-    way, and what is full in it. `pixels`: the pixels of the block that do."""
+    """The result of a word in each of the `pixels` of a block that run it: the sum of its sources,
+    the electrons lost by saturation, and the marks `full`."""
 
     pixels: Written[Ints]
     total: Written[Floats]
@@ -226,5 +225,4 @@ class Result(NamedTuple):
 
 
 ACTS, SEEN = 1, 2
-"""Of a word in the list of a lane: it acts there; what falls on PIX before it is read, by it or
-later, before PIX is reset."""
+"""Flags of a word in a lane: it acts there; the charge before it is read before PIX is reset."""

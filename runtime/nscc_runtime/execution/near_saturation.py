@@ -1,7 +1,6 @@
-"""Which pixels of a scene may saturate in a way that sums over slots do not know.
+"""Find the pixels of a scene that may saturate; they run through their words.
 
-What a pixel sees is computed with all effects that are wanted: pixels near saturation run through
-their words.
+Their charge is computed with all requested effects.
 """
 
 from __future__ import annotations
@@ -24,9 +23,9 @@ Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 
 _SIGMAS = 6.0
-"""How far from its mean a pixel is taken to come when it is asked whether it may saturate."""
+"""Number of standard deviations of noise that is added to a pixel's mean charge."""
 _SLACK = 1.0 - 1e-5
-"""Light that is added up to float32 is compared with a little less than the limit."""
+"""Factor on limits, because light is added up in float32."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,12 +35,11 @@ class NearSaturation:
     Attributes
     ----------
     places : int64, shape (count,)
-        Where they are, in order.
+        Their places on the chip, in order.
     most_e, own_e : float64, shape (count,)
-        The most charge that PIX of each may see at a read, noise included; and the same without
-        what its neighbours give.
+        The largest charge on PIX at a read, noise included; and the same without crosstalk.
     spilt : bool, shape (count,)
-        Which of them only their neighbours' light brings there, as suns do to what is beside them.
+        Whether a pixel is near saturation only by the light of its neighbours.
     """
 
     places: Places
@@ -58,8 +56,8 @@ NO_PIXELS = NearSaturation(
 def near_saturation(
     program: Program, light: Light, device_seed: int, requested_effects: Selection
 ) -> NearSaturation:
-    """The pixels of a scene that may saturate under the effects in `requested_effects`; kept for as
-    long as the light is."""
+    """Return the pixels of a scene that may saturate under `requested_effects`; cached with the
+    light."""
     if not requested_effects.names(Saturates):
         return NO_PIXELS
     source = (requested_effects.find_part(Moving) and light.motion) or light
@@ -76,7 +74,8 @@ def near_saturation(
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """One search: first a bound on all pixels, then the charge of those that may be near."""
+    """A search for pixels near saturation: a bound for all pixels, then the charge of
+    candidates."""
 
     chip: Chip
     light: Light
@@ -100,12 +99,12 @@ class _Search:
 
     @cached_property
     def _total_e(self) -> Values:
-        """All light of each pixel (rows, cols)."""
+        """Total light of each pixel (rows, cols)."""
         return np.asarray(self.light.sum_e * self.chip.scale.reshape(self.light.shape))
 
     @cached_property
     def _gained_e(self) -> Values:
-        """What neighbours give to each pixel of all their light."""
+        """Charge that each pixel receives from its neighbours by crosstalk."""
         gained_e, total_e = np.zeros(self.light.shape), self._total_e
         if self.chip.kept_effects.find_part(Exchange) is not None:
             gained_e[1:] += total_e[:-1]
@@ -117,8 +116,8 @@ class _Search:
 
     @property
     def _candidates(self) -> Places:
-        """Where the frame's dark current, all that neighbours give, and the part of the light that
-        a lane sees at most come to the limit of the lane."""
+        """Places where the dark charge of the frame, crosstalk, and the largest light that the lane
+        can hold reach the limit of the lane."""
         weights, _, limit = self._of_lanes
         lanes, seen_fraction = self.chip.array.flat_lanes, weights.of_frames(self.light).most_part
         most_e = seen_fraction.take(lanes) * self._total_e.reshape(-1)
@@ -127,8 +126,8 @@ class _Search:
         return np.flatnonzero(most_e >= limit.take(lanes))
 
     def _charges(self, places: Places) -> tuple[Values, Values]:
-        """The most charge (kinds, places) of each pixel, and without what its neighbours give:
-        neighbours' light counts in the pixel's own slots, whatever their own codes are."""
+        """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
+        Crosstalk counts in the pixel's own slots, whatever the codes of the neighbours."""
         weights, dark_s, _ = self._of_lanes
         lanes = self.chip.array.flat_lanes[places]
         frames = self.light.ended.reshape(len(self.light.ended), -1)
@@ -144,15 +143,15 @@ class _Search:
 
 
 def _neighbours(places: Places, rows: int, cols: int) -> Places:
-    """How many neighbours pixels have."""
+    """Return the number of neighbours of each pixel."""
     row, col = np.divmod(places, cols)
     beside: Places = (row > 0).astype(np.int64) + (row + 1 < rows) + (col > 0) + (col + 1 < cols)
     return beside
 
 
 def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
-    """How much of each slot (kinds, N, lanes) PIX sees, and registers hold; for how long these
-    gather dark charge, in seconds; and the least of it with which a lane may saturate."""
+    """Return the weights of slots (kinds, N, lanes) on PIX and in registers, the seconds of dark
+    charge in these, and the smallest charge with which each lane may saturate."""
     program = chip.program
     held_weights = () if program.reach.held_weights is None else program.reach.held_weights
     weights = np.stack([program.tables.seen_slots(), *held_weights]).astype(np.float64)
@@ -161,10 +160,10 @@ def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
 
 
 def _reaching(charge_e: Values) -> Values:
-    """How far counts of these means may go."""
+    """Return an upper bound of counts with mean `charge_e`."""
     return np.asarray(charge_e + _SIGMAS * np.sqrt(charge_e))
 
 
 def _reached(limit: Values) -> Values:
-    """The least charge that noise takes to a limit."""
+    """Return the smallest mean charge whose upper bound reaches `limit`."""
     return ((np.sqrt(_SIGMAS**2 + 4.0 * np.maximum(limit, 0.0)) - _SIGMAS) / 2.0) ** 2

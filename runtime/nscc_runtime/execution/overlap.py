@@ -1,7 +1,7 @@
-"""Crosstalk of counts: how much of a neighbour's counted charge falls on a pixel's open slots.
+"""Crosstalk of counts: the fraction of a neighbour's count that falls in a pixel's open slots.
 
-A neighbour's charge is counted for its own groups of slots. The part of a group's count that lies
-in the slots that another pixel has open is taken as that part of the group's time.
+A neighbour's charge is counted for its own groups of slots. The fraction of a group's count in the
+open slots of another pixel is approximated by the fraction of its time.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ NEIGHBOURS = (
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """The counts of one group of slots in the exposures of other pixels.
+    """The weight of the counts of one group of slots in the exposures of other pixels.
 
     Attributes
     ----------
     seconds : float64, shape (N, lanes, buckets)
         The slots' lengths times their weights.
     inverse_seconds : float64, shape (N, lanes)
-        Where the group has slots, as one over the seconds that all of these take.
+        One over the total seconds of the group's slots, in these slots; 0 elsewhere.
     """
 
     seconds: Values
@@ -45,8 +45,7 @@ class Overlap:
     def between(
         self, pixel_lanes: NDArray[np.int32], neighbour_lanes: NDArray[np.int32]
     ) -> Weights:
-        """The weights (buckets, pairs) in pixels of the lanes `pixel_lanes` of neighbours'
-        counts."""
+        """Return the weights (buckets, pairs) of neighbours' counts in pixels of these lanes."""
         if self._table is not None:
             return self._table[:, pixel_lanes, neighbour_lanes]
         weights = np.empty((self.seconds.shape[2], pixel_lanes.size), np.float32)
@@ -61,7 +60,7 @@ class Overlap:
 
     @cached_property
     def _table(self) -> Weights | None:
-        """The same (buckets, lanes, lanes) of all pairs."""
+        """The weights (buckets, lanes, lanes) of all pairs of lanes; None if there are too many."""
         _, lanes, buckets = self.seconds.shape
         if lanes**2 > _MOST_PAIRS:
             return None
@@ -72,8 +71,8 @@ class Overlap:
 
 
 def weights_beside(overlaps: Sequence[Overlap], buckets: int, lanes: NDArray[np.int32]) -> Weights:
-    """The weights (groups, 4, buckets, pixels) of the counts of the neighbours above, below, left
-    and right in the exposures of pixels with these lanes (rows, cols); 0 where there is none."""
+    """Return the weights (groups, 4, buckets, pixels) of the counts of the neighbours above, below,
+    left and right in the exposures of pixels with these lanes (rows, cols); 0 beyond the border."""
     all_weights = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
     for number, overlap in enumerate(overlaps):
         for side, (to, source) in enumerate(NEIGHBOURS):

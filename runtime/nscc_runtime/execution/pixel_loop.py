@@ -1,10 +1,10 @@
-"""The loop that runs single pixels through their words: the reference, compiled, event by event.
+"""The compiled loop that runs single pixels through their words, event by event.
 
-It does what `nscc_runtime.reference` does with the same keyed numbers, but moves from word to word
-instead of from slot to slot: charge between two words is found by halving counts
-(`nscc_runtime.noise.thin`), so a program of few words costs little however many slots it has.
+It computes what `nscc_runtime.reference` computes, with the same keyed random numbers, but moves
+from word to word instead of from slot to slot. The charge between two words results from halving
+counts (`nscc_runtime.noise.thin`), so programs with few words are fast for any number of slots.
 
-`nscc_runtime.execution.pixels` makes what it is given.
+`nscc_runtime.execution.pixels` prepares the arguments.
 """
 
 from __future__ import annotations
@@ -75,8 +75,8 @@ def _begin(
     switches: Switches, sizes: Sizes, numbers: Numbers, device: OnDevice, start_keys: Words,
     place: int, fixed: Fixed, contents: RegisterContents,
 ) -> None:  # fmt: skip
-    """What is fixed of a pixel, and what its registers hold when a frame begins: PIX is first among
-    the keys."""
+    """Set a pixel's fixed patterns, and its registers at the start of a frame. The first of
+    `start_keys` is that of PIX."""
     begin(switches, 1, contents, 0)
     if sizes.stale:
         for register in range(switches.registers):
@@ -95,7 +95,7 @@ def _begin(
 def _of_slot(
     sizes: Sizes, numbers: Numbers, n: int, sites: Sites, away: Away, counts: Counts
 ) -> float:
-    """The charge of one slot, of which words see a part."""
+    """Return the charge of slot n, which words divide."""
     if sizes.counts_known:
         return charge_evenly(sizes, numbers, n, n + 1, sites, away, counts)
     return charge(sizes, numbers, n, n + 1, sites, away, counts)
@@ -106,8 +106,9 @@ def _fallen(
     switches: Switches, sizes: Sizes, numbers: Numbers, at: int, stop: int, gone: float,
     of_slot: float, sites: Sites, away: Away, counts: Counts, pix_e: float,
 ) -> float:  # fmt: skip
-    """The charge of the slots `at` .. `stop` - 1 less a part `gone` of the first, whose charge is
-    `of_slot`; or so much that PIX, which holds `pix_e`, is full with it for sure."""
+    """Return the charge of the slots `at` .. `stop` - 1 minus the fraction `gone` of the first,
+    whose charge is `of_slot`. If PIX, which holds `pix_e`, certainly becomes full, return a larger
+    charge."""
     first = at if gone == 0.0 else at + 1
     if switches.holds:
         least = least_charge(sizes, numbers, counts.places[0], first, stop, sites)
@@ -142,7 +143,7 @@ def _run(
     program: Program, sites: Sites, away: Away, counts: Counts, drawn: Floats, fixed: Fixed,
     contents: RegisterContents, result: Result,
 ) -> None:  # fmt: skip
-    """Run a pixel through its words, the charge of the slots falling meanwhile."""
+    """Run a pixel through its words, and add the charge of the slots between them."""
     slots, pix, first = sizes.slots, switches.registers, lanes.start[lane]
     at, gone = 0, 0.0
     single, of_single = -1, 0.0
@@ -150,8 +151,7 @@ def _run(
         if not lanes.flags[e] & ACTS:
             continue
         word = program.words[lanes.word[e]]
-        # Of charge that nothing reads before PIX is reset, or the frame ends, nothing is asked; nor
-        # of what falls on a PIX that is full.
+        # Charge that is not read before PIX is reset, and charge on a full PIX, is not computed.
         is_read = lanes.flags[e] & SEEN > 0
         if at < word.begins:
             if is_read and not contents.full[pix] & ADDED:

@@ -1,4 +1,4 @@
-"""Single pixels of a frame, each run through all of its words: exact, and dear.
+"""Single pixels of a frame, each run through all of its words: exact, and slow.
 
 `Pixels` lays a program, a sensor and a choice of effects out as `nscc_runtime.execution.pixel_loop`
 takes them. With the same effects it gives what `nscc_runtime.reference` gives, to rounding.
@@ -59,19 +59,19 @@ from nscc_runtime.reference.noise import PART, SUM
 from nscc_runtime.reference.words import START, most_destinations
 
 _MOST_KEPT = 1 << 23
-"""Bytes a thread may keep of neighbours' counts."""
+"""Largest number of bytes of neighbours' counts that a thread stores."""
 _MOST_LIGHT = 1 << 26
-"""Bytes of light, slot by slot, that are kept from frame to frame."""
+"""Largest number of bytes of light, slot by slot, that are stored from frame to frame."""
 _FEWEST = 64
-"""Pixels that are worth a thread."""
+"""Smallest number of pixels per thread."""
 _MOST_KEYS = 16
 """Seeds whose keys are kept."""
 
 
 @dataclass(frozen=True, eq=False)
 class LaneWords:
-    """A program's words by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`; the `groups`
-    (lanes, N) of its slots, and what keys call these."""
+    """The words of a program by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`; the
+    `groups` (lanes, N) of its slots, and their numbers in random keys."""
 
     reference: Reference
     program: Program
@@ -81,7 +81,7 @@ class LaneWords:
 
     @classmethod
     def of(cls, reference: Reference) -> LaneWords:
-        """Lay out the words of a program made ready for the reference."""
+        """Prepare the words of a program of the reference."""
         container = reference.container
         lanes, buckets = len(container.encoding), len(container.buckets)
         acts = np.array([word.lanes for word in reference.words]).reshape(-1, lanes)
@@ -119,12 +119,12 @@ class LaneWords:
 
     @cached_property
     def times(self) -> Times:
-        """Its slots by lane."""
+        """The slots of the program by lane."""
         return Times(self.groups, len(self.group_ids), self.reference.container.slot_s)
 
     @cached_property
     def numbers(self) -> int:
-        """One more than the highest number of a word."""
+        """Number of word numbers: the highest plus one."""
         return int(self.program.words["number"].max(initial=0)) + 1
 
     @cached_property
@@ -143,14 +143,14 @@ class LaneWords:
 
     @cached_property
     def most_words(self) -> int:
-        """The most words of a lane."""
+        """Largest number of words of a lane."""
         return int(np.diff(self.lanes.start).max(initial=0))
 
 
 @dataclass(frozen=True, eq=False)
 class KnownCounts:
-    """Counts that are drawn already: how far `away` (groups, pixels) from their means, in these
-    groups of slots."""
+    """Known counts of groups of slots: their deviations `away` (groups, pixels) from their
+    means."""
 
     groups: tuple[int, ...]
     away: NDArray[np.float64]
@@ -158,8 +158,8 @@ class KnownCounts:
 
 @dataclass(frozen=True, eq=False)
 class Wired:
-    """A program's words under some effects on one chip, given to the loop: what scenes have in
-    common. ValueError for effects that the loop cannot have.
+    """The words of a program under some effects on one chip, bound to the loop, for any scene.
+    Raises ValueError for effects that the loop does not support.
     """
 
     words: LaneWords
@@ -173,12 +173,12 @@ class Wired:
 
     @cached_property
     def numbers(self) -> Numbers:
-        """The figures of the effects; 0 of those that are off."""
+        """The parameters of the effects; 0 for effects that are off."""
         reference = self.words.reference
         return numbers_of(reference.container, reference.sensor, self.effects)
 
     def laid_out(self, light: Light, places: NDArray[np.int64], threads: int) -> Sites:
-        """The light of places."""
+        """Return the light of `places`, prepared for the loop."""
         return sites_of(
             light, places, self.words.lanes.of_pixel, self.words.times, self.numbers, self._device,
             switches(Laying, self.effects), threads,
@@ -190,7 +190,7 @@ class Wired:
 
     @cached_property
     def loop(self) -> Bound:
-        """The loop, with all that scenes have in common."""
+        """The loop, bound to the arguments that do not depend on the scene."""
         words, container = self.words, self.words.reference.container
         return run_pixels.bound(
             switches=switches_of(container, self.effects),
@@ -211,22 +211,22 @@ class Wired:
         )
 
     def sizes(self, pixels: int, frame: int, counts_known: bool) -> Sizes:
-        """Of so many pixels of a frame."""
+        """Return the sizes for a number of pixels of a frame."""
         common, cols = self._sizes, self.words.lanes.of_pixel.shape[1]
         if pixels <= cols:
-            # So few seldom have neighbours in common.
+            # Few pixels seldom share neighbours.
             common = common | {"kept_cols": min(3, cols)}
         return Sizes(pixels=pixels, frame=frame, counts_known=counts_known, **common)
 
     @cached_property
     def _sizes(self) -> dict[str, int]:
-        """Everything of `Sizes` but what frames decide."""
+        """The fields of `Sizes` that do not depend on the frame."""
         words = self.words
         container = words.reference.container
         rows, cols = words.lanes.of_pixel.shape
         groups = len(words.group_ids)
         padded_slots = 1 << (container.slots - 1).bit_length()
-        # Counts of a site and their stamps, of light and dark.
+        # Counts of a site and their stamps, for light and dark charge.
         site_bytes = 16 * groups * 2 * 2 * padded_slots
         return {
             "slots": container.slots,
@@ -243,7 +243,7 @@ class Wired:
         }
 
     def scratch(self, sizes: Sizes) -> dict[str, Any]:
-        """What the loop wants beside what it is given."""
+        """Return working memory for the loop."""
         container = self.words.reference.container
         groups, room = sizes.groups, 2 * sizes.padded_slots * sizes.groups
         counts = bool(self.effects.names(Counted))
@@ -273,12 +273,11 @@ class Wired:
 
 @dataclass(frozen=True, eq=False)
 class Running:
-    """Pixels of a scene that run through their words: what its frames have in common.
+    """Pixels of a scene that run through their words.
 
-    `chosen` are their places, row * cols + col. Of their light at most `_MOST_LIGHT` bytes are
-    kept: where it takes more, every frame lays it out again, part by part. Threads and the order of
-    places change no bit.
-    """
+    `chosen` are their places, row * cols + col. At most `_MOST_LIGHT` bytes of their light are
+    stored; larger light is prepared again for every frame, in slices. The result does not depend on
+    threads or on the order of places."""
 
     wired: Wired
     light: Light
@@ -288,10 +287,11 @@ class Running:
     def expose(
         self, seed: int, frame: int, known_counts: KnownCounts | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-        """Electrons (buckets, pixels) of frame number `frame`, and what cut them off.
+        """Return electrons (buckets, pixels) of frame number `frame`, and their saturation marks.
 
-        With counts `known_counts`, those of neighbours are these, spread over the slots as their
-        light is; else they are drawn, and halved from node to node, as the reference does."""
+        `known_counts` are those of neighbours, split over slots in proportion to light. Without
+        them counts are drawn and halved from node to node, as in the reference.
+        """
         wired, words = self.wired, self.wired.words
         shape = len(words.reference.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)
@@ -333,7 +333,7 @@ class Running:
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
-        """The places whose charge matters."""
+        """The places whose charge is needed."""
         return self._needed(slice(None))
 
     def _needed(self, pixel_slice: slice) -> NDArray[np.int64]:
@@ -342,7 +342,7 @@ class Running:
 
     @cached_property
     def _pixel_slices(self) -> list[slice]:
-        """The pixels whose light is laid out together."""
+        """Slices of pixels whose light is prepared together."""
         words = self.wired.words
         slots, groups = words.reference.container.slots, len(words.group_ids)
         tables = sites = len(self._places)
@@ -356,7 +356,7 @@ class Running:
         ]
 
     def _sites(self, pixel_slice: slice) -> Sites:
-        """Their light, laid out."""
+        """Return the light of a slice of pixels."""
         if len(self._pixel_slices) == 1:
             return self._all_sites
         return self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
@@ -367,13 +367,13 @@ class Running:
 
 
 def _starts(lane: NDArray[np.int64], lanes: int) -> NDArray[np.int64]:
-    """Where the words of each lane begin, and the last one's end, in a list of their lanes."""
+    """Return where the words of each lane begin in the sorted list `lane`, and its length."""
     return np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
 
 
 @lru_cache(_MOST_KEYS)
 def _keys(effects: tuple[Effect, ...], seed: int) -> Keys:
-    """Keys that a frame's follow from, of all `effects` that there are."""
+    """Return the base keys of all `effects`."""
     keys_by_name = {}
     for effect in effects:
         for kind, source, name in (

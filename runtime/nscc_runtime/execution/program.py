@@ -28,15 +28,14 @@ from nscc_runtime.remembered import Recent, remembered
 Values = NDArray[np.float64]
 
 _RECENT_MODELS, _RECENT_CHIPS = 40, 4
-"""Results that are kept for the last sets of effects: planning compares a dozen models, three of
-each; chips hold arrays of all pixels."""
+"""Number of cached results: planning compares a dozen models; chips hold arrays of all pixels."""
 _MUCH = 1 << 20
-"""Numbers of slots x lanes from which on fewer models are kept."""
+"""Slots x lanes above which fewer models are cached."""
 
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """A compiled program and a sensor, made ready once for any number of scenes."""
+    """A compiled program on a sensor, analysed once for any number of scenes."""
 
     container: Container
     sensor: Sensor
@@ -63,17 +62,17 @@ class Program:
 
     @cached_property
     def full(self) -> Model:
-        """The weights with every effect on."""
+        """The model of weights with every effect on."""
         return self.model(everything())
 
     @remembered
     def model(self, kept_effects: Selection) -> Model:
-        """The weights under some effects, at the mean leakage."""
+        """Return the model of weights under some effects, at the mean leakage."""
         return Model.of(kept_effects, self.sensor)
 
     @cached_property
     def pixels(self) -> LaneWords:
-        """The words as they act, for the loop over single pixels, where digital registers decay."""
+        """The words for the loop over single pixels, with decay of digital registers."""
         return LaneWords.of(self.reference)
 
     def reference_at(self, array: PixelArray, effects: Selection) -> Reference:
@@ -100,7 +99,7 @@ class Program:
 
     @cached_property
     def reach(self) -> Reach:
-        """How far registers go with every effect on."""
+        """The reach of the registers with every effect on."""
         all_effects = everything()
         return reach_of(
             self.tables, all_effects, all_effects.require_part(Soft).linear_e(self.sensor)
@@ -108,7 +107,7 @@ class Program:
 
     @cached_property
     def open_part(self) -> NDArray[np.float32]:
-        """The part (rows, cols) of the frame whose light each pixel sees."""
+        """Fraction (rows, cols) of the frame in which light reaches each pixel's exposure."""
         open_fraction = (
             self.slot_s @ self.tables.seen_slots() / max(float(self.slot_s.sum()), 1e-300)
         )
@@ -116,7 +115,7 @@ class Program:
 
     @cached_property
     def group_ids(self) -> NDArray[np.int64]:
-        """The groups of slots that occur; group 0 are closed slots."""
+        """The groups of slots that occur; group 0 contains closed slots."""
         return np.unique(self.reference.groups.of_slot)
 
     @cached_property
@@ -125,22 +124,22 @@ class Program:
         return tuple(group for group in self.group_ids.tolist() if group)
 
     def members(self, group: int) -> Values:
-        """1 where a slot (N, lanes) belongs to a group."""
+        """Return 1 where a slot (N, lanes) belongs to a group, else 0."""
         return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
 
     @remembered
     def group_seconds(self, group: int) -> Values:
-        """How long (lanes,) the slots of a group are."""
+        """Return the seconds (lanes,) of the slots of a group."""
         return np.asarray(self.slot_s @ self.members(group))
 
     @remembered
     def open_seconds(self, model: Model) -> Values:
-        """How long (buckets, lanes) pixels are open for each bucket, by the weights of a model."""
+        """Return the open seconds (buckets, lanes), weighted by a model."""
         return np.asarray(np.einsum("n,nlb->bl", self.slot_s, self.tables.weights(model).slots))
 
     @remembered
     def mean_weights(self, model: Model) -> dict[int, Values]:
-        """The mean weight (lanes, buckets) over the time of each group's slots."""
+        """Return the mean weight (lanes, buckets) over the time of each group's slots."""
         weights = self.tables.weights(model).slots
         means = {}
         for group in self.group_ids.tolist():
@@ -154,10 +153,9 @@ class Program:
 
     @remembered
     def uneven_seconds(self, model: Model) -> tuple[Values, Values]:
-        """Integrals (buckets, lanes) over the time of a group's slots of the square by which their
-        weights differ from their mean, and of the square of the weights. Times the light a second
-        these are the variance of counts that drawing one count for the whole group leaves out, and
-        all of it."""
+        """Return time integrals (buckets, lanes) of squared weights, minus their group means and as
+        they are. Multiplied by the light per second, they are the variance of counts that one count
+        per group omits, and the whole variance of counts."""
         weights, means = self.tables.weights(model).slots, self.mean_weights(model)
         uneven, square = np.zeros((2, weights.shape[2], weights.shape[1]))
         for group in self.open_groups:
@@ -169,8 +167,8 @@ class Program:
     def sum_weights(
         self, model: Model, leak_rates: tuple[float, ...], groups: tuple[int, ...]
     ) -> Weights:
-        """Which slots belong to each of the groups, then how much of each slot's light comes to
-        each bucket at each rate of leakage."""
+        """Return the slots of each group, then the weights of slots in each bucket for each leakage
+        rate."""
         key = Weights, model, leak_rates, groups
 
         def make() -> Weights:
@@ -187,7 +185,7 @@ class Program:
         return self.recent.of(key, make)
 
     def overlaps(self, model: Model) -> list[Overlap]:
-        """How much of the counts of a neighbour's groups falls on a pixel's open slots."""
+        """Return for each open group the weights of a neighbour's counts in a pixel's exposures."""
 
         def make() -> list[Overlap]:
             seconds = self.tables.weights(model).slots * self.slot_s[:, None, None]
@@ -204,13 +202,13 @@ class Program:
 
     @cached_property
     def recent(self) -> Recent:
-        """Weights that were last computed for some models."""
+        """Cache of weights for recent models."""
         is_large = self.container.slots * len(self.container.encoding) > _MUCH
         return Recent(_RECENT_CHIPS if is_large else _RECENT_MODELS)
 
     @cached_property
     def recent_chips(self) -> Recent:
-        """What was last computed for all pixels under some sets of effects."""
+        """Cache of arrays of all pixels for recent sets of effects."""
         return Recent(_RECENT_CHIPS)
 
 

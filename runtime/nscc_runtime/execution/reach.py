@@ -1,7 +1,8 @@
-"""How far the registers of a program may go from zero: for light, and for what is not light.
+"""The range of register values of a program: the charge with which registers leave the linear
+range.
 
-The words run forwards over some lanes. What registers hold hangs linearly on the charge of each
-stretch of slots between words, on the fixed error of a word, and on noise.
+The words run forwards over some lanes. Register values are linear functions of the charge of each
+stretch of slots between words, of the fixed error of a word, and of noise.
 """
 
 from __future__ import annotations
@@ -23,8 +24,8 @@ _MOST_LANES = 64
 _MOST_STRETCHES = 128
 _SIGMAS = 6.0
 _KINDS = 2
-"""Of what registers hold of the slots: as a rule the light of open ones, and that of closed ones,
-which is taken away again."""
+"""Number of kinds of register content: usually light of open slots, and light of closed slots,
+which is subtracted later."""
 _ROUNDING = 1e-9
 
 
@@ -40,8 +41,8 @@ class Reach:
 
 
 def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> Reach:
-    """The reach of a program with the noise of the effects in `kept_effects`, where registers are
-    linear up to `linear_e`; the same on every call."""
+    """Return the reach of a program with the noise of `kept_effects` and registers that are linear
+    up to `linear_e`, deterministically."""
     lanes, slots = len(tables.container.encoding), tables.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in tables.decayed])
@@ -61,7 +62,8 @@ def _farthest(
     tables: Tables, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64], kept_effects:
     Selection, linear_e: float,
 ) -> _RegisterReach:  # fmt: skip
-    """What is found of some lanes, and of the stretches of slots that end at some boundaries."""
+    """Run the words over `sampled_lanes`, with stretches of slots that end at the boundaries
+    `ends`."""
     gain_part, sensor = kept_effects.find_part(WordGain), tables.program.sensor
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
     state = _RegisterState(tables, len(sampled_lanes), len(ends), kept_effects)
@@ -102,14 +104,14 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
-        """PIX is reset in these lanes."""
+        """Reset PIX in these lanes."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
-        """One bus word, in these lanes."""
+        """Run a bus word in these lanes."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:
@@ -127,7 +129,8 @@ class _RegisterState:
     def _write(
         self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
     ) -> None:
-        """Some rows become the sum of all, so much of each, with noise of a variance beside."""
+        """Set rows to the weighted sum `total` of all rows, plus independent noise of a
+        variance."""
         new_weights, new_covariance = (
             total @ self.held_weights[lanes],
             total @ self.covariance[lanes],
@@ -152,7 +155,7 @@ class _RegisterReach:
 
     @property
     def most(self) -> float:
-        """The largest part of a charge that a register holds: 1 if nothing counts twice."""
+        """Largest weight of a charge in a register; 1 unless charge counts twice."""
         return max(1.0, float(self.held_weights.max(initial=0.0)))
 
     def add(self, lanes: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
@@ -168,8 +171,8 @@ class _RegisterReach:
         self._hold(lanes, np.abs(lit), least)
 
     def _hold(self, lanes: NDArray[np.bool_], size: Values, least: Values) -> None:
-        """Add what is held to the first kind that has no less of any stretch, or no more; to the
-        last one if there is none."""
+        """Add the weights `size` to the first kind whose weights are all at least, or all at most,
+        as large; else to the last kind."""
         for kind in range(_KINDS):
             held_weights = self.held_weights[kind]
             is_smaller, is_larger = (

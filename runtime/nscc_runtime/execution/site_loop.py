@@ -1,5 +1,5 @@
-"""The loop that lays out the light of sites, pixels and those beside them, for `charge_loop`: what
-no frame changes."""
+"""The loop that prepares the light of sites (pixels and their neighbours) for `charge_loop`, once
+for all frames."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
 
 _TOGETHER = 16
-"""Sites that go through the slots together: a line of the cache of each frame, where they touch."""
+"""Number of sites that are processed together: adjacent ones share a cache line of each frame."""
 
 
 @record
 class Laying:
-    """Which of the sites are laid out, and how; the last three are switches."""
+    """The range of sites to prepare, and sizes; the last three are switches."""
 
     begin: int
     end: int
@@ -44,7 +44,7 @@ class Laying:
 
 @compiled
 def _rate(numbers: Numbers, total: float, response: float) -> float:
-    """The rate of a slot whose light, in float64, is `total`."""
+    """Return the rate of a slot with light `total`, rounded to float32."""
     rate = float(np.float32(total))
     rate = (rate + numbers.echo * rate) * response
     rate = rate if rate > 0.0 else 0.0

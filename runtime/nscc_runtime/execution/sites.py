@@ -1,5 +1,5 @@
-"""The light of pixels that run through their words, and of those beside them: what frames of one
-scene on one chip have in common."""
+"""The light of pixels that run through their words and of their neighbours, shared by all frames of
+a scene on a chip."""
 
 from __future__ import annotations
 
@@ -17,17 +17,19 @@ from nscc_runtime.light import Light
 from nscc_runtime.pool import in_parts
 
 _FEWEST = 256
-"""Sites that are worth a thread."""
+"""Smallest number of sites per thread."""
 _SPARSE = 64
-"""Of every so many pixels at most one is chosen: a list is faster than an array of all."""
+"""If fewer than one pixel in this number is chosen, a list is faster than an array of all
+pixels."""
 _MOST_KEPT = 1 << 21
-"""Numbers of the slots of all lanes that are kept from scene to scene."""
+"""Largest table of the slots of all lanes that is cached for other scenes."""
 
 
 def needed_places(
     chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool
 ) -> NDArray[np.int64]:
-    """Places of an array, row * cols + col, in order, each once; with those `beside` them."""
+    """Return the distinct `chosen` places, row * cols + col, in order; with `beside`, also those of
+    their neighbours."""
     if beside and len(chosen) * _SPARSE < shape[0] * shape[1]:
         row, col = np.divmod(chosen, shape[1])
         rows = np.clip(np.stack([row, row - 1, row + 1, row, row]), 0, shape[0] - 1)
@@ -46,8 +48,8 @@ def needed_places(
 
 @dataclass(frozen=True, eq=False)
 class Times:
-    """Slots of lanes as sites have them: `of_slot` int32 (lanes, N), the group of each slot, of
-    `groups`; `slot_s` (N,) their lengths."""
+    """The slots of lanes: `of_slot` int32 (lanes, N) is the group of each slot, `groups` their
+    number, `slot_s` (N,) the slot lengths."""
 
     of_slot: NDArray[np.int32]
     groups: int
@@ -55,15 +57,15 @@ class Times:
 
     @cached_property
     def all_tables(self) -> tuple[NDArray[np.float64], NDArray[np.int64]] | None:
-        """See `tables`, of all lanes; None: too large to be kept."""
+        """`tables` of all lanes; None if they are too large to be cached."""
         lanes, slots = self.of_slot.shape
         if 2 * lanes * self.groups * (slots + 1) > _MOST_KEPT:
             return None
         return self.tables(np.arange(lanes))
 
     def tables(self, used: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Sums (rows, groups, N + 1) over the slots of each group: of 1, for each of the lanes that
-        are `used`, then of seconds; and where (lanes, 2) those of each lane begin."""
+        """Return cumulative sums (rows, groups, N + 1) over the slots of each group: numbers of
+        slots for the `used` lanes, then seconds; and where (lanes, 2) those of each lane begin."""
         lanes, slots = self.of_slot.shape
         apart = self.of_slot[used, None, :] == np.arange(self.groups)[:, None]
         sums = np.zeros((2, len(used), self.groups, slots + 1))
@@ -85,8 +87,8 @@ def sites_of(
     switches: dict[str, int],
     threads: int,
 ) -> Sites:
-    """The sites at `places`, of pixels with these `lanes` (rows, cols). `switches` are those of
-    `Laying` that effects have.
+    """Return the sites at `places`, of pixels with these `lanes` (rows, cols). `switches` are the
+    effects' fields of `Laying`.
     """
     count, even, groups = len(places), light.even, times.groups
     row = groups * (light.slots + 1)
@@ -95,7 +97,7 @@ def sites_of(
         tables = times.tables(np.unique(lanes.reshape(-1)[places]))
     sums, of_lane = tables
     if not even:
-        # Each site has its own light; of lanes only seconds are left.
+        # Each site has its own light; lanes only provide seconds.
         seconds = sums[len(sums) // 2 :] if switches["counts_dark"] else sums[:0]
         site_sums = np.empty((count + len(seconds), groups, light.slots + 1))
         site_sums[count:] = seconds

@@ -1,6 +1,6 @@
-"""The loop that adds up light, each frame weighted by the pixel's lane, and smears it.
+"""The loop that adds up frames of light, weighted by the pixel's lane, with crosstalk.
 
-`nscc_runtime.execution.sums` has checked what it is given.
+`nscc_runtime.execution.sums` checks its arguments.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from nscc_runtime.loop import (
 )
 
 BLOCK = 512
-"""Pixels whose sums stay in the cache while the frames go by."""
+"""Number of pixels whose sums stay in the cache for all frames."""
 
 TOGETHER = 4
-"""Frames that are added for one time through the sums."""
+"""Number of frames that are added in one pass over the sums."""
 
 
 @record
 class SceneSizes:
-    """The size of the frames, of which the rows from `begin` to `end` - 1 are to be done.
+    """The size of the frames, and the rows from `begin` to `end` - 1 to process.
 
-    Sums from number `smeared` on are of light that neighbours have exchanged `fraction` of.
+    Sums from number `smeared` on are of light after crosstalk of `fraction`.
     """
 
     begin: int
@@ -52,7 +52,7 @@ def _moved(
     frames: Floats32, share: Floats32, frame: int, p: int, up_step: int, down_step: int, left_step:
     int, right_step: int, c: np.float32,
 ) -> np.float32:  # fmt: skip
-    """The light of pixel p of a frame once its neighbours, so many places away, have exchanged."""
+    """Return the light of pixel p of a frame after crosstalk; the steps lead to its neighbours."""
     own_light = share[p] * frames[frame + p]
     four = (
         share[p + up_step] * frames[frame + p + up_step]
@@ -76,7 +76,7 @@ def _smear(
     row = first // cols
     up_step = -cols if row > 0 else 0
     down_step = cols if row + 1 < sizes.rows else 0
-    # Those inside have all neighbours: no branch, so LLVM makes vectors.
+    # Inner pixels have all neighbours: no branch, so LLVM makes vectors.
     for p in range(first + 1, stop - 1):
         lit[at + p - first] = _moved(frames, share, frame, p, up_step, down_step, -1, 1, c)
     left_step, right_step = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
@@ -91,7 +91,7 @@ def _smear(
 def _gather(
     source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
 ) -> None:
-    """gathered[i] += what `count` frames, `step` apart, have at first + i."""
+    """gathered[i] += the light at first + i of `count` frames, which are `step` apart."""
     for k in range(0, count - count % TOGETHER, TOGETHER):
         frame = at + k * step
         for p in range(first, stop):
@@ -110,7 +110,7 @@ def _gather_smeared(
     sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, count: int, first: int,
     stop: int, lit: Floats32, gathered: Floats,
 ) -> None:  # fmt: skip
-    """As `_gather`, of frames k .. k + count - 1 once neighbours have exchanged their light."""
+    """Like `_gather`, for frames k .. k + count - 1 after crosstalk."""
     pixels = sizes.rows * sizes.cols
     for first_frame in range(0, count, TOGETHER):
         together = min(TOGETHER, count - first_frame)
@@ -126,7 +126,7 @@ def _add_alike(
     lit_sums: Bytes, lanes: Ints32, first: int, stop: int, lit: Floats32, gathered: Floats,
     out: Floats,
 ) -> None:  # fmt: skip
-    """Add the frames from k on, whose weights are alike, to all sums."""
+    """Add `alike` frames from k on, which have equal weights, to all sums."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared

@@ -1,5 +1,5 @@
-"""Frames by weighted sums: light added up with the weights of the pixel's code, counts drawn once
-for groups of slots, and codes made of the exposures."""
+"""Frames by weighted sums: light weighted by the pixel's code, counts drawn once per group of
+slots, and converter codes."""
 
 from __future__ import annotations
 
@@ -51,15 +51,14 @@ APPROXIMATIONS: Sequence[str] = (
     "counts from a rate of 10 on follow a formula",
     "noise of words is weighed at the mean leakage, and leakage is linear between two rates",
 )
-"""How sums differ from the reference with the same effects."""
+"""The approximations of sums, compared with the reference with the same effects."""
 
 
 @dataclass(frozen=True, eq=False)
 class SummedScene:
-    """The light of a scene on the pixels of a chip, whose frames are weighted sums with noise.
+    """A scene on the pixels of a chip, whose frames are weighted sums with noise.
 
-    `known` are sums of this light by what they depend on: planning tries sets of effects that have
-    them in common.
+    `known` caches sums of the light: planning tries sets of effects that share them.
     """
 
     chip: Chip
@@ -74,8 +73,8 @@ class SummedScene:
 
     @cached_property
     def _sums(self) -> tuple[Values, Values]:
-        """All sums over the scene in one go: the light (counted groups, pixels) of each group of
-        slots that is counted, and of each bucket (buckets, pixels)."""
+        """The light of each counted group of slots (counted groups, pixels), and of each bucket
+        (buckets, pixels), computed in one pass."""
         chip, kept_effects = self.chip, self.chip.kept_effects
         lit = len(chip.counted) if kept_effects.find_part(CountedLight) is not None else 0
         model = chip.program.model(kept_effects)
@@ -105,8 +104,7 @@ class SummedScene:
 
     @cached_property
     def expected(self) -> Values:
-        """The exposures (buckets, pixels) of the mean charge and of words with their fixed errors,
-        nothing saturated."""
+        """Mean exposures (buckets, pixels), with fixed errors of words, without saturation."""
         exposure, dark_e = self._sums[1], self.chip.dark_e
         if dark_e is not None:
             exposure = exposure + dark_e
@@ -123,10 +121,11 @@ class SummedScene:
         ]
 
     def away(self, seed: int, frame: int) -> Values:
-        """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
+        """Return the deviations of the counts (counted groups, pixels) of a frame from their
+        means."""
         array, groups = self.chip.array, self.chip.counted
         away = np.empty((len(groups), array.lanes.size))
-        # Made here: who makes them waits for the threads that run.
+        # Computed before the threads start: cached properties of one object wait for each other.
         keys = self._keys(seed, frame) if groups else []
         sources = [*zip(keys, self.rates, strict=bool(groups))]
 
@@ -147,8 +146,8 @@ class SummedScene:
         return away
 
     def expose(self, seed: int, frame: int, away: Values) -> Values:
-        """Exposures (buckets, pixels) of frame number `frame`, whose counts are so far `away` from
-        their means."""
+        """Return exposures (buckets, pixels) of a frame whose counts deviate by `away` from their
+        means."""
         chip, (draws, _) = self.chip, self.chip.noise
         (rows, cols), expected = chip.array.shape, self.expected
         exposure = np.empty(expected.shape)
@@ -173,7 +172,7 @@ class SummedScene:
         return exposure
 
     def _keys(self, seed: int, frame: int) -> list[NDArray[np.uint64]]:
-        """The keys of the counted groups, of each source."""
+        """Return the keys of the counted groups for each source."""
         groups = self.chip.counted
         return [
             np.array([count_key(seed, stream, source, frame, group) for group in groups], np.uint64)
@@ -182,7 +181,7 @@ class SummedScene:
 
 
 def _adding(chip: Chip) -> Bound:
-    """The loop that adds up, with all that scenes have in common."""
+    """Return the loop that adds up, bound to the arguments that do not depend on the scene."""
     return add_up.bound(
         lanes=chip.array.flat_lanes,
         places=chip.array.places,
@@ -194,8 +193,8 @@ def _adding(chip: Chip) -> Bound:
 
 @dataclass(frozen=True, eq=False)
 class LoopConverter:
-    """The converter as the loop knows it: `figures` are its figures, `stream` is that of its noise,
-    0 where it has none.
+    """The converter for the loop: its parameters `figures`, and the random `stream` of its noise, 0
+    without noise.
     """
 
     figures: dict[str, Any]
@@ -204,7 +203,7 @@ class LoopConverter:
 
     @classmethod
     def of(cls, chip: Chip) -> LoopConverter | None:
-        """None where an effect that is kept does something else after the exposure."""
+        """Return the converter of a chip; None if other effects act after the exposure."""
         kept_effects, sensor = chip.kept_effects, chip.program.sensor
         target = chip.program.container.target
         converters, codes = kept_effects.having(Converter), kept_effects.having(Codes)
@@ -228,8 +227,8 @@ class LoopConverter:
         self, values: Values, marked: NDArray[np.uint8], shape: tuple[int, int],
         seed_and_number: tuple[int, int], threads: int,
     ) -> Frame:  # fmt: skip
-        """The codes of exposures (buckets, pixels) of an array, in the frame of a seed with a
-        number; what they are marked with is added to."""
+        """Convert exposures (buckets, pixels) to a frame; saturation marks of codes are added to
+        `marked`."""
         (buckets, pixels), (seed, number) = values.shape, seed_and_number
         frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
         keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]
@@ -259,5 +258,5 @@ class LoopConverter:
 
 
 def _after(kept_effects: Selection) -> set[str]:
-    """The effects that act after the exposure."""
+    """Return the names of effects that act after the exposure."""
     return {effect.name for at in ("converter", "codes") for effect, _ in kept_effects.acting(at)}

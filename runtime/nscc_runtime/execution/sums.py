@@ -16,15 +16,15 @@ from nscc_runtime.light import Light
 from nscc_runtime.pool import in_parts
 
 _MOST_ENTRIES = 1 << 23
-"""Of tables in memory at once, unless a single one is larger."""
+"""Largest number of table entries in memory, unless a single table is larger."""
 _MOST_KEPT = 1 << 21
-"""Of tables that are kept from light to light."""
+"""Largest number of table entries that are cached for the next light."""
 
 
 @dataclass(frozen=True, eq=False)
 class FrameWeights:
-    """Weights (J, T, lanes) of the frames of all lights with one timing, as
-    `nscc_runtime.execution.sum_loop.scene_sums` takes them."""
+    """Weights (J, T, lanes) of frames for `nscc_runtime.execution.sum_loop.scene_sums`, for all
+    lights with the same timing."""
 
     timing: Hashable
     weights: NDArray[np.float64]
@@ -32,19 +32,19 @@ class FrameWeights:
 
     @classmethod
     def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> FrameWeights:
-        """Of weights (N, lanes) of slots, for the frames of a light."""
+        """Convert weights (N, lanes) of slots to weights of the frames of a light."""
         flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
         by_frame = light.on_frames(flat).reshape(-1, len(slots), slots[0].shape[1])
         return cls(light.timing, np.ascontiguousarray(by_frame.swapaxes(0, 1)), light.frame_weight)
 
     @cached_property
     def lit_sums(self) -> NDArray[np.uint8]:
-        """Whether any lane has a weight of a frame (J, T)."""
+        """Whether any lane has a nonzero weight of a frame (J, T)."""
         return np.asarray(self.weights.any(axis=2), np.uint8)
 
     @cached_property
     def alike(self) -> NDArray[np.int64]:
-        """With how many after it each frame has all weights in common, itself included."""
+        """Number of consecutive frames, from each frame on, that have equal weights."""
         count = self.weights.shape[1]
         differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
         ends = np.append(np.flatnonzero(differs) + 1, count)
@@ -53,16 +53,16 @@ class FrameWeights:
 
     @cached_property
     def most_part(self) -> NDArray[np.float64]:
-        """The most (lanes,) of a frame's light that any of them is."""
+        """Largest weight (lanes,) as a fraction of a frame's total weight."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
         np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
         return np.asarray(fractions.max(axis=(0, 1)))
 
 
 class Weights:
-    """Weights (N, lanes) of slots, to be those of frames; at least one.
+    """One or more weights (N, lanes) of slots.
 
-    What they are for the frames of the last light is kept: those of a film fall in the same slots.
+    The weights of the last light's frames are cached: series of frames have the same timing.
     """
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
@@ -71,11 +71,11 @@ class Weights:
 
     @property
     def lanes(self) -> int:
-        """How many lanes they have."""
+        """Number of lanes."""
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
-        """Those of a light's frames."""
+        """Return the weights of a light's frames."""
         last = self._last  # threads may make it anew
         if last is None or last.timing != light.timing:
             last = FrameWeights.of(light, self.slots)
@@ -84,7 +84,7 @@ class Weights:
         return last
 
     def batches(self, light: Light) -> Iterator[tuple[slice, FrameWeights]]:
-        """The same, so many at once as memory has room for."""
+        """Return the weights of a light's frames in batches that fit into memory."""
         room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
         if room >= len(self.slots):
             yield slice(0, len(self.slots)), self.of_frames(light)

@@ -1,8 +1,7 @@
-"""What a program does to light, as numbers for each lane: its words as weights.
+"""The words of a program as weights of slots and of errors, for each lane.
 
-As long as nothing saturates, an exposure is a weighted sum of the charge of the slots, of the
-errors of the words, and of nothing else. The weights depend on the pixel's code (its lane), on the
-gain of the words, on leakage, dead time and decay.
+Without saturation an exposure is a weighted sum of the charge of slots and of the errors of words.
+The weights depend on the pixel's code (its lane), on gain, leakage, dead time and decay.
 """
 
 from __future__ import annotations
@@ -23,10 +22,10 @@ Weights = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """A program's weights. `program` has every effect on, so that its draws are all there.
+    """The weights of a program; `program` has every effect on, so that all draws exist.
 
-    `fresh` are the analog words as they are meant, `decayed` as they are with digital registers
-    that lose their values; the same object where none does.
+    `fresh`: the analog words without decay of digital registers; `decayed`: with decay, the same
+    object if that changes nothing.
     """
 
     program: Reference
@@ -35,7 +34,7 @@ class Tables:
 
     @classmethod
     def of(cls, program: Reference) -> Tables:
-        """The tables of a program made ready with every effect."""
+        """Return the tables of a program with every effect on."""
         fresh = analog_words(program.container)
         alike = all(
             np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, program.words, strict=True)
@@ -49,16 +48,16 @@ class Tables:
 
     @property
     def decays(self) -> bool:
-        """Whether any word acts otherwise because a digital register has lost its value."""
+        """Whether decay of digital registers changes where a word acts."""
         return self.decayed is not self.fresh
 
     def same(self, model: Model) -> Model:
-        """The model that gives the same weights, one for all such."""
+        """Return a representative of all models with the same weights."""
         decay, lit_level = model.decay and self.decays, model.lit_level and model.dead_time
         return replace(model, decay=decay, lit_level=lit_level)
 
     def weights(self, model: Model) -> Backward:
-        """The weights under a model, kept."""
+        """Return the weights under a model, cached."""
         return self._backward(self.same(model))
 
     @remembered
@@ -67,14 +66,13 @@ class Tables:
         return backward(self.container, words, model)
 
     def numbered(self, at: str, model: Model) -> ByName[int]:
-        """The coefficients (lanes, buckets) of small errors, by the numbers of their draws."""
+        """Return the coefficients (lanes, buckets) of small errors, keyed by draw number."""
         return numbered_errors(self.container.target, self.weights(model))[at]
 
     @remembered
     def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
-        """Coefficients L (lanes, buckets, draws) of the keyed draws of small errors at `reads`,
-        `resets` or `words`, and the variance (lanes, buckets) of what they leave out, for unit
-        errors.
+        """Return the coefficients L (lanes, buckets, draws) of the keyed draws of small errors at
+        `reads`, `resets` or `words`, and the remaining variance (lanes, buckets), for unit errors.
         """
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
         coefficients = self.numbered(at, full)
@@ -89,12 +87,12 @@ class Tables:
 
     @remembered
     def pattern(self, full: Model) -> Weights:
-        """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
+        """Return the sum (lanes, buckets) of the signed coefficients of analog words' errors."""
         return self.weights(full).error_sum
 
     @remembered
     def seen_slots(self) -> NDArray[np.bool_]:
-        """The slots (N, lanes) whose charge is on PIX at some read: no register holds more."""
+        """Return the slots (N, lanes) whose charge is on PIX at some read."""
         container = self.container
         is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)

@@ -1,9 +1,8 @@
-"""Frames by weighted sums on a device of torch, many at once.
+"""Frames by weighted sums on a torch device, many at once.
 
-What `nscc_runtime.execution.frame_loop` does to one frame, with the same keyed numbers: exposures
-are the same to about 1e-3 electrons. Sums over the slots, and pixels that run through their words,
-stay on the processor.
-"""
+Computes what `nscc_runtime.execution.frame_loop` computes, with the same keyed random numbers, to
+about 1e-3 electrons. Sums over slots, and pixels that run through their words, stay on the
+processor."""
 
 from __future__ import annotations
 
@@ -22,27 +21,27 @@ from nscc_runtime.noise.on_torch import key_tensor, normals, poisson
 from nscc_runtime.reference.noise import SUM
 
 _MOST_BYTES = 1 << 29
-"""Of the tensors of the frames in work together."""
+"""Largest number of bytes of the tensors in use."""
 _ROOMS = 24
-"""Tensors of a frame's pixels that random numbers take."""
+"""Number of tensors per frame that random numbers need."""
 
 
 @dataclass(frozen=True, eq=False)
 class OnTorch:
-    """A scene by weighted sums, laid out on a device."""
+    """A scene by weighted sums on a torch device."""
 
     summed: SummedScene
     device: torch.device
 
     @property
     def together(self) -> int:
-        """How many frames are worth exposing at once."""
+        """Number of frames to expose at once."""
         groups, buckets = self.summed.chip.own_weights.shape[:2]
         frame_bytes = 8 * len(self._places) * (_ROOMS * max(1, groups) + 4 * buckets)
         return int(max(1, _MOST_BYTES // frame_bytes))
 
     def expose(self, seed: int, frames: range) -> NDArray[np.float64]:
-        """Exposures (frames, buckets, pixels)."""
+        """Return exposures (frames, buckets, pixels)."""
         exposure = self._expected + self._deviations(seed, frames)
         draws, sigmas = self.summed.chip.noise
         for (stream, draw), sigma in zip(draws, sigmas, strict=True):
@@ -52,7 +51,7 @@ class OnTorch:
         return exposure.cpu().numpy() + 0.0
 
     def _deviations(self, seed: int, frames: range) -> torch.Tensor:
-        """What deviations of counts make of exposures (frames, buckets, pixels)."""
+        """Return the deviations of exposures (frames, buckets, pixels) due to counts."""
         groups = self.summed.chip.counted
         shape = len(frames), len(groups), len(self._places)
         away = torch.zeros(shape, dtype=torch.float64, device=self.device)

@@ -26,14 +26,14 @@ from nscc_runtime.execution.layout import (
 from nscc_runtime.loop import Bytes, Floats, inlined
 
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4
-"""Of what a register holds: it has a full PIX in it, or that of a reset's level."""
+"""Marks of a register: it contains a full PIX, or a full PIX at the level of a reset."""
 _bent = in_loop("bends")
-"""What a register holds of a value, by the effect that bends it."""
+"""Soft saturation of a register, by the effect with this switch."""
 
 
 @inlined
 def begin(switches: Switches, block: int, contents: RegisterContents, i: int) -> None:
-    """What the registers of pixel i of a block hold when a frame begins: nothing."""
+    """Empty the registers of pixel i of a block at the start of a frame."""
     for register in range(switches.registers + 2):
         at = register * block + i
         contents.value[at], contents.since_s[at], contents.lost_e[at], contents.full[at] = (
@@ -50,7 +50,7 @@ def begin(switches: Switches, block: int, contents: RegisterContents, i: int) ->
 def fill(
     switches: Switches, numbers: Numbers, contents: RegisterContents, at: int, charge_e: float
 ) -> None:
-    """Charge falls on the PIX at `at`."""
+    """Add charge to the PIX at index `at`."""
     total = contents.value[at] + charge_e
     if switches.holds and total > numbers.well:
         total = numbers.well
@@ -63,7 +63,7 @@ def reset(
     switches: Switches, numbers: Numbers, word: Word, block: int, count: int, contents:
     RegisterContents, result: Result, normals: Floats, first: int,
 ) -> None:  # fmt: skip
-    """PIX is emptied; its error is normals[first + j]."""
+    """Reset PIX; its error is normals[first + j]."""
     for j in range(count):
         i = result.pixels[j]
         at = switches.registers * block + i
@@ -78,7 +78,7 @@ def add(
     switches: Switches, numbers: Numbers, word: Word, block: int, count: int, program: Program,
     fixed: Fixed, contents: RegisterContents, result: Result, normals: Floats, first: int,
 ) -> None:  # fmt: skip
-    """The sum of a word's sources, what they have lost, and which full PIX is in it; the error of a
+    """Set `result` to the sum of a word's sources, their losses and their marks; the error of a
     read is normals[first + j]."""
     pixels, total, pix = result.pixels, result.total, switches.registers
     for j in range(count):
@@ -118,7 +118,7 @@ def compare(
     switches: Switches, numbers: Numbers, block: int, count: int, fixed: Fixed, result: Result,
     normals: Floats, first: int,
 ) -> None:  # fmt: skip
-    """result.total := what a comparison with 0 sees of it; its error is normals[first + j]."""
+    """Add the comparator's errors to result.total; its noise is normals[first + j]."""
     if switches.compares_off:
         for j in range(count):
             result.total[j] += fixed.offset[result.pixels[j]]
@@ -133,7 +133,7 @@ def write(
     fixed: Fixed, contents: RegisterContents, result: Result, normals: Floats, first: int, step:
     int,
 ) -> None:  # fmt: skip
-    """The destinations of a bus word get its result; the error of number d is
+    """Write the result of a bus word to its destinations; the error of destination d is
     normals[first + d * step + j]."""
     for j in range(count):
         # What is added of the negative was subtracted.
@@ -162,8 +162,8 @@ def read_out(
     switches: Switches, numbers: Numbers, block: int, count: int, readouts: Readouts, fixed: Fixed,
     contents: RegisterContents, pixels: int, first: int, out: Floats, marked: Bytes,
 ) -> None:  # fmt: skip
-    """The exposures of a block whose pixels are number `first` and following of `pixels`: what its
-    registers hold when their turn has come. And `marked`, what cut them off."""
+    """Read out a block whose pixels are number `first` and following of `pixels`: exposures, and
+    their saturation marks."""
     for bucket in range(switches.buckets):
         gain = readouts.gain[bucket]
         negative = gain < 0.0

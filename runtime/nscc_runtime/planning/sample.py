@@ -189,8 +189,7 @@ def tile_corners(chance: Values, tile_count: int) -> tuple[Places, Values]:
 def _near_sample(
     near_pixels: NearSaturation, chance: Values, full_well_e: float
 ) -> tuple[Places, Values]:
-    """Places near saturation, and how many pixels each stands for; `chance` (rows * cols): how
-    likely each is to be drawn."""
+    """Draw places near saturation with `chance` (rows * cols,). Return them and their weights."""
     seen_e = near_pixels.most_e[~near_pixels.spilt]
     sure = np.zeros(len(seen_e), np.bool_)
     own_count = _OWN + _MORE * len(near_pixels.places) // len(chance)

@@ -1,9 +1,8 @@
-"""Exposures of a sample of a scene's pixels, of programs with fixed shutters: by sums, by words, by
-the reference.
+"""Exposures of sampled pixels of programs with fixed shutters: by sums, by words, by the reference.
 
-Pixels far from saturation are exposed on tiles that lie side by side as an array of their own, with
-the draws of their true places, so that they have the exposures of the whole frame; so are the
-neighbours of pixels near saturation. Words of single pixels run on the whole array.
+Tiles are exposed side by side as a separate array, with the random numbers of their places on the
+chip, so that they have the exposures of the whole frame. Words of single pixels run on the whole
+array.
 """
 
 from __future__ import annotations
@@ -31,14 +30,14 @@ from nscc_runtime.remembered import remembered
 Values = NDArray[np.float64]
 
 SEED = 0
-"""Of the draws of a trial: the same plan for every seed of a run."""
+"""Noise seed of trials, independent of the seed of a run."""
 _SIDE = 3
-"""Of the tiles of pixels near saturation: the pixel and its neighbours."""
+"""Side of the tiles around pixels near saturation."""
 
 
 @dataclass(frozen=True, eq=False)
 class SampledExposures:
-    """The measured pixels of a scene; results are kept. Exposures are (buckets, pixels)."""
+    """Exposures (buckets, pixels) of the sampled pixels of a scene; results are cached."""
 
     program: Program
     light: Light
@@ -48,7 +47,7 @@ class SampledExposures:
 
     @remembered
     def expose(self, execution: Execution, frame: int) -> Values:
-        """Exposures of all measured pixels under an execution by sums or by words."""
+        """Return exposures of all sampled pixels, by sums or by words."""
         if execution.path == "words":
             return self.by_words(execution.kept_effects, slice(None), frame)
         far_exposure_e = self.by_sums(
@@ -66,7 +65,7 @@ class SampledExposures:
     def by_sums(
         self, kept_effects: Selection, requested_effects: Selection, region: str, frame: int
     ) -> Values:
-        """Exposures of the measured pixels "far" from saturation, or "near" it, by sums."""
+        """Return exposures by sums of the sampled pixels "far" from saturation or "near" it."""
         inner = self._arrays[region][2]
         if not len(inner):
             return np.empty((len(self.program.container.buckets), 0))
@@ -84,7 +83,7 @@ class SampledExposures:
         frame: int = 0,
         known_counts: Sequence[KnownCounts] | None = None,
     ) -> Values:
-        """Exposures of some of the measured pixels, which run through their words."""
+        """Return exposures by words of the `chosen` sampled pixels."""
         wired, places = self.program.wired(effects, self.device_seed), self.sample.places[chosen]
         exposed = np.empty((len(self.program.container.buckets), len(places)))
         for turn, number in enumerate(self._numbers(frame)):
@@ -96,7 +95,7 @@ class SampledExposures:
 
     @remembered
     def by_reference(self, effects: Selection) -> Values:
-        """Exposures of all measured pixels, slot by slot."""
+        """Return exposures of all sampled pixels by the reference."""
         exposures = [np.empty((len(self.program.container.buckets), 0))]
         for array, light, inner in self._arrays.values():
             if not len(inner):
@@ -110,13 +109,13 @@ class SampledExposures:
         return np.concatenate(exposures, axis=1)
 
     def _numbers(self, frame: int) -> range:
-        """The numbers of the frames that pixels are exposed in, for the noise of frame `frame`."""
+        """Return the numbers of the simulated frames that replace frame `frame`."""
         frames = self.sample.frames
         return range(frame * frames, (frame + 1) * frames)
 
     def _near_by_words(self, execution: Execution, frame: int) -> Values:
-        """Exposures of pixels near saturation, whose neighbours' counts are those of sums where
-        that serves."""
+        """Return exposures by words of pixels near saturation, with neighbours' counts from sums if
+        these agree."""
         known_counts = None
         if counts_agree(execution) and len(self.sample.places[self.sample.near_pixels]):
             summed = self._summed(execution.kept_effects, execution.requested_effects, "near")
@@ -129,8 +128,8 @@ class SampledExposures:
 
     @cached_property
     def _arrays(self) -> dict[str, tuple[PixelArray, Light, NDArray[np.int64]]]:
-        """The tiles of pixels far from saturation, and those of pixels near it: their pixels, the
-        light there, and which of them are measured."""
+        """For pixels "far" from saturation and "near" it: the array of tiles, its light, and the
+        indices of the sampled pixels."""
         sample, whole_array, shape = self.sample, self.program.array, self.light.shape
         near_places = sample.places[sample.near_pixels]
         near_places = near_places[sample.frame[sample.near_pixels] == 0]
@@ -158,8 +157,8 @@ class SampledExposures:
         return SummedScene(chip, light, 1, self._sums)
 
     def _away(self, summed: SummedScene, frame: int) -> Values:
-        """How far the counts of a frame are from their means, drawn once for all sets of effects
-        that give them the same rates."""
+        """Return the deviations of a frame's counts from their means; sets of effects with the same
+        rates share them."""
         kept_effects = summed.chip.kept_effects
         part_types = Counted, Echo, Response, Moving
         key = summed.chip.array, frame, frozenset[str]().union(*map(kept_effects.names, part_types))

@@ -1,5 +1,5 @@
-"""Programs with fixed shutters, tried on a sample of a scene: frames by weighted sums, where pixels
-near saturation run through their words."""
+"""Trials of programs with fixed shutters on a sample of a scene: by weighted sums, with pixels near
+saturation by words."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ from nscc_runtime.remembered import remembered
 Values = NDArray[np.float64]
 
 _FRAMES = 4
-"""In which pixels near saturation are measured where nothing of that is kept."""
+"""Number of frames of pixels near saturation if all saturating effects are dropped."""
 _UNSEEN = 3.0
-"""Of so many of any number of pixels none is drawn in one sample of twenty."""
+"""A set of pixels with this expected number of draws is missed by one sample in twenty."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,17 +62,17 @@ class SummedTrial(Trial):
 
     @property
     def pixels(self) -> int:
-        """How many pixels the scene has."""
+        """Number of pixels of the scene."""
         return self.program.array.lanes.size
 
     @cached_property
     def near_pixels(self) -> NearSaturation:
-        """The pixels of the scene that every effect together brings near saturation."""
+        """The pixels near saturation with every effect."""
         return near_saturation(self.program, self.light, self.device_seed, everything())
 
     @cached_property
     def running(self) -> int:
-        """How many pixels of the scene run through their words."""
+        """Number of pixels of the scene that run through their words."""
         requested_effects = self.requested_effects
         return len(
             near_saturation(self.program, self.light, self.device_seed, requested_effects).places
@@ -89,19 +89,19 @@ class SummedTrial(Trial):
 
     @cached_property
     def exposures(self) -> SampledExposures:
-        """What the measured pixels expose."""
+        """The exposures of the sampled pixels."""
         return SampledExposures(
             self.program, self.light, self.sample, self.device_seed, self.threads
         )
 
     @cached_property
     def saturation(self) -> Names:
-        """The effects for which pixels run through their words."""
+        """The requested effects that saturate."""
         return self.requested_effects.names(Saturates)
 
     @cached_property
     def absent(self) -> Names:
-        """Effects that change nothing here for sure."""
+        """Effects that certainly change nothing on this scene."""
         names = {e.name for e in registered() if e.reference.keys() == {"compare"}}
         if self.light.motion is None:
             names |= everything().names(Moving)
@@ -113,26 +113,26 @@ class SummedTrial(Trial):
 
     @property
     def alike(self) -> bool:
-        """Not near saturation, where a pixel may differ from all others."""
+        """See `Trial`: true unless pixels are near saturation."""
         return not self.running
 
     @cached_property
     def _fast_effects(self) -> Selection:
-        """Every effect that sums and words can have."""
+        """Every effect that sums and words support."""
         return everything().without(*self.slow)
 
     @cached_property
     def _requested_fast_effects(self) -> Selection:
-        """Those of them that the user did not force off."""
+        """The effects that sums and words support, without those that the user forced off."""
         return self.requested_effects.without(*self.slow)
 
     def executes(self, setting: Setting) -> Path:
-        """Sums, or what takes their place."""
+        """See `Trial`."""
         return self.execution(setting).path
 
     @remembered
     def execution(self, setting: Setting) -> Execution:
-        """What a setting comes to."""
+        """Return the execution of a setting."""
         kept_effects, near_effects = (
             self._requested_fast_effects.without(*setting.dropped),
             self._requested_fast_effects.without(*setting.near_dropped),
@@ -141,7 +141,7 @@ class SummedTrial(Trial):
 
     @cached_property
     def _lacked_e(self) -> Values:
-        """What leaving out the effects changes that only the reference has."""
+        """Change of exposures by dropping the effects that only the reference supports."""
         if not self.slow - self.absent:
             return np.zeros(self._shape)
         by = self.exposures
@@ -150,7 +150,7 @@ class SummedTrial(Trial):
     # -- What is measured ---------------------------------------------------------------------
 
     def alone(self, effect: Effect, near_saturation: bool) -> Errors:
-        """Of pixels far from saturation, by sums; of what saturates, of pixels near it."""
+        """See `Trial`: by sums far from saturation; effects that saturate, by words near it."""
         by, name = self.exposures, effect.name
         if name in self.slow:
             return Errors.of(
@@ -173,7 +173,7 @@ class SummedTrial(Trial):
 
     @remembered
     def _near_by_words(self, effects: Selection, frame: int = 0) -> Values:
-        """Exposures near saturation through the words."""
+        """Return exposures by words of pixels near saturation."""
         return self.exposures.by_words(effects, self.sample.near_pixels, frame)
 
     @property
@@ -181,7 +181,7 @@ class SummedTrial(Trial):
         return len(self.program.container.buckets), len(self.sample.places)
 
     def approximated(self) -> Difference | None:
-        """Of one pixel in each tile, and none near saturation."""
+        """See `Trial`: from one pixel in each tile, far from saturation."""
         one_per_tile, sample = self.sample.one_each, self.sample
         by_sums = self.exposures.by_sums(self._fast_effects, everything(), "far", 0)[
             :, one_per_tile
@@ -194,7 +194,7 @@ class SummedTrial(Trial):
         return Difference(Errors.of(far_fraction_root * by_sums, far_fraction_root * truth), pixels)
 
     def forced(self) -> Errors:
-        """By the reference where only that has some of it."""
+        """See `Trial`; by the reference if only it supports one of the effects."""
         by, nothing = self.exposures, np.zeros(self._shape)
         if not self.forced_off:
             return Errors.of(nothing, nothing)
@@ -203,9 +203,8 @@ class SummedTrial(Trial):
         return self.together(Setting(NONE, exact=True))
 
     def together(self, setting: Setting) -> Errors:
-        """Far from saturation beside sums with every effect, near it beside the truth. Where noise
-        decides how much is lost that saturates, one frame says little: each of several is an
-        output."""
+        """See `Trial`: compared with sums far from saturation, with the truth near it. If all
+        saturating effects are dropped, noise dominates the error: several frames are outputs."""
         execution, by, near_pixels = (
             self.execution(setting),
             self.exposures,
@@ -228,7 +227,7 @@ class SummedTrial(Trial):
 
     @remembered
     def square_e2(self, names: Names) -> float:
-        """What all that saturates takes from pixels near saturation."""
+        """See `Trial`: the error of dropping all effects that saturate."""
         exposed, truth = np.zeros(self._shape), np.zeros(self._shape)
         kept_effects = self._requested_fast_effects.without(*names)
         exposed[:, self.sample.near_pixels] = self.exposures.by_sums(
@@ -238,8 +237,8 @@ class SummedTrial(Trial):
         return Difference(Errors.of(exposed, truth), self.sample).likely_e2(0.0)
 
     def unseen_e2(self, setting: Setting) -> float:
-        """Of pixels near saturation that differ from all that were measured: so few that none was
-        drawn, each losing what a pixel would whose PIX is just full."""
+        """See `Trial`: pixels near saturation that differ from all sampled ones may be so few that
+        none was drawn. Each is assumed to lose as much as a pixel whose PIX is just full."""
         sample, lacking = self.sample, setting.near_dropped
         if not lacking or not sample.drawn_near:
             return 0.0
@@ -260,14 +259,14 @@ class SummedTrial(Trial):
         )
 
     def noise_e(self) -> float:
-        """Measured on two frames."""
+        """See `Trial`: from two frames."""
         full_execution = self._unforced.execution(NOTHING)
         exposures = [self._unforced.exposures.expose(full_execution, frame) for frame in range(2)]
         variance = np.nan_to_num(np.var(exposures, axis=0, ddof=1))
         return float(np.sqrt(self._unforced.sample.mean(variance).mean()))
 
     def noise_ratio(self, setting: Setting) -> float | None:
-        """From the steps between two frames, which have the same draws in both."""
+        """See `Trial`: from the difference of two frames, with the same random numbers."""
         steps_e2 = []
         for trial, trial_setting in ((self, setting), (self._unforced, NOTHING)):
             execution = trial.execution(trial_setting)
@@ -278,25 +277,25 @@ class SummedTrial(Trial):
 
     @cached_property
     def _unforced(self) -> SummedTrial:
-        """The same with every effect."""
+        """The same trial with no effect forced off."""
         return replace(self, forced_off=NONE) if self.forced_off else self
 
     # -- What may be left out -----------------------------------------------------------------
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """Effects that sums can have, one by one, and all that saturates at once."""
+        """See `Trial`: single effects that sums support, and all saturating effects together."""
         free, all_effects = free - self.absent - self.slow, everything()
         lit = all_effects.names(LitLevel)
         moves = []
         for name in (e.name for e in registered() if e.name in free - self.saturation):
             names = frozenset({name})
             if name in all_effects.names(SlowWords):
-                # Nothing is left of black suns where words take no time.
+                # Without dead time there are no black suns.
                 if not lit <= free | self.forced_off:
                     continue
                 names |= lit & free
             moves.append(Move(names, self.saved_ns(name), name))
-        # Noise that takes any pixel out of the registers' range does so in few: too rare to see.
+        # Noise that takes pixels out of the registers' range does so in few: too rare to measure.
         by_noise = (self.program.reach.least_e[:, self.program.lanes] <= 0).any()
         if self.saturation and self.saturation <= free and not by_noise:
             moves.append(Move(self.saturation, self._near_ns(NOTHING), None))
@@ -304,7 +303,7 @@ class SummedTrial(Trial):
 
     @remembered
     def too_large(self, tolerance_e: float) -> Names:
-        """Counts and noise of words, by their variance far from saturation."""
+        """See `Trial`: counts and noise of words, by their variance far from saturation."""
         if self.forced_off:
             return NONE
         program, lanes = self.program, self.program.lanes
@@ -324,8 +323,8 @@ class SummedTrial(Trial):
         return frozenset(name for name, e2 in square_e2.items() if e2.max() > tolerance_e**2)
 
     def settings(self, dropped: Names) -> Sequence[Setting]:
-        """Pixels near saturation lack what is dropped as well and takes them time, or that but for
-        neighbours' charge, or nothing."""
+        """See `Trial`: pixels near saturation also lack the dropped effects that cost them time, or
+        these except crosstalk, or none."""
         all_effects = everything()
         slow_words = all_effects.names(SlowWords) | all_effects.names(LitLevel)
         costly = (
@@ -340,7 +339,7 @@ class SummedTrial(Trial):
         return [Setting(dropped, near_dropped) for near_dropped in dict.fromkeys(options)]
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Pixels that may saturate run through their words."""
+        """See `Trial`: pixels near saturation run through their words."""
         if not self.running or not self.execution(setting).kept_effects.names(Saturates):
             return ()
         return (f"{self.running} pixels may saturate",)
@@ -349,17 +348,17 @@ class SummedTrial(Trial):
 
     @cached_property
     def work(self) -> Work:
-        """What a pixel does in the loop over words."""
+        """The work of a pixel in the loop over words."""
         return Work.of(self.program)
 
     @property
     def passes(self) -> int:
-        """How many frames of light are added up, over all buckets."""
+        """Number of frames of light that are added up, over all buckets."""
         return len(self.light.frames) * len(self.program.container.buckets)
 
     @remembered
     def saved_ns(self, name: str) -> float:
-        """Pixels near saturation included, whatever else is left out."""
+        """See `Trial`; pixels near saturation are included."""
         if name in self.absent:
             return 0.0
         if name in self.saturation:
@@ -372,7 +371,7 @@ class SummedTrial(Trial):
 
     @remembered
     def _near_ns(self, setting: Setting) -> float:
-        """What pixels near saturation take, in nanoseconds of each pixel of the frame."""
+        """Return the time of pixels near saturation in nanoseconds per pixel of the frame."""
         if not self.running:
             return 0.0
         execution = self.execution(setting)
@@ -381,7 +380,7 @@ class SummedTrial(Trial):
         return each_ns * self.running / self.pixels
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """By sums, and of pixels near saturation by words."""
+        """See `Trial`."""
         kept_effects = self.execution(setting).kept_effects
         near_ns = self._near_ns(setting) if kept_effects.names(Saturates) else 0.0
         effects_ns = sum(
@@ -393,7 +392,7 @@ class SummedTrial(Trial):
         return SHIPPED.summed + light_ns + effects_ns + near_ns, near_ns
 
     def planning_ms(self) -> float:
-        """Words of the measured pixels, sums of the tiles without each effect."""
+        """See `Trial`: words of the sampled pixels, and sums of the tiles without each effect."""
         near_count = near_sampled(self.running, self.pixels)
         measured = min(TILES + 4 * near_count, self.pixels)
         words_ns = self.work.words_ns(self._fast_effects, "nothing") * measured

@@ -1,4 +1,4 @@
-"""The largest errors of a frame, as a sample of its pixels shows them."""
+"""The largest errors of a frame, estimated from a sample of its pixels."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from numpy.typing import NDArray
 Values = NDArray[np.float64]
 
 ONE_IN = 1000
-"""One pixel in so many is beyond the error that is called that of 99.9 %."""
+"""One pixel in this number exceeds the 99.9 % quantile."""
 FRAMES = 100
-"""The largest error is the one that a pixel of one frame in so many passes."""
+"""The largest error is exceeded in one frame of this number."""
 _TAIL = 10
-"""Of so many errors that were measured the largest shows how the rest go on."""
+"""Number of errors from which one tail parameter is estimated."""
 
 
 @dataclass(frozen=True)
 class Worst:
-    """Electrons, of the worst bucket: the error that one pixel in a thousand passes, and the
-    largest."""
+    """The 99.9 % quantile of the errors and the largest error of the worst bucket, in electrons."""
 
     p999_e: float
     max_e: float
 
 
 def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
-    """Of errors (buckets, pixels measured), the others of the frame being right.
+    """Estimate the largest errors from `errors` (buckets, sampled pixels).
 
-    `weights` (pixels measured,): the share of the `pixels` of a frame that each stands for. Beyond
-    the largest they are taken to become rarer exponentially, as those do from which most follows:
-    what pixels lack that may saturate is much for a few, so a normal tail is too short."""
+    `weights` (sampled pixels,): the fraction of the `pixels` of a frame that each represents. The
+    tail beyond the sample is exponential: losses near saturation are large for a few pixels, so a
+    normal tail is too short.
+    """
     sizes = np.abs(errors)
     rare = min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(sizes)))
     p999_e, max_e = (
@@ -42,7 +42,7 @@ def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
 
 
 def _exceeded_by(share: float, sizes: Values, weights: Values) -> float:
-    """The size that this share of the frame exceeds, by what was measured at some of its pixels."""
+    """Return the size that a fraction `share` of the frame exceeds, extrapolated if necessary."""
     order = np.argsort(-sizes, kind="stable")
     falling, upto, count = sizes[order], np.cumsum(weights[order]), len(sizes)
     if count < 2 * _TAIL or upto[0] <= share:
@@ -55,7 +55,7 @@ def _exceeded_by(share: float, sizes: Values, weights: Values) -> float:
 
 
 def largest(sizes: Values, weight: Values) -> Worst:
-    """Of errors that were measured: sizes (pixels,) that stand for so much each."""
+    """Return the 99.9 % quantile and the maximum of weighted `sizes` (pixels,)."""
     order = np.argsort(sizes)
     above = np.cumsum(weight[order][::-1])[::-1]
     beyond = np.flatnonzero(above <= weight.sum() / ONE_IN)

@@ -1,4 +1,4 @@
-"""Tolerances: electrons, codes of the ADC, or a part of the scene's own signal or noise."""
+"""Tolerances: electrons, codes of the ADC, or a fraction of the scene's signal or noise."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ LEAST_E = 1e-9
 """Electrons; the promise is checked with sums of float64 numbers, which tell no less apart."""
 
 DEFAULT = "0.15noise"
-"""What is allowed where nobody says: errors of 0.15 of the noise, which add in quadrature, make its
-standard deviation 1.1 % larger. To tell that apart takes frames of 4,000 pixels."""
+"""The default tolerance. An error of 0.15 times the noise increases the standard deviation by 1.1
+%; frames of 4,000 pixels are needed to detect that."""
 
 _TOLERANCE = re.compile(
     r"\s*((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(e|lsb|%|noise)\s*"
@@ -31,10 +31,10 @@ _TOLERANCE = re.compile(
 
 @dataclass(frozen=True)
 class Tolerance:
-    """What was asked, as text, and the electrons before the ADC that it means.
+    """A tolerance as entered by the user, and in electrons before the ADC.
 
-    `signal_e`: the mean signal that it is a part of, or `noise_e`, the frame's own noise; both None
-    where it does not follow the scene.
+    `signal_e` or `noise_e`: the mean signal or noise of the scene that a relative tolerance refers
+    to; both None for an absolute tolerance.
     """
 
     text: str
@@ -44,23 +44,22 @@ class Tolerance:
 
     @property
     def follows(self) -> bool:
-        """Whether it means other electrons on other scenes."""
+        """Whether the tolerance is relative to the scene."""
         return self.signal_e is not None or self.noise_e is not None
 
     @property
     def in_electrons(self) -> bool:
-        """Whether it was asked for in electrons."""
+        """Whether the tolerance was entered in electrons."""
         return not self.follows and not self.text.endswith("lsb")
 
     @property
     def noise_part(self) -> float | None:
-        """Which part of the noise it is."""
+        """The tolerance as a fraction of the noise; None for other tolerances."""
         return None if self.noise_e is None else self.electrons / self.noise_e
 
     @property
     def name(self) -> str:
-        """What tells it from others, on any scene: its electrons, or its codes, or its part of the
-        scene, as they were asked for."""
+        """A text that identifies the tolerance independently of the scene."""
         return f"{self.electrons:g}e" if self.in_electrons else self.text
 
     def __str__(self) -> str:
@@ -73,12 +72,11 @@ class Tolerance:
 
 
 ToleranceInput = str | float | Tolerance
-"""How a tolerance is asked for: text, a number of electrons, or one that is found already."""
+"""A tolerance as text, as a number of electrons, or already converted."""
 
 
 class ToleranceScene(Protocol):
-    """What a tolerance may be a part of, of one scene: its mean signal, or its frame's own
-    noise."""
+    """A scene that relative tolerances refer to: its mean signal, and the noise of a frame."""
 
     def signal_e(self) -> float: ...
 
@@ -91,10 +89,9 @@ OPTION, OPTION_MAX = "--tolerance", "--tolerance-max"
 def tolerance_of(
     requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene, option: str = OPTION
 ) -> Tolerance:
-    """Of `5e`, of `0.1lsb`, of `1%` of the scene's signal, of `0.1noise`, of a number of electrons;
-    one that is found already stays what it is.
+    """Convert `5e`, `0.1lsb`, `1%` of the scene's signal, `0.1noise`, or a number of electrons.
 
-    The scene is asked for its signal or its noise only where a tolerance is a part of it. Raises
+    The signal or noise of the scene is only computed for a relative tolerance. Raises
     Rejected (NS0746, status 2), which names the `option`, for anything else, for electrons beyond
     LEAST_E..MOST_E, and for a part of no signal.
     """
@@ -132,17 +129,16 @@ def tolerance_of(
 
 
 def noise_part(text: str) -> float | None:
-    """Which part of the frame's own noise a text asks for; None where it asks for something
-    else."""
+    """Return the fraction of the noise that a text like `0.1noise` contains; None for others."""
     match = _TOLERANCE.fullmatch(text.lower())
     return float(match[1]) if match is not None and match[2] == "noise" else None
 
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPTION) -> None:
-    """Where nothing is approximated: Rejected (NS0746) for what is no tolerance of any scene."""
+    """Raise Rejected (NS0746) for a tolerance that is invalid on every scene."""
 
     class Bright:
-        """A scene of which every part is something."""
+        """A scene with signal and noise above 0."""
 
         def signal_e(self) -> float:
             return 1e4
@@ -153,16 +149,16 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPT
 
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
-    """The mean of exposures without effects over pixels and buckets, in electrons: of their sizes,
-    each at most the full well. What is no number does not count."""
+    """Return the mean size of exposures without effects, each clipped to the full well, in
+    electrons. NaN is ignored."""
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
     most_e = everything().require_part(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0
 
 
 def with_readout_e(noise_e: float, sensor: Sensor) -> float:
-    """The noise of frames whose exposures have that noise: with that of the converter and of
-    rounding to codes."""
+    """Return the noise of exposures combined with that of the converter and of rounding to
+    codes."""
     all_effects = everything()
     code_e = all_effects.require_part(Codes).electrons(sensor)
     return math.hypot(noise_e, all_effects.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))

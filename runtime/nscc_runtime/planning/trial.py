@@ -1,4 +1,4 @@
-"""A scene that planning measures, whatever executes its frames."""
+"""The interface for measuring the errors of effects on a scene."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ NOTHING = Setting(NONE)
 
 @dataclass(frozen=True)
 class Move:
-    """What may be left out together. `saved_ns`: nanoseconds a pixel of a frame that it saves;
-    `field`: the effect whose measured difference it makes, None where `Trial.square_e2` tells what
-    it adds to the mean square."""
+    """Effects that can only be dropped together. `saved_ns`: nanoseconds saved per pixel of a
+    frame. `field`: the effect whose measured error it causes; None if `Trial.square_e2` computes
+    it."""
 
     names: Names
     saved_ns: float
@@ -44,17 +44,17 @@ class Move:
 
 @dataclass(frozen=True, eq=False)
 class Trial(ABC):
-    """A scene on which executions are tried, on a sample of its pixels.
+    """A scene on which settings are measured, on a sample of its pixels.
 
-    The truth is what the reference exposes with every effect.
+    The truth is the exposure by the reference with every effect.
     """
 
     forced_off: Names
 
     looks: ClassVar[bool] = False
-    """Whether pixels end in states."""
+    """Whether the program has states."""
     approximations: ClassVar[Sequence[str]] = ()
-    """How exposures differ from the reference with the same effects."""
+    """The approximations, compared with the reference with the same effects."""
 
     @property
     @abstractmethod
@@ -64,35 +64,35 @@ class Trial(ABC):
     @property
     @abstractmethod
     def pixels(self) -> int:
-        """How many pixels the scene has."""
+        """Number of pixels of the scene."""
 
     @property
     @abstractmethod
     def sample(self) -> Sample:
-        """The measured pixels."""
+        """The sampled pixels."""
 
     @property
     @abstractmethod
     def absent(self) -> Names:
-        """Effects of the exposure that change nothing on this scene for sure."""
+        """Effects of the exposure that certainly change nothing on this scene."""
 
     @cached_property
     def requested_effects(self) -> Selection:
-        """All effects but those that the user forced off."""
+        """All effects except those that the user forced off."""
         return everything().without(*self.forced_off)
 
     @cached_property
     def slow(self) -> Names:
-        """The effects that only the reference has."""
+        """The effects that only the reference supports."""
         return frozenset(e.name for e in registered() if isinstance(e.words, CannotHave))
 
     @abstractmethod
     def executes(self, setting: Setting) -> Path:
-        """What executes frames."""
+        """Return the path that executes frames of a setting."""
 
     @property
     def alike(self) -> bool:
-        """Whether an effect that changes no measured pixel changes none."""
+        """Whether an effect that changes no sampled pixel changes no pixel at all."""
         return False
 
     @abstractmethod
@@ -102,64 +102,65 @@ class Trial(ABC):
 
     @abstractmethod
     def together(self, setting: Setting) -> Errors:
-        """How far exposures under a setting are from those with every effect."""
+        """Return the error of exposures under a setting."""
 
     def forced(self) -> Errors:
-        """How far what the user forced off takes exposures from those with every effect."""
+        """Return the error of the effects that the user forced off."""
         return self.together(Setting(NONE, exact=True))
 
     def approximated(self) -> Difference | None:
-        """How far exposures with every effect are from the truth; None: not at all."""
+        """Return the error of the approximations with every effect; None if there are none."""
         return None
 
     @abstractmethod
     def moves(self, free: Names) -> Sequence[Move]:
-        """What may be left out of the `free` effects and saves time."""
+        """Return the moves that drop some of the `free` effects and save time."""
 
     def too_large(self, tolerance_e: float) -> Names:
-        """Effects that make more than a tolerance for sure."""
+        """Return effects whose error certainly exceeds a tolerance."""
         return NONE
 
     def square_e2(self, names: Names) -> float:
-        """What a move without a field adds to the mean square."""
+        """Return the mean square error of a move without a field."""
         raise ValueError(f"the effects {', '.join(sorted(names))} have fields")
 
     def settings(self, dropped: Names) -> Sequence[Setting]:
-        """The executions that leave out these effects, what saves most first."""
+        """Return the settings that drop these effects; those that save most come first."""
         return [Setting(dropped)]
 
     def unseen_e2(self, setting: Setting) -> float:
-        """What a setting may add to the mean square that no measured pixel shows."""
+        """Return an allowance for the mean square error of rare pixels that the sample misses."""
         return 0.0
 
     @abstractmethod
     def noise_e(self) -> float:
-        """The root mean square over pixels and buckets of the standard deviation of exposures over
-        frames with every effect."""
+        """Return the standard deviation over frames with every effect, as a root mean square over
+        pixels and buckets."""
 
     def noise_ratio(self, setting: Setting) -> float | None:
-        """The standard deviation of exposures over frames by that with every effect; None where
-        that is not measured, or nothing is random."""
+        """Return the noise of a setting divided by that with every effect; None if it was not
+        measured, or there is no noise."""
         return None
 
     @abstractmethod
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Why pixels run through their words, or why the reference runs."""
+        """Return the reasons why pixels run through their words, or why the reference runs."""
 
     @abstractmethod
     def saved_ns(self, name: str) -> float:
-        """Nanoseconds a pixel that leaving out an effect saves."""
+        """Return the nanoseconds per pixel saved by dropping an effect."""
 
     @abstractmethod
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """Nanoseconds a pixel of a frame, and those of them of pixels near saturation."""
+        """Return the nanoseconds per pixel of a frame, and the part due to pixels near
+        saturation."""
 
     @abstractmethod
     def planning_ms(self) -> float:
-        """What measuring this scene takes."""
+        """Return the milliseconds of measuring this scene."""
 
 
 def slow_reason(effect: Effect) -> str:
-    """Why the reference runs for an effect."""
+    """Return the reason why an effect requires the reference."""
     assert isinstance(effect.words, CannotHave)
     return f"{effect.name}: only the reference has it ({effect.words.reason})"

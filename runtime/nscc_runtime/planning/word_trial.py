@@ -1,5 +1,5 @@
-"""Programs with fixed shutters, all of whose pixels run through their words, or are exposed by the
-reference: where sums would approximate too much for a tolerance, or cannot have an effect."""
+"""Trials in which all pixels run through their words, or the reference exposes them: used if sums
+are too inaccurate for a tolerance, or do not support an effect."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ APPROXIMATE = (
 
 @dataclass(frozen=True, eq=False)
 class WordTrial(SummedTrial):
-    """As `SummedTrial`. Effects that make more than `limit_e` by sums are not tried by words."""
+    """A trial by words. Effects whose error by sums exceeds `limit_e` are not measured by words."""
 
     limit_e: float = np.inf
 
@@ -36,7 +36,7 @@ class WordTrial(SummedTrial):
         return Execution("words", kept_effects, kept_effects, self.requested_effects)
 
     def alone(self, effect: Effect, near_saturation: bool) -> Errors:
-        """By words; what sums show to be too large, by sums."""
+        """See `Trial`: by words, or by sums if these show an error above the limit."""
         by_sums = super().alone(effect, False)
         if effect.name in self.slow or Difference(by_sums, self.sample).rms_e > self.limit_e:
             return by_sums
@@ -48,11 +48,11 @@ class WordTrial(SummedTrial):
         return Errors.of(*exposed)
 
     def approximated(self) -> Difference | None:
-        """Nothing."""
+        """See `Trial`: words do not approximate."""
         return None
 
     def together(self, setting: Setting) -> Errors:
-        """Beside words with every effect."""
+        """See `Trial`: compared with words with every effect."""
         full_execution = Execution("words", self._fast_effects, self._fast_effects, everything())
         exposed, truth = (
             self.exposures.expose(execution, 0)
@@ -61,23 +61,23 @@ class WordTrial(SummedTrial):
         return Errors.of(exposed + self._lacked_e, truth)
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """Effects one by one, but for what saturates."""
+        """See `Trial`: single effects, except those that saturate."""
         return [move for move in super().moves(free) if not move.names & self.saturation]
 
     def too_large(self, tolerance_e: float) -> Names:
-        """Sums have shown it."""
+        """See `Trial`: `alone` finds them by sums."""
         return NONE
 
     def settings(self, dropped: Names) -> Sequence[Setting]:
-        """All pixels lack the same."""
+        """See `Trial`: the same effects for all pixels."""
         return [Setting(dropped)]
 
     def unseen_e2(self, setting: Setting) -> float:
-        """Pixels near saturation are measured as all others are."""
+        """See `Trial`: pixels near saturation are sampled as all others are."""
         return 0.0
 
     def saved_ns(self, name: str) -> float:
-        """What leaving an effect out of the words saves."""
+        """See `Trial`."""
         if name in self.absent | self.saturation:
             return 0.0
         without = self.requested_effects.without(name)
@@ -86,17 +86,17 @@ class WordTrial(SummedTrial):
         )
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Sums would approximate too much."""
+        """See `Trial`: sums are too inaccurate."""
         return (APPROXIMATE,)
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """By words alone."""
+        """See `Trial`."""
         return self.work.words_ns(self.execution(setting).kept_effects, "all"), 0.0
 
 
 @dataclass(frozen=True, eq=False)
 class ReferenceTrial(WordTrial):
-    """The same in the reference, which has every effect: leaving one out saves nothing."""
+    """A trial by the reference, which supports every effect: dropping one saves no time."""
 
     def execution(self, setting: Setting) -> Execution:
         """What a setting comes to."""
@@ -105,31 +105,32 @@ class ReferenceTrial(WordTrial):
         )
 
     def together(self, setting: Setting) -> Errors:
-        """What is forced off, beside the reference with every effect."""
+        """See `Trial`: only the effects that are forced off."""
         by = self.exposures
         return Errors.of(by.by_reference(self.requested_effects), by.by_reference(everything()))
 
     def alone(self, effect: Effect, near_saturation: bool) -> Errors:
-        """By sums, or where only the reference has it, in the reference."""
+        """See `Trial`: by sums, or by the reference if only it supports the effect."""
         return SummedTrial.alone(self, effect, False)
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """None."""
+        """See `Trial`: no move saves time."""
         return []
 
     def noise_ratio(self, setting: Setting) -> float | None:
-        """The reference takes too long to tell what forcing effects off makes of it."""
+        """See `Trial`: not measured with effects forced off, as the reference is slow."""
         return None if self.forced_off else 1.0
 
     def saved_ns(self, name: str) -> float:
-        """Nothing, but for what only the reference has."""
+        """See `Trial`: only effects that require the reference."""
         return self.work.reference_ns if name in self.slow - self.absent else 0.0
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """What only the reference has, or that it is faster than words."""
+        """See `Trial`: effects that only the reference supports, or that it is faster than
+        words."""
         slow = [e for e in self.requested_effects.effects if e.name in self.slow - self.absent]
         return tuple(map(slow_reason, slow)) or (APPROXIMATE,)
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """By the reference."""
+        """See `Trial`."""
         return self.work.reference_ns, 0.0
