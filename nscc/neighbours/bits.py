@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.neighbours.held import Emitter, Refused
+from nscc.neighbours.held import Emitter, PictureRefused
 from nscc.operations import STEERING, op, pair
 from nscc.words import pictures as p
 
@@ -50,7 +50,7 @@ class BitWords:
         """A register that is free."""
         if not self.free:
             count = len(self.available)
-            raise Refused("planes", self.lowering.now, count + 1, count)
+            raise PictureRefused("planes", self.lowering.now, count + 1, count)
         return self.free.pop(0)
 
     def give(self, *bits: Kept) -> None:

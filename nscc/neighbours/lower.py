@@ -15,7 +15,7 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
-from nscc.neighbours.held import Emitter, Held, Refused
+from nscc.neighbours.held import Emitter, Held, PictureRefused
 from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
 from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
 from nscc.operations import NEIGHBOURS, op
@@ -94,7 +94,7 @@ class Lowering(Emitter):
         """A register that is free."""
         if not self.free:
             count = len(self.target.analog_available)
-            raise Refused("registers", self.now, count + 1, count)
+            raise PictureRefused("registers", self.now, count + 1, count)
         return self.free.pop(0)
 
     def give(self, *values: Held) -> None:
@@ -113,7 +113,7 @@ class Lowering(Emitter):
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
-            raise Refused("range", self.now, over, 1.0)
+            raise PictureRefused("range", self.now, over, 1.0)
 
     # --- values
 
@@ -159,7 +159,7 @@ class Lowering(Emitter):
             taps = exact_taps(weights)
             best = self._program(taps, value)
         except ValueError:
-            raise Refused("registers", self.now, 41, 40) from None
+            raise PictureRefused("registers", self.now, 41, 40) from None
         low, high = value.scaled(*gains(taps))
         squares = sum(float(weight) ** 2 for weight in weights.values())
         variance = value.variance * squares + noise_gain(best.program) ** 2
@@ -175,7 +175,7 @@ class Lowering(Emitter):
             if over <= 1 + 1e-9:
                 return candidate
             least = min(least, over)
-        raise Refused("range", self.now, least, 1.0)
+        raise PictureRefused("range", self.now, least, 1.0)
 
     def _excess(self, value: Held, taps: Taps) -> float:
         """How many times the registers' range what a kernel makes of a value may be."""
@@ -227,12 +227,12 @@ class Lowering(Emitter):
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
         """The value by that way which takes the fewest words, of those that fit."""
         best: tuple[int, int] | None = None
-        refused: Refused | None = None
+        refused: PictureRefused | None = None
         for number, way in enumerate(ways):
             state = self._state()
             try:
                 way()
-            except Refused as error:
+            except PictureRefused as error:
                 refused = refused or error
             else:
                 best = min(best or (len(self.words), number), (len(self.words), number))
@@ -291,7 +291,7 @@ class Lowering(Emitter):
             self.word(op("bus", ["NEWS"], [v.register for v in inverted[:4]]))
         sources = [*(v.register for v in direct), *(["NEWS"] if inverted else [])]
         if len(sources) > 4 or len(inverted) > 4:
-            raise Refused("registers", self.now, len(signed_terms), 4)
+            raise PictureRefused("registers", self.now, len(signed_terms), 4)
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], sources))

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import ceil, log2
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.neighbours.held import Leveled, Refused
+from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.operations import Op
@@ -37,7 +37,7 @@ def with_pictures(
         return container, [far]
     try:
         lowering = lowered(container, pictures, level)
-    except Refused as refused:
+    except PictureRefused as refused:
         return container, [_refusal(refused, container, program, level)]
     kernels, launches = grouped(lowering.words)
     with_words = replace(
@@ -50,7 +50,7 @@ def with_pictures(
     complete = replace(container, pictures=with_words)
     most = container.target.store_words
     if complete.words_stored > most:
-        full = Refused("store", with_words.items[-1].name, complete.words_stored, most)
+        full = PictureRefused("store", with_words.items[-1].name, complete.words_stored, most)
         return container, [_refusal(full, container, program, level)]
     return complete, []
 
@@ -133,7 +133,9 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     return None
 
 
-def _refusal(refused: Refused, container: Container, program: Program, level: int) -> Diagnostic:
+def _refusal(
+    refused: PictureRefused, container: Container, program: Program, level: int
+) -> Diagnostic:
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(_place(program, name), "computed here")
     if refused.kind == "range":
@@ -160,7 +162,7 @@ def _refusal(refused: Refused, container: Container, program: Program, level: in
 
 
 def _beyond_range(
-    refused: Refused, container: Container, program: Program, level: int
+    refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     """NS0540, with an assumption under which the words were made."""
     pictures, over = program.pictures, refused.needed
@@ -172,7 +174,7 @@ def _beyond_range(
         smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
             lowered(container, smaller, level)
-        except Refused:
+        except PictureRefused:
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")
         break
@@ -181,7 +183,7 @@ def _beyond_range(
         limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
         try:
             lowered(container, replace(pictures, limits_e=limits), level)
-        except Refused:
+        except PictureRefused:
             share //= 2
             continue
         helps.append(f"promise less light: `assume exposure <= {share}%` compiles")

@@ -22,7 +22,7 @@ Polynomial = dict[Offset, int]
 
 
 @dataclass(frozen=True)
-class Word:
+class BusWord:
     """A bus word: each destination takes minus the sum of the sources, halved for two of them."""
 
     destinations: tuple[str, ...]
@@ -34,7 +34,7 @@ class Word:
         return len(self.destinations) == 2
 
 
-Program = tuple[Word, ...]
+Program = tuple[BusWord, ...]
 """Its result is in the first destination of the last word."""
 
 IDENTITY: Taps = {(0, 0): UNIT}
@@ -129,7 +129,7 @@ def turned(program: Program, turn: int) -> Program:
     def of(operands: tuple[str, ...]) -> tuple[str, ...]:
         return tuple(names.get(name, name) for name in operands)
 
-    return tuple(Word(of(word.destinations), of(word.sources)) for word in program)
+    return tuple(BusWord(of(word.destinations), of(word.sources)) for word in program)
 
 
 def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
@@ -141,7 +141,7 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
         return prefix + operand
 
     return tuple(
-        Word(tuple(map(of, word.destinations)), tuple(map(of, word.sources))) for word in program
+        BusWord(tuple(map(of, word.destinations)), tuple(map(of, word.sources))) for word in program
     )
 
 
@@ -172,5 +172,5 @@ def program_from_text(text: str) -> Program:
         if len(target) == 2:
             second_destination = f"{target[0]}_" if target[1] == "2" else _LETTERS[target[1]]
             destinations = (*destinations, second_destination)
-        words.append(Word(destinations, tuple(_LETTERS.get(s, s) for s in sources.split(","))))
+        words.append(BusWord(destinations, tuple(_LETTERS.get(s, s) for s in sources.split(","))))
     return tuple(words)

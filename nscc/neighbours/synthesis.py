@@ -16,11 +16,11 @@ from nscc.neighbours.programs import (
     IDENTITY,
     TURNS,
     UNIT,
+    BusWord,
     Offset,
     Polynomial,
     Program,
     Taps,
-    Word,
     added,
     chained,
     halved,
@@ -41,8 +41,8 @@ _MOST_KEPT = 6
 _MOST_DEPTH = 7
 
 _Key = frozenset[tuple[Offset, int]]
-_HALVE: Program = (Word(("h", "NEWS"), ("x",)),)
-_NEGATE: Program = (Word(("m",), ("x",)),)
+_HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
+_NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 @cache
@@ -156,7 +156,7 @@ def _summed(first: Program, second: Program) -> Program:
     """Both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
-    return (*a, *b, Word(("s",), tuple(results)))
+    return (*a, *b, BusWord(("s",), tuple(results)))
 
 
 @dataclass(frozen=True)
@@ -240,7 +240,7 @@ def accumulated(taps: Taps) -> Program:
     """
     halvings = halvings_of(taps)
     words = [
-        Word((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
+        BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
     ]
     multiples = _Multiples(f"h{halvings}" if halvings else "x", words)
@@ -254,28 +254,28 @@ def accumulated(taps: Taps) -> Program:
         else:
             sources = (_moved_by(at, multiples.of(factor), words), *total)
         total = (f"s{index}",)
-        words.append(Word(total, sources))
+        words.append(BusWord(total, sources))
     return tuple(words)
 
 
-def _moved_by(at: Offset, register: str, words: list[Word]) -> str:
+def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
     """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
     one step to a neighbour, a neighbour's NEWS after two."""
     x, y = at
     steps = [_OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [_OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
     while len(steps) > 2:
         first, second, *steps = steps
-        words.append(Word((_OPPOSITE[first],), (register,)))
+        words.append(BusWord((_OPPOSITE[first],), (register,)))
         register = f"{register}{first}{second}"
-        words.append(Word((register,), (second,)))
-    words.append(Word((_OPPOSITE[steps[0]],), (register,)))
+        words.append(BusWord((register,), (second,)))
+    words.append(BusWord((_OPPOSITE[steps[0]],), (register,)))
     return steps[1] if len(steps) == 2 else "NEWS"
 
 
 class _Multiples:
     """Integer multiples of a register, made when they are first asked for."""
 
-    def __init__(self, source: str, words: list[Word]) -> None:
+    def __init__(self, source: str, words: list[BusWord]) -> None:
         self.words = words
         self.held = {1: source}
 
@@ -292,11 +292,11 @@ class _Multiples:
                 half = half // 2 if half == factor else half
                 first, remainder = self.of(-half), factor - half
                 if remainder == half:
-                    self.words.append(Word(("NEWS",), (self.of(half),)))
+                    self.words.append(BusWord(("NEWS",), (self.of(half),)))
                     sources = (first, "NEWS")
                 else:
                     sources = (first, self.of(-remainder))
-            self.words.append(Word((name,), sources))
+            self.words.append(BusWord((name,), sources))
             self.held[factor] = name
         return self.held[factor]
 
@@ -333,7 +333,7 @@ def tidied(program: Program) -> Program:
     """A program without words for values that are held already, or that nobody reads."""
     registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     names: dict[str, str] = {"x": "x"}
-    words: list[Word] = []
+    words: list[BusWord] = []
     values = values_of(program)
     for number, (word, value) in enumerate(zip(program, values, strict=True)):
         sources = tuple(names.get(name, name) for name in word.sources)
@@ -355,13 +355,13 @@ def tidied(program: Program) -> Program:
             step = STEPS.get(name, (0, 0))
             registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
             names[name] = name
-        words.append(Word(word.destinations, sources))
+        words.append(BusWord(word.destinations, sources))
     return _used(words)
 
 
-def _used(words: Sequence[Word]) -> Program:
+def _used(words: Sequence[BusWord]) -> Program:
     """The words whose results are read."""
-    used_words: list[Word] = []
+    used_words: list[BusWord] = []
     live: set[str] = set(words[-1].destinations[:1]) if words else set()
     for word in reversed(words):
         writes = {"NEWS" if name in NEIGHBOURS else name for name in word.destinations}

@@ -27,7 +27,7 @@ from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
 from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
-from nscc.program.program import BucketRule, Codes, Frame, Program
+from nscc.program.program import BucketRule, Codes, Program, SlotGrid
 from nscc.program.table import (
     UNCOUNTED,
     CodeArray,
@@ -42,7 +42,7 @@ from nscc.program.table import (
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 from nscc.words.pictures import Pictures
 
 
@@ -56,7 +56,7 @@ class Completion:
     problems: Problems
     declared: Declarations
     target: Target
-    frame: Frame
+    frame: SlotGrid
     rules: Rules
     planes: dict[str, Plane]
     codes: Codes
@@ -125,7 +125,7 @@ class Completion:
         legal: int | None,
         at_pixel: NDArray[np.int32],
         recognised: Recognised,
-        machine: Machine | None = None,
+        machine: StateMachine | None = None,
     ) -> Program:
         return Program(
             source=self.problems.source,

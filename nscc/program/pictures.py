@@ -18,7 +18,7 @@ from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.words.pictures import Picture, Pictures, Report, Weights
+from nscc.words.pictures import Picture, Pictures, PlaneReport, Weights
 
 MOST_SIDE = 9
 """Most rows and columns of a kernel."""
@@ -218,7 +218,7 @@ class _Maker:
                 self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
         return tuple(names)
 
-    def _reports(self, reader: Reader) -> tuple[Report, ...]:
+    def _reports(self, reader: Reader) -> tuple[PlaneReport, ...]:
         reports = []
         for statement in self.declared.reports:
             report = self._report(statement, reader)
@@ -226,7 +226,7 @@ class _Maker:
                 reports.append(report)
         return tuple(reports)
 
-    def _report(self, report: tree.Report, reader: Reader) -> Report | None:
+    def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         kind, plane = report.kind.text, report.plane.text
         if kind not in _REPORTS:
             self._bad_report(report.kind.span, f"`{clipped(kind)}` is no kind of report")
@@ -249,7 +249,7 @@ class _Maker:
             message = f"events are at most 1 to {MOST_EVENTS}, other reports have no limit"
             self._bad_report(report.span, message)
             return None
-        return Report(cast(Literal["any", "events", "box"], kind), plane, most)
+        return PlaneReport(cast(Literal["any", "events", "box"], kind), plane, most)
 
     def _bad_report(self, span: Span, message: str) -> None:
         helps = ("write `report any P`, `report events P at most 1000` or `report box P`",)

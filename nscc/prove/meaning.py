@@ -57,7 +57,7 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
     return reach_of
 
 
-class Meaning:
+class PictureMeaning:
     """The images and planes of a text on the array of `forms`.
 
     Images are also defined beyond the array, where they depend on light there: a kernel may reach

@@ -15,16 +15,16 @@ from fractions import Fraction
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.prove.diagrams import TooLarge
 from nscc.prove.forms import IN, Form, Forms
-from nscc.prove.meaning import Bits, Fields, Meaning, Reach, reaches
+from nscc.prove.meaning import Bits, Fields, PictureMeaning, Reach, reaches
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Condition
 
 
-class Wrong(Exception):
+class PictureReplayError(Exception):
     """A word does what no proof covers."""
 
 
@@ -46,8 +46,8 @@ def pictures_fault(container: Container) -> str | None:
         replay = PictureReplay(container, forms)
         for op, level in words:
             replay.run(op, level)
-        return _difference(container, replay, Meaning(pictures, forms), (size.left, size.up))
-    except Wrong as wrong:
+        return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
+    except PictureReplayError as wrong:
         return str(wrong)
     except Rejected as rejected:
         return rejected.diagnostics[0].message
@@ -56,7 +56,7 @@ def pictures_fault(container: Container) -> str | None:
 
 
 def _difference(
-    container: Container, replay: PictureReplay, meaning: Meaning, middle: tuple[int, int]
+    container: Container, replay: PictureReplay, meaning: PictureMeaning, middle: tuple[int, int]
 ) -> str | None:
     """Where what registers hold is not what the text says."""
     pictures, forms = container.pictures, replay.forms
@@ -93,12 +93,12 @@ def words_reach(words: Launched, container: Container) -> Reach:
         for name in op.sources:
             word_reach = word_reach.joined(of(name))
         effect = op.operation.effect
-        if effect is Effect.DIGITAL_NEIGHBOURS:
+        if effect is WordEffect.DIGITAL_NEIGHBOURS:
             moved = [of(op.sources[0]).moved(*step) for step in STEERING.values()]
             moved += [of(name) for name in STEERING]
             word_reach = Reach(*map(max, *moved))
-        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL, Effect.FLAG_ALL):
-            reach["FLAG"] = Reach() if effect is Effect.FLAG_ALL else word_reach
+        if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL):
+            reach["FLAG"] = Reach() if effect is WordEffect.FLAG_ALL else word_reach
         elif op.operation.phase is Phase.READ:
             reach["bus"] = word_reach
         elif op.operation.phase is Phase.WRITE:
@@ -108,7 +108,7 @@ def words_reach(words: Launched, container: Container) -> Reach:
                 right, down = STEPS[name]
                 name, word_reach = "NEWS", word_reach.moved(-right, -down)
             masked = name == container.target.masked_register
-            if effect is Effect.BUS or masked:
+            if effect is WordEffect.BUS or masked:
                 word_reach = word_reach.joined(of(name)).joined(of("FLAG"))
             reach[name] = word_reach
     total = Reach()
@@ -151,27 +151,27 @@ class PictureReplay:
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
-            case Effect.NONE:
+            case WordEffect.NONE:
                 return
-            case Effect.FLAG_ALL:
+            case WordEffect.FLAG_ALL:
                 self.digital["FLAG"] = dict.fromkeys(forms.places(), true_bit)
-            case Effect.FLAG_DIGITAL:
+            case WordEffect.FLAG_DIGITAL:
                 self.digital["FLAG"] = self._or_sources(op)
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ANALOG:
                 before, totals = self.digital["FLAG"], self._totals(op, level)
                 flags = {at: forms.positive(total, at) for at, total in totals.items()}
                 if self.container.target.where_obeys_flag:
                     times = forms.diagrams.times
                     flags = {at: times(bit, before[at]) for at, bit in flags.items()}
                 self.digital["FLAG"] = flags
-            case Effect.BUS:
+            case WordEffect.BUS:
                 self._bus(op, level)
-            case Effect.DIGITAL_NEIGHBOURS:
+            case WordEffect.DIGITAL_NEIGHBOURS:
                 self._write(op.destinations[0], self._or_neighbours(op))
-            case Effect.DIGITAL:
+            case WordEffect.DIGITAL:
                 self._digital(op)
             case _:
-                raise Wrong(f"`{op}` has no place after the exposure")
+                raise PictureReplayError(f"`{op}` has no place after the exposure")
 
     def _totals(self, op: Op, level: int | None) -> Fields:
         """The sum of a word's analog sources in every pixel."""
@@ -181,7 +181,7 @@ class PictureReplay:
         for name in op.sources:
             if name == "IN":
                 if level is None:
-                    raise Wrong(f"`{op}` reads IN, which is not set")
+                    raise PictureReplayError(f"`{op}` reads IN, which is not set")
                 steps = {IN: forms.diagrams.leaf(Fraction(level))} if level else {}
                 fields.append(dict.fromkeys(forms.places(), steps))
             elif name in NEIGHBOURS:
@@ -191,7 +191,7 @@ class PictureReplay:
             elif name in self.analog:
                 fields.append(self.analog[name])
             else:
-                raise Wrong(f"`{op}` reads {name} after the exposure")
+                raise PictureReplayError(f"`{op}` reads {name} after the exposure")
         return {
             at: forms.sum(*((unit_factor, field[at]) for field in fields)) for at in forms.places()
         }
@@ -211,7 +211,7 @@ class PictureReplay:
         forms, flag = self.forms, self.digital["FLAG"]
         directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
         if directed and any(bit != forms.diagrams.one for bit in flag.values()):
-            raise Wrong(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
+            raise PictureReplayError(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
         factor = Fraction(-1, op.operation.divisor)
         values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
         for name in op.destinations:

@@ -22,7 +22,7 @@ from operator import attrgetter
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op, Phase, WordEffect
 from nscc.prove.noise import Noise
 from nscc.truth import columns, members, rows
 from nscc.words.container import Container
@@ -42,7 +42,7 @@ WRONG_EXPOSURE = "exposure differs from the sum of light over the open slots"
 WRONG_CODE = "the code registers do not hold their code at the end of the frame"
 
 
-class Wrong(Exception):
+class ReplayError(Exception):
     """What the words do wrong: in words, and in which bucket and shutter."""
 
     def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
@@ -50,7 +50,7 @@ class Wrong(Exception):
         self.reason, self.bucket, self.shutter = reason, bucket, shutter
 
 
-class Pixels:
+class ReplayPixels:
     """Pixels of a container, and the words that they run, over consecutive frames.
 
     `kernels` are the container's words, decoded; `encoding` bool (lanes, registers) is what the
@@ -158,17 +158,17 @@ class Pixels:
     def run(self, word: Op) -> None:
         """Runs a word in every lane."""
         match word.operation.effect:
-            case Effect.RESET_PIX:
+            case WordEffect.RESET_PIX:
                 self._reset()
-            case Effect.BUS:
+            case WordEffect.BUS:
                 self._bus(word)
-            case Effect.FLAG_ALL:
+            case WordEffect.FLAG_ALL:
                 self.write("FLAG", (self.everything, 0))
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ANALOG:
                 self.write("FLAG", self.compare(word))
-            case Effect.FLAG_DIGITAL:
+            case WordEffect.FLAG_DIGITAL:
                 self.write("FLAG", self._or_sources(word))
-            case Effect.DIGITAL:
+            case WordEffect.DIGITAL:
                 self._digital(word)
 
     def _reset(self) -> None:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from nscc.operations import Op
 from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
-from nscc.prove.pixels import Wrong
+from nscc.prove.pixels import ReplayError
 from nscc.prove.readout import readout_fault
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
@@ -78,7 +78,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     for frame in range(1, FRAMES + 1):
         try:
             replay.prove_frame(noise.levels(slots, 1)[:, 0])
-        except Wrong as wrong:
+        except ReplayError as wrong:
             failure = Failure(
                 wrong.reason, frame, wrong.bucket, wrong.shutter, tuple(replay.doubts)
             )

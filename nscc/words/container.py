@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.words.machine import Machine, StatePlanes
+from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.pictures import Pictures
 from nscc.words.stream import Stream
 
@@ -19,7 +19,7 @@ Word = tuple[int, int, int, int, int]
 
 
 @dataclass(frozen=True)
-class Kernel:
+class StoredKernel:
     """A recorded list of words, stored once and launched as often as the schedule says."""
 
     name: str
@@ -99,7 +99,7 @@ class Container:
     slot_us: tuple[float, ...]
     buckets: tuple[str, ...]
     table: DecodeTable
-    kernels: tuple[Kernel, ...]
+    kernels: tuple[StoredKernel, ...]
     launches: tuple[Launch, ...]
     code_registers: tuple[str, ...]
     encoding: NDArray[np.bool_]
@@ -107,7 +107,7 @@ class Container:
     readouts: tuple[Readout, ...]
     source_lines: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
-    machine: Machine | None = None
+    machine: StateMachine | None = None
     state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
     stream: Stream | None = None
     pictures: Pictures | None = None

@@ -37,9 +37,9 @@ from nscc.operations import (
     S_IN,
     SETF,
     WRF,
-    Effect,
     Op,
     Operation,
+    WordEffect,
     make_op,
 )
 from nscc.words.container import Word
@@ -142,7 +142,7 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
     read = [name for name, mask in reads if bits & mask == mask]
     for row in (*_KINDS.get((clock, kind), ()), *target_operations):
         sources = read
-        if row.effect in (Effect.BUS, Effect.RESET_PIX):
+        if row.effect in (WordEffect.BUS, WordEffect.RESET_PIX):
             sources = [name for name in read if not _fixed(row) & _READ[name]]
             sources = [name for name in sources if name not in destinations]
         if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):

@@ -30,8 +30,8 @@ from nscc.chips.load import target_dict, target_from_dict
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words import machine_file, pictures_file
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
-from nscc.words.machine import Machine, StatePlanes
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
+from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.soundness import faults
 from nscc.words.stream import Stream
 
@@ -319,11 +319,11 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0
     for name, count in header["kernels"]:
-        kernels.append(Kernel(name, tuple(words[first : first + count])))
+        kernels.append(StoredKernel(name, tuple(words[first : first + count])))
         first += count
     fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
     sent = ("planes", "ones", "zeros")
-    machine: Machine | None = None
+    machine: StateMachine | None = None
     planes: dict[str, StatePlanes] = {}
     launches = [(instant, kernel, None) for instant, kernel in arrays["launches"].tolist()]
     if "machine" in header:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import NEIGHBOURS, STEERING, Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, WordEffect
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
@@ -110,7 +110,7 @@ def target_fault(operation: Op, target: Target) -> str | None:
 
     Words that reach neighbours follow an exposure: see `picture_fault`.
     """
-    digital = operation.operation.effect is Effect.DIGITAL_NEIGHBOURS
+    digital = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
     if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
         return "only the words of images and planes reach neighbours, after the last slot"
     return picture_fault(operation, target)
@@ -129,14 +129,17 @@ def picture_fault(operation: Op, target: Target) -> str | None:
     count, row = len(operation.sources), operation.operation
     if (fault := _neighbour_fault(operation, target)) is not None:
         return fault
-    if row.effect is Effect.FLAG_DIGITAL:
+    if row.effect is WordEffect.FLAG_DIGITAL:
         kind, limit = "a WHERE", target.where_sources
     else:
-        kind, limit = "an OR or NOR", target.or_sources if row.effect is Effect.DIGITAL else None
+        kind, limit = (
+            "an OR or NOR",
+            target.or_sources if row.effect is WordEffect.DIGITAL else None,
+        )
     if limit is not None and count > limit:
         most = f"{kind} word of {target.name} reads at most {limit} sources"
         return f"{most}, but this word reads {count}"
-    reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
+    reads_flag = row.effect is WordEffect.FLAG_DIGITAL and "FLAG" in operation.sources
     if reads_flag and not target.where_reads_flag:
         return f"WHERE writes FLAG, and on {target.name} it cannot also read it"
     return None
@@ -145,7 +148,7 @@ def picture_fault(operation: Op, target: Target) -> str | None:
 def _neighbour_fault(operation: Op, target: Target) -> str | None:
     """Why `target` does not take a word that reaches neighbours; None if it does."""
     row = operation.operation
-    digital = row.effect is Effect.DIGITAL_NEIGHBOURS
+    digital = row.effect is WordEffect.DIGITAL_NEIGHBOURS
     written = NEIGHBOURS.keys() & operation.destinations
     if not (digital or written or NEIGHBOURS.keys() & operation.sources):
         return None

@@ -157,7 +157,7 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Report:
+class PlaneReport:
     """What the host is told of a plane: whether `any` bit is 1, the coordinates of `events` (at
     most `most`), or the `box` around them."""
 
@@ -202,7 +202,7 @@ class Pictures:
     outside: int | None
     limits_e: Mapping[str, float]
     reads: tuple[str, ...]
-    reports: tuple[Report, ...]
+    reports: tuple[PlaneReport, ...]
     kernels: tuple[tuple[Word, ...], ...] = ()
     launches: tuple[TailLaunch, ...] = ()
     registers: Mapping[str, str] = field(default_factory=dict)

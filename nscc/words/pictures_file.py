@@ -13,7 +13,7 @@ from nscc.words.pictures import (
     Picture,
     PictureCost,
     Pictures,
-    Report,
+    PlaneReport,
     TailLaunch,
     Weights,
     from_plain,
@@ -55,7 +55,9 @@ def pictures_from(header: Any) -> Pictures:
             header["outside"],
             {str(name): float(limit) for name, limit in header["limits_e"].items()},
             tuple(map(str, header["reads"])),
-            tuple(Report(kind, str(plane), int(most)) for kind, plane, most in header["reports"]),
+            tuple(
+                PlaneReport(kind, str(plane), int(most)) for kind, plane, most in header["reports"]
+            ),
             tuple(tuple((a, b, c, d, e) for a, b, c, d, e in kernel) for kernel in header["words"]),
             tuple(TailLaunch(kernel, level) for kernel, level in header["launches"]),
             {str(name): str(register) for name, register in header["registers"].items()},

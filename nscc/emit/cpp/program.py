@@ -36,7 +36,7 @@ from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.words.assembly_text import number_text, ranges_text
-from nscc.words.container import Container, Kernel, state_registers
+from nscc.words.container import Container, StoredKernel, state_registers
 from nscc.words.encoding import decode
 from nscc.words.legality import refuse_pictures
 from nscc.words.readout import converter_of, preparation_of
@@ -141,7 +141,7 @@ def _check_store(
         raise Rejected(_no_cpp(program, devkit, reason, way_out))
 
 
-def ops_of(kernel: Kernel) -> list[Op]:
+def ops_of(kernel: StoredKernel) -> list[Op]:
     """The words of a kernel, decoded."""
     return [decode(word) for word in kernel.words]
 
