@@ -128,7 +128,7 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "asm":
             return text_after("words", container).encode()
         case "report":
-            from nscc.emit.pictures import with_pictures
+            from nscc.emit.picture_report import with_pictures
 
             return report_bytes(with_pictures(report(choice, proof), container))
         case _:

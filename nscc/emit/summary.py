@@ -51,7 +51,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
     if compiled.container is not None and compiled.container.pictures is not None:
-        from nscc.emit.pictures import picture_rows
+        from nscc.emit.picture_report import picture_rows
 
         rows += picture_rows(compiled.container.pictures, program.target)
     return [

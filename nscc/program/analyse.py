@@ -16,7 +16,7 @@ from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
-from nscc.program.pictures import make_pictures
+from nscc.program.picture_statements import make_pictures
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope

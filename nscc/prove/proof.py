@@ -93,7 +93,7 @@ def _after_frame(container: Container) -> Failure | None:
         return Failure(fault[1], FRAMES, fault[0])
     if container.pictures is None:
         return None
-    from nscc.prove.pictures import pictures_fault
+    from nscc.prove.pictures_proof import pictures_fault
 
     picture_reason = pictures_fault(container)
     return Failure(picture_reason, FRAMES) if picture_reason else None
