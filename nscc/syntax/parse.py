@@ -195,7 +195,7 @@ def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
     return Diagnostic(
         "NS0106",
         f"this program uses version {version.number.value} of the language; this nscc reads "
-        f"the versions {' and '.join(map(str, VERSIONS))}",
+        f"versions {VERSIONS[0]} to {VERSIONS[-1]}",
         source=source,
         label=Label(version.number.span),
         helps=(f"write `nsl {VERSIONS[0]}`, or use the nscc that the program was written for",),
