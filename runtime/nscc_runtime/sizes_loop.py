@@ -19,7 +19,7 @@ BLOCK = 2048
 
 
 @record
-class Pixels:
+class ArraySize:
     """The array."""
 
     rows: int
@@ -163,7 +163,7 @@ def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats
 
 @loop
 def sizes_of(
-    pixels: Pixels,
+    pixels: ArraySize,
     total: Annotated[Floats, "rows cols"],
     open_fraction: Annotated[Floats32, "rows cols"],
     lit: Written[Floats],

@@ -59,7 +59,7 @@ def expose(
     check(container, light)
     if container.target.streamed:
         return sorted_light(container, light)
-    from nscc_runtime.emulator.loops import Block, expose_block
+    from nscc_runtime.emulator.loops import PixelBlock, expose_block
 
     words = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
@@ -95,7 +95,7 @@ def expose(
             "charge": np.empty(block, np.float32),
         }
         for first in range(begin, end, block):
-            sizes = Block(
+            sizes = PixelBlock(
                 slots=container.slots,
                 pixels=pixels,
                 first=first,

@@ -44,7 +44,7 @@ class Away(NamedTuple):
     from_mean: Floats
 
 
-class Counts(NamedTuple):
+class CountScratch(NamedTuple):
     """Scratch: the keys of a frame's counts, the drawn counts, the pixel of each count (-1 at
     first), and the places of a pixel and its neighbours."""
 
@@ -69,7 +69,7 @@ def _rate_between(sums: Floats, row: int, first: int, stop: int) -> float:
 
 @compiled
 def _split_node(
-    sizes: Sizes, counts: Counts, top: int, parent: int, sums: Floats, row: int,
+    sizes: Sizes, counts: CountScratch, top: int, parent: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
     """Split the count of a node between its two halves of slots."""
@@ -98,7 +98,7 @@ def _split_node(
 
 @compiled
 def _count_between(
-    sizes: Sizes, counts: Counts, top: int, first: int, stop: int, sums: Floats, row: int,
+    sizes: Sizes, counts: CountScratch, top: int, first: int, stop: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
     """Return the count of a group in the slots `first` .. `stop` - 1. `heap` holds from `top` on
@@ -130,7 +130,7 @@ def _count_between(
 @compiled
 def _charge_of_source(
     sizes: Sizes, numbers: Numbers, source: int, place: int, begin: int, stop: int,
-    sites: Sites, counts: Counts, heap_number: int,
+    sites: Sites, counts: CountScratch, heap_number: int,
 ) -> float:  # fmt: skip
     """Return the charge of one source (`LIT`, `DARK`) in the slots `begin` .. `stop` - 1 at a site.
 
@@ -191,7 +191,7 @@ def _heaps_at(sizes: Sizes, place: int) -> int:
 @compiled
 def _charge_of_site(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
-    counts: Counts,
+    counts: CountScratch,
 ) -> float:  # fmt: skip
     """Return the charge of a site in the slots `begin` .. `stop` - 1."""
     heap_number = 2 * _heaps_at(sizes, place)
@@ -233,7 +233,7 @@ def _charge_spread_evenly(
 @compiled
 def charge(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
-    counts: Counts,
+    counts: CountScratch,
 ) -> float:  # fmt: skip
     """Return the charge of the pixel in the slots `begin` .. `stop` - 1, after crosstalk."""
     if begin >= stop:
@@ -257,7 +257,7 @@ def charge(
 @compiled
 def charge_evenly(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
-    counts: Counts,
+    counts: CountScratch,
 ) -> float:  # fmt: skip
     """Like `charge`, but also split the pixel's own counts in proportion to light."""
     own_e = _charge_spread_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)

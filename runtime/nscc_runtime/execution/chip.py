@@ -29,7 +29,7 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.views import Device
 from nscc_runtime.execution.overlap import weights_beside
 from nscc_runtime.execution.pixel_array import PixelArray
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.remembered import remembered
 
 T = TypeVar("T")
@@ -40,7 +40,7 @@ _LEAK_SIGMAS = 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class Chip:
+class SimulatedChip:
     """A program on some pixels of one chip under the effects in `kept_effects`.
 
     Noise and patterns of words are weighted as under `requested_effects`, which also contain the
@@ -48,7 +48,7 @@ class Chip:
     demand and must not be written to.
     """
 
-    program: Program
+    program: AnalysedProgram
     array: PixelArray
     device_seed: int
     kept_effects: Selection
@@ -246,16 +246,19 @@ class Chip:
         return least_e
 
     @remembered
-    def compute_once(self, make: Callable[[Chip], T]) -> T:
+    def compute_once(self, make: Callable[[SimulatedChip], T]) -> T:
         """Return `make(self)`, computed once."""
         return make(self)
 
 
 def chip_of(
-    program: Program, device_seed: int, kept_effects: Selection, requested_effects: Selection
-) -> Chip:
+    program: AnalysedProgram,
+    device_seed: int,
+    kept_effects: Selection,
+    requested_effects: Selection,
+) -> SimulatedChip:
     """Return the whole chip with these effects, cached with the program."""
     return program.recent_chips.of(
-        (Chip, device_seed, kept_effects.on, requested_effects.on),
-        lambda: Chip(program, program.array, device_seed, kept_effects, requested_effects),
+        (SimulatedChip, device_seed, kept_effects.on, requested_effects.on),
+        lambda: SimulatedChip(program, program.array, device_seed, kept_effects, requested_effects),
     )

@@ -30,7 +30,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Reach:
+class RegisterReach:
     """What registers hold is at most what one of the `held_weights` (kinds, N, lanes) makes of the
     slots' charge, and they stay in their linear range as long as each of these is below its
     `least_e` (kinds, lanes), 0 where noise alone may take them out of it; without `held_weights` as
@@ -40,7 +40,7 @@ class Reach:
     least_e: Values
 
 
-def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> Reach:
+def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> RegisterReach:
     """Return the reach of a program with the noise of `kept_effects` and registers that are linear
     up to `linear_e`, deterministically."""
     lanes, slots = len(tables.container.encoding), tables.container.slots
@@ -50,12 +50,14 @@ def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> Reach:
     register_reach = _farthest(tables, sampled_lanes, ends[shown], kept_effects, linear_e)
     if len(sampled_lanes) < lanes or len(shown) < len(ends):
         # Only some lanes or stretches are known.
-        return Reach(None, np.full((1, lanes), register_reach.least.min() / register_reach.most))
+        return RegisterReach(
+            None, np.full((1, lanes), register_reach.least.min() / register_reach.most)
+        )
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(
         register_reach.held_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
     )
-    return Reach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
+    return RegisterReach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
 
 
 def _farthest(
@@ -145,7 +147,7 @@ class _RegisterState:
 
 @dataclass(eq=False)
 class _RegisterReach:
-    """What `Reach` has, of the registers that were written so far: `held_weights` (kinds, lanes,
+    """The `RegisterReach` of the registers that were written so far: `held_weights` (kinds, lanes,
     stretches). `error_e`: mean and spread of the fixed error."""
 
     linear_e: float

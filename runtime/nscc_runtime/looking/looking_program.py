@@ -26,7 +26,7 @@ from nscc_runtime.execution.entries import (
     readouts_of,
     switches_of,
 )
-from nscc_runtime.execution.layout import Fixed, Program, RegisterContents, Result
+from nscc_runtime.execution.layout import Fixed, LoopProgram, RegisterContents, WordResult
 from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.looking.path_loop import (
     BLOCK,
@@ -133,7 +133,7 @@ class LookingProgram:
         return paths_of(self.container, retention_us(effects, self.sensor))
 
     @remembered
-    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> Program:
+    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> LoopProgram:
         """The words, where intervals begin with these slots."""
         return program_of(self.container, paths.words, starts)
 
@@ -240,7 +240,7 @@ class _LookingFrame:
                 reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
                 normals=np.empty((1 + sizes.numbered) * BLOCK),
             ),
-            fixed=Fixed.of(BLOCK), result=Result.of(BLOCK),
+            fixed=Fixed.of(BLOCK), result=WordResult.of(BLOCK),
             contents=RegisterContents.of(len(container.target.analog_registers), BLOCK),
         )  # fmt: skip
         shape = (len(out), *begins.shape)

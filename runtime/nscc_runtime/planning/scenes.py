@@ -19,7 +19,7 @@ from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.chip import chip_of
 from nscc_runtime.execution.frames import ExecutedScene, Path, executed
 from nscc_runtime.execution.pixel_loop import run_pixels
-from nscc_runtime.execution.program import Program, analysed
+from nscc_runtime.execution.program import AnalysedProgram, analysed
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -68,7 +68,7 @@ class FixedShutters(PlannedScene):
         self.program  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def program(self) -> Program:
+    def program(self) -> AnalysedProgram:
         """The analysed program."""
         return analysed(self.container, self.sensor)
 
