@@ -166,6 +166,7 @@ class ShutterProgram:
         Rejected
             NS0743 for a loaded program, which has no report.
         """
+        from nscc.emit.pictures import with_pictures
         from nscc.emit.report import report
 
         compiled, options = self._as_compiled("report")
@@ -174,7 +175,8 @@ class ShutterProgram:
             from nscc.emit.sending_report import stream_report
 
             return stream_report(compiled.sending, compiled.proof)
-        return report(all_lowerings(compiled.program, options), compiled.proof)
+        made = report(all_lowerings(compiled.program, options), compiled.proof)
+        return made if compiled.container is None else with_pictures(made, compiled.container)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the program to a file, completely or not at all.

@@ -51,6 +51,14 @@ def picture_report(container: Container) -> dict[str, Any]:
     }
 
 
+def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any]:
+    """A build's report with its images and planes, whose time is a part of the frame's."""
+    pictures = picture_report(container)
+    if pictures:
+        pictures["frame_us"] = round(report["frame_us"] + pictures["images_us"], 6)
+    return {**report, **pictures}
+
+
 def picture_rows(pictures: Pictures, target: Target) -> list[tuple[str, str]]:
     """Labels with what a summary says of images and planes."""
     reach = reaches(pictures)

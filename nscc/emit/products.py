@@ -128,8 +128,8 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "asm":
             return text_after("words", container).encode()
         case "report":
-            from nscc.emit.pictures import picture_report
+            from nscc.emit.pictures import with_pictures
 
-            return report_bytes({**report(choice, proof), **picture_report(container)})
+            return report_bytes(with_pictures(report(choice, proof), container))
         case _:
             return to_bytes(container)

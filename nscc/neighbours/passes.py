@@ -166,9 +166,9 @@ def _beyond_range(
     helps = []
     least = max(1, ceil(log2(over) - 1e-9))
     for halvings in range(least, least + _MORE_HALVINGS):
-        divided = _with_item_divided(pictures, refused.name, 2**halvings)
+        smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
-            lowered(container, divided, level)
+            lowered(container, smaller, level)
         except Refused:
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")

@@ -120,7 +120,7 @@ class Synthesis:
                 if rest.program:
                     yield chained(rest.program, _HALVE)
         for factor in factors():
-            quotient = divided(taps, factor)
+            quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for rest in self._programs(quotient, depth - 1):
                     yield chained(factor.program, rest.program)
@@ -192,7 +192,7 @@ def factors() -> tuple[Factor, ...]:
     return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
 
 
-def divided(taps: Taps, factor: Factor) -> Polynomial | None:
+def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
     """The kernel that gives `taps` together with `factor`; None where there is none."""
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]

@@ -246,7 +246,7 @@ class Reader:
     def _compare(self, compare: tree.Compare) -> p.Condition:
         operands = (compare.first, *compare.rest)
         found: p.Condition | None = None
-        for op, left, right in zip(compare.ops, operands, compare.rest, strict=False):
+        for op, left, right in zip(compare.ops, operands[:-1], compare.rest, strict=True):
             if op in ("==", "!="):
                 raise self._wrong(
                     "NS0533", "charges are compared by `>` and `<`", compare.span,
