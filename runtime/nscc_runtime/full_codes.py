@@ -22,7 +22,7 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.program import AnalysedProgram, analysed
-from nscc_runtime.reference.marks import Marks
+from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.response import converter_e2, shutter_response

@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import CountedDark, WordGain
 from nscc_runtime.effects.parts import Response as PixelGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.trace import analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, WeightModel, backward
 

@@ -17,15 +17,15 @@ from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc.words.legality import refuse_pictures
 from nscc_runtime import frame_file
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection, marks, selected
-from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
+from nscc_runtime.frame_series import gathered
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
 from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, ToleranceInput, check_tolerance
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 

@@ -13,7 +13,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import named, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.execution.reach import reach_of
+from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.execution.tables import Tables, WeightModel
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose

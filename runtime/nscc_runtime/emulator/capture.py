@@ -26,11 +26,11 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.soundness import faults
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.emulator.steps import Layout, Steps, steps_of
 from nscc_runtime.emulator.taps import sorted_light
 from nscc_runtime.interface import Exposure
 from nscc_runtime.pool import in_parts, threads_of
-from nscc_runtime.ready import OfContainer
 
 if TYPE_CHECKING:
     from nscc.words.container import Container

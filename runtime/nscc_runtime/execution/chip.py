@@ -30,7 +30,7 @@ from nscc_runtime.effects.views import Device
 from nscc_runtime.execution.overlap import weights_beside
 from nscc_runtime.execution.pixel_array import PixelArray
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.remembered import remembered
+from nscc_runtime.method_cache import remembered
 
 T = TypeVar("T")
 Values = NDArray[np.float64]
@@ -232,7 +232,7 @@ class SimulatedChip:
     @cached_property
     def saturation_e(self) -> Values:
         """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: the charge
-        on PIX, then that of each kind of register content (`nscc_runtime.execution.reach`)."""
+        on PIX, then that of each kind of register content (`nscc_runtime.execution.register_reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
         kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)

@@ -27,14 +27,6 @@ from nscc_runtime.effects.parts import (
     Errors as SmallErrors,
 )
 from nscc_runtime.execution.charge_loop import SITES, Away, CountScratch, Sites
-from nscc_runtime.execution.entries import (
-    Turns,
-    device_of,
-    numbers_of,
-    program_of,
-    readouts_of,
-    switches_of,
-)
 from nscc_runtime.execution.error_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.execution.layout import (
     Fixed,
@@ -45,6 +37,14 @@ from nscc_runtime.execution.layout import (
     RegisterContents,
     Sizes,
     WordResult,
+)
+from nscc_runtime.execution.loop_words import (
+    Turns,
+    device_of,
+    numbers_of,
+    program_of,
+    readouts_of,
+    switches_of,
 )
 from nscc_runtime.execution.pixel_loop import run_pixels
 from nscc_runtime.execution.site_loop import Laying

@@ -23,8 +23,8 @@ from nscc_runtime.effects.parts import (
     Response,
     WordGain,
 )
+from nscc_runtime.execution.block_draws import BLOCK, ROOM
 from nscc_runtime.execution.chip import SimulatedChip
-from nscc_runtime.execution.drawn import BLOCK, ROOM
 from nscc_runtime.execution.frame_loop import (
     Adding,
     Counting,

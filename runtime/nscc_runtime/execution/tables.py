@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, ByName, WeightModel, backward
-from nscc_runtime.remembered import remembered
 
 Weights = NDArray[np.float64]
 

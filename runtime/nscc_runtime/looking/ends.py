@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.looking.paths import Paths, paths_of, start_bits
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.trace import AnalogWord, retention_us
 from nscc_runtime.reference.weights import WeightModel, backward
 from nscc_runtime.response import ShutterResponse

@@ -19,14 +19,14 @@ from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import draws_keys
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.execution.entries import (
+from nscc_runtime.execution.layout import Fixed, LoopProgram, RegisterContents, WordResult
+from nscc_runtime.execution.loop_words import (
     device_of,
     numbers_of,
     program_of,
     readouts_of,
     switches_of,
 )
-from nscc_runtime.execution.layout import Fixed, LoopProgram, RegisterContents, WordResult
 from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.looking.path_loop import (
     BLOCK,
@@ -39,13 +39,13 @@ from nscc_runtime.looking.path_loop import (
     run_paths,
 )
 from nscc_runtime.looking.paths import Paths, paths_of
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import most_destinations
-from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 

@@ -25,6 +25,7 @@ from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import next_planes
 from nscc_runtime.looking.looking_program import BEFORE_WORDS, LookingProgram
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.differences import Difference, ExposureErrors
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.sample import Sample, sample_of
@@ -33,7 +34,6 @@ from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
-from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 Values = NDArray[np.float64]

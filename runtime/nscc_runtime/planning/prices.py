@@ -16,7 +16,7 @@ from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.execution.charge_loop import SITES
 from nscc_runtime.execution.layout import ACTS
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.remembered import remembered
+from nscc_runtime.method_cache import remembered
 
 Beside = Literal["sums", "all", "nothing"]
 """The simulation of the other pixels while one pixel runs through its words."""

@@ -23,9 +23,9 @@ from nscc_runtime.execution.pixels import KnownCounts, Running
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.light import Light
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.sample import Sample
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 

@@ -21,8 +21,8 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen
-from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.resets import Resets
+from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import RunningWord
 from nscc_runtime.reference.weights import error_sign
 
