@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from plan_cases import case
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime import capture, frame_file
+from nscc_runtime import capture, frame_file, frame_series
 from nscc_runtime.formats.frame_content import frame_content
 from nscc_runtime.frame_file import Frame, FrameFile, stacked
 

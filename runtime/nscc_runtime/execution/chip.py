@@ -231,8 +231,8 @@ class SimulatedChip:
 
     @cached_property
     def saturation_e(self) -> Values:
-        """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: the charge
-        on PIX, then that of each kind of register content (`nscc_runtime.execution.register_reach`)."""
+        """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: on PIX, then
+        for each kind of register content (`nscc_runtime.execution.register_reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
         kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)
