@@ -85,10 +85,8 @@ def _split_node(
     if count <= 0.0:
         drawn = 0.0
     elif middle < slots:
-        left_rate, right_rate = (
-            _rate_between(sums, row, start, middle),
-            _rate_between(sums, row, middle, end),
-        )
+        left_rate = _rate_between(sums, row, start, middle)
+        right_rate = _rate_between(sums, row, middle, end)
         drawn = halved(stream, place, parent, count, left_rate, right_rate)
     heap[top + 2 * parent] = drawn
     heap[top + 2 * parent + 1] = count - drawn
@@ -142,10 +140,8 @@ def _charge_of_source(
     site, heap_number = 2 * sites.number[place] + source, heap_number + source
     scale, row = sites.scales[site], sites.rows[site]
     for group in range(count):
-        inside, group_rate = (
-            scale * _rate_between(sums, row, begin, stop),
-            scale * sums[row + slots],
-        )
+        inside = scale * _rate_between(sums, row, begin, stop)
+        group_rate = scale * sums[row + slots]
         if inside > 0.0 and not counted:
             total += inside
         elif inside > 0.0:

@@ -140,10 +140,8 @@ class SimulatedChip:
         """Mean dark charge in exposures (buckets, pixels), without saturation."""
         if self.kept_effects.find_part(CountedDark) is None:
             return None
-        exchange, model = (
-            self.kept_effects.find_part(Exchange),
-            self.program.model(self.kept_effects),
-        )
+        exchange = self.kept_effects.find_part(Exchange)
+        model = self.program.model(self.kept_effects)
 
         def make() -> Values:
             current = self.current

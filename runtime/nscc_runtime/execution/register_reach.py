@@ -69,10 +69,8 @@ def _farthest(
     gain_part, sensor = kept_effects.find_part(WordGain), tables.program.sensor
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
     state = _RegisterState(tables, len(sampled_lanes), len(ends), kept_effects)
-    held_weights, least = (
-        np.zeros((_KINDS, len(sampled_lanes), len(ends))),
-        np.full((_KINDS, len(sampled_lanes)), np.inf),
-    )
+    held_weights = np.zeros((_KINDS, len(sampled_lanes), len(ends)))
+    least = np.full((_KINDS, len(sampled_lanes)), np.inf)
     reach, at = _RegisterReach(linear_e, error_e, held_weights, least), -1
     for word in tables.decayed:
         state.held_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
@@ -133,10 +131,8 @@ class _RegisterState:
     ) -> None:
         """Set rows to the weighted sum `total` of all rows, plus independent noise of a
         variance."""
-        new_weights, new_covariance = (
-            total @ self.held_weights[lanes],
-            total @ self.covariance[lanes],
-        )
+        new_weights = total @ self.held_weights[lanes]
+        new_covariance = total @ self.covariance[lanes]
         for row in rows:
             self.held_weights[lanes, row] = new_weights
             self.covariance[lanes, row] = self.covariance[lanes, :, row] = new_covariance
@@ -177,10 +173,8 @@ class _RegisterReach:
         as large; else to the last kind."""
         for kind in range(_KINDS):
             held_weights = self.held_weights[kind]
-            is_smaller, is_larger = (
-                (size <= held_weights + _ROUNDING).all(axis=1),
-                (held_weights <= size).all(axis=1),
-            )
+            is_smaller = (size <= held_weights + _ROUNDING).all(axis=1)
+            is_larger = (held_weights <= size).all(axis=1)
             fits = lanes & (is_smaller | is_larger | (kind == _KINDS - 1))
             self.held_weights[kind] = np.where(
                 fits[:, None], np.maximum(held_weights, size), held_weights

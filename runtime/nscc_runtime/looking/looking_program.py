@@ -168,10 +168,8 @@ class _LookingFrame:
         def fill(first: int, stop: int) -> None:
             for top in range(first, stop, step):
                 part_rows = rows[top : min(top + step, stop)]
-                out_rows, of_array = (
-                    slice(top, top + len(part_rows)),
-                    slice(part_rows.start, part_rows.stop),
-                )
+                out_rows = slice(top, top + len(part_rows))
+                of_array = slice(part_rows.start, part_rows.stop)
                 fallen = fall(part_rows)
                 results = self._loop(
                     bound, fallen.charge, pace(of_array, fallen.light), begins[of_array], part_rows

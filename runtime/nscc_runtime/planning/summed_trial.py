@@ -133,10 +133,8 @@ class SummedTrial(Trial):
     @remembered
     def execution(self, setting: Setting) -> Execution:
         """Return the execution of a setting."""
-        kept_effects, near_effects = (
-            self._requested_fast_effects.without(*setting.dropped),
-            self._requested_fast_effects.without(*setting.near_dropped),
-        )
+        kept_effects = self._requested_fast_effects.without(*setting.dropped)
+        near_effects = self._requested_fast_effects.without(*setting.near_dropped)
         return Execution("sums", kept_effects, near_effects, self.requested_effects, setting.exact)
 
     @cached_property
@@ -209,11 +207,9 @@ class SummedTrial(Trial):
     def together(self, setting: Setting) -> ExposureErrors:
         """See `Trial`: compared with sums far from saturation, with the truth near it. If all
         saturating effects are dropped, noise dominates the error: several frames are outputs."""
-        execution, by, near_pixels = (
-            self.execution(setting),
-            self.exposures,
-            self.sample.near_pixels,
-        )
+        execution = self.execution(setting)
+        by = self.exposures
+        near_pixels = self.sample.near_pixels
         full_far_e = by.by_sums(self._fast_effects, everything(), "far", 0)
         exposed = [by.expose(execution, 0) + self._lacked_e]
         truth = [np.append(full_far_e, self._near_by_words(self._fast_effects), axis=1)]
