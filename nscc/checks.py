@@ -17,7 +17,7 @@ from nscc.logic.replay import fault
 from nscc.lower.exposure_plan import ExposurePlan, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice
-from nscc.operations import Effect, Op
+from nscc.operations import Op, WordEffect
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
 from nscc.source import Source
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from nscc.looks.looking_plan import LookingPlan, Moment
     from nscc.looks.passes import LookingLowered
     from nscc.stream.sending import Sending
-    from nscc.words.machine import Machine as StateMachine
+    from nscc.words.machine import StateMachine
 
 _ROUNDING = 1e-9
 """Relative tolerance for times, which are sums of decimal fractions."""
@@ -164,7 +164,7 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
             used = {name for gate in gates for name in (gate.destination, *gate.sources)}
             _require(names >= used, f"unknown registers: {sorted(used - names)}")
             comparison_count = sum(
-                isinstance(item, Op) and item.operation.effect is Effect.FLAG_ANALOG
+                isinstance(item, Op) and item.operation.effect is WordEffect.FLAG_ANALOG
                 for item in items
             )
             _require(

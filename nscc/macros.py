@@ -27,7 +27,7 @@ from nscc.operations import (
     Op,
     Operation,
     Phase,
-    made,
+    make_op,
     pair,
 )
 
@@ -116,7 +116,7 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
         if register in destinations:
             message = f"{row.name} cannot write {register} and read it in the same word"
             raise OperandError(message, index)
-    return made(row, destinations, sources)
+    return make_op(row, destinations, sources)
 
 
 def _listed(names: Sequence[str] | dict[str, int]) -> str:

@@ -20,13 +20,13 @@ def notebook(page: str) -> bytes:
     texts = _CELL.split(_HEAD.sub("", page))  # text and code by turns
     cells = [_cell("code" if k % 2 else "markdown", text) for k, text in enumerate(texts)]
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    whole = {
+    document = {
         "cells": [cell for cell in cells if cell["source"]],
         "metadata": {"kernelspec": kernel, "language_info": {"name": "python"}},
         "nbformat": 4,
         "nbformat_minor": 4,
     }
-    return (json.dumps(whole, indent=1, ensure_ascii=False) + "\n").encode()
+    return (json.dumps(document, indent=1, ensure_ascii=False) + "\n").encode()
 
 
 def _cell(kind: str, text: str) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 
-class Effect(Enum):
+class WordEffect(Enum):
     """What a word does to the state of a pixel.
 
     `total` is the sum of the analog sources, `some` the OR of the digital ones.
@@ -62,7 +62,7 @@ class Operation:
     """
 
     name: str
-    effect: Effect
+    effect: WordEffect
     clock: int
     lines: tuple[int, ...]
     destinations: tuple[int, int | None]
@@ -144,35 +144,50 @@ _INVERT = (S_IN, PLWB, PLRB, NBIT, BITMODE)
 _SEEN = (S_IN, RID, FBUS, NB, PLRB, BIT)
 
 OPERATIONS: tuple[Operation, ...] = (
-    Operation("nop", Effect.NONE, _ANALOG, (), _NO, _NO),
-    Operation("rpix", Effect.RESET_PIX, _ANALOG, (RSTPIX, SELPIX), _NO, _NO),
-    Operation("all", Effect.FLAG_ALL, _ANALOG, (SETF, PLRB, RID), _NO, _NO),
-    Operation("bus", Effect.BUS, _ANALOG, (), _ONE, (0, 4)),
-    Operation("bus2", Effect.BUS, _ANALOG, (), (2, 2), (0, 2), divisor=2),
-    Operation("bus3", Effect.BUS, _ANALOG, (), (3, 3), _ONE, divisor=3),
-    Operation("where", Effect.FLAG_ANALOG, _ANALOG, (WRF,), _NO, (1, 3)),
-    Operation("WHERE", Effect.FLAG_DIGITAL, _DIGITAL, (WRF, PLRB, RID), _NO, _ANY),
-    Operation("SET", Effect.DIGITAL, _DIGITAL, _SET, _ANY, _NO, inverted=True),
-    Operation("CLR", Effect.DIGITAL, _DIGITAL, _COPY, _ANY, _NO),
-    Operation("MOV", Effect.DIGITAL, _DIGITAL, _COPY, _ONE, _ONE),
-    Operation("OR", Effect.DIGITAL, _DIGITAL, _COPY, _ONE, (2, None)),
-    Operation("NOT", Effect.DIGITAL, _DIGITAL, _INVERT, _ONE, _ONE, inverted=True),
-    Operation("NOR", Effect.DIGITAL, _DIGITAL, _INVERT, _ONE, (2, None), inverted=True),
-    Operation("DNEWS0", Effect.DIGITAL_NEIGHBOURS, _NEIGHBOURS, _SEEN, _ONE, _ONE),
+    Operation("nop", WordEffect.NONE, _ANALOG, (), _NO, _NO),
+    Operation("rpix", WordEffect.RESET_PIX, _ANALOG, (RSTPIX, SELPIX), _NO, _NO),
+    Operation("all", WordEffect.FLAG_ALL, _ANALOG, (SETF, PLRB, RID), _NO, _NO),
+    Operation("bus", WordEffect.BUS, _ANALOG, (), _ONE, (0, 4)),
+    Operation("bus2", WordEffect.BUS, _ANALOG, (), (2, 2), (0, 2), divisor=2),
+    Operation("bus3", WordEffect.BUS, _ANALOG, (), (3, 3), _ONE, divisor=3),
+    Operation("where", WordEffect.FLAG_ANALOG, _ANALOG, (WRF,), _NO, (1, 3)),
+    Operation("WHERE", WordEffect.FLAG_DIGITAL, _DIGITAL, (WRF, PLRB, RID), _NO, _ANY),
+    Operation("SET", WordEffect.DIGITAL, _DIGITAL, _SET, _ANY, _NO, inverted=True),
+    Operation("CLR", WordEffect.DIGITAL, _DIGITAL, _COPY, _ANY, _NO),
+    Operation("MOV", WordEffect.DIGITAL, _DIGITAL, _COPY, _ONE, _ONE),
+    Operation("OR", WordEffect.DIGITAL, _DIGITAL, _COPY, _ONE, (2, None)),
+    Operation("NOT", WordEffect.DIGITAL, _DIGITAL, _INVERT, _ONE, _ONE, inverted=True),
+    Operation("NOR", WordEffect.DIGITAL, _DIGITAL, _INVERT, _ONE, (2, None), inverted=True),
+    Operation("DNEWS0", WordEffect.DIGITAL_NEIGHBOURS, _NEIGHBOURS, _SEEN, _ONE, _ONE),
     Operation(
-        "DNEWS1", Effect.DIGITAL_NEIGHBOURS, _NEIGHBOURS, (*_SEEN, PUPD), _ONE, _ONE, inverted=True
+        "DNEWS1",
+        WordEffect.DIGITAL_NEIGHBOURS,
+        _NEIGHBOURS,
+        (*_SEEN, PUPD),
+        _ONE,
+        _ONE,
+        inverted=True,
     ),
-    Operation("REFRESH.read", Effect.DIGITAL, _DIGITAL, _COPY, _NO, _ONE, phase=_READ),
+    Operation("REFRESH.read", WordEffect.DIGITAL, _DIGITAL, _COPY, _NO, _ONE, phase=_READ),
     Operation(
-        "REFRESH.write", Effect.DIGITAL, _DIGITAL, (S_IN, BIT, BITMODE), _ONE, _NO, phase=_WRITE
-    ),
-    Operation("OR.read", Effect.DIGITAL, _DIGITAL, (PLRB, BIT, BITMODE), _NO, _ANY, phase=_READ),
-    Operation("OR.write", Effect.DIGITAL, _DIGITAL, (BIT, BITMODE), _ONE, _NO, phase=_WRITE),
-    Operation(
-        "NOR.read", Effect.DIGITAL, _DIGITAL, (PLRB, NBIT), _NO, _ANY, inverted=True, phase=_READ
+        "REFRESH.write", WordEffect.DIGITAL, _DIGITAL, (S_IN, BIT, BITMODE), _ONE, _NO, phase=_WRITE
     ),
     Operation(
-        "NOR.write", Effect.DIGITAL, _DIGITAL, (NBIT,), _ONE, _NO, inverted=True, phase=_WRITE
+        "OR.read", WordEffect.DIGITAL, _DIGITAL, (PLRB, BIT, BITMODE), _NO, _ANY, phase=_READ
+    ),
+    Operation("OR.write", WordEffect.DIGITAL, _DIGITAL, (BIT, BITMODE), _ONE, _NO, phase=_WRITE),
+    Operation(
+        "NOR.read",
+        WordEffect.DIGITAL,
+        _DIGITAL,
+        (PLRB, NBIT),
+        _NO,
+        _ANY,
+        inverted=True,
+        phase=_READ,
+    ),
+    Operation(
+        "NOR.write", WordEffect.DIGITAL, _DIGITAL, (NBIT,), _ONE, _NO, inverted=True, phase=_WRITE
     ),
 )
 
@@ -184,19 +199,19 @@ class Op:
     """One ICW as an operation with its operands, destinations first.
 
     Sources are a set to the array; they are kept in the order of `READ_LINES`, so that equal
-    words are equal values. The halves of a pair are two of these. `own` is the row of a word that
-    a target has of its own.
+    words are equal values. The halves of a pair are two of these. `target_operation` is the row of
+    a word that only some targets have.
     """
 
     name: str
     destinations: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
-    own: Operation | None = None
+    target_operation: Operation | None = None
 
     @property
     def operation(self) -> Operation:
         """The row that says what this word does."""
-        return self.own or BY_NAME[self.name]
+        return self.target_operation or BY_NAME[self.name]
 
     @property
     def analog(self) -> bool:
@@ -211,14 +226,14 @@ _ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """An operation of the table with its operands in canonical order; see `made`."""
+    """An operation of the table with its operands in canonical order; see `make_op`."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")
-    return made(row, destinations, sources)
+    return make_op(row, destinations, sources)
 
 
-def made(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
+def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
     """An operation with its operands in canonical order; equal words give equal values.
 
     Raises ValueError where it does not take these operands: callers check what a user wrote first.
@@ -233,14 +248,20 @@ def made(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str
         if len(operands) < low or (high is not None and len(operands) > high):
             raise ValueError(f"{name} cannot take {len(operands)} {word}")
     analog = row.analog
-    seen = NEIGHBOURS if row.effect is Effect.BUS else ()
+    directions = NEIGHBOURS if row.effect is WordEffect.BUS else ()
     for register in dests:
-        if register not in (ANALOG_WRITE if analog else DIGITAL_WRITE) and register not in seen:
+        if (
+            register not in (ANALOG_WRITE if analog else DIGITAL_WRITE)
+            and register not in directions
+        ):
             raise ValueError(f"{name} cannot write {register}")
     for register in srcs:
-        if register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES) and register not in seen:
+        if (
+            register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES)
+            and register not in directions
+        ):
             raise ValueError(f"{name} cannot read {register}")
-    directed = [register for register in (*dests, *srcs) if register in seen]
+    directed = [register for register in (*dests, *srcs) if register in directions]
     if directed and (len(directed) > 1 or "NEWS" in (*dests, *srcs)):
         raise ValueError(f"{name} joins NEWS to one bus")
     if directed and len(dests) > 1 and directed[0] in dests:

@@ -86,8 +86,8 @@ def parse_text(source: Source, job: Job) -> tuple[Parsed, Found]:
 
     Refuses what the grammar does not know: NS01xx.
     """
-    tree, found = parse(source)
-    return Parsed(source, tree), found
+    tree, errors = parse(source)
+    return Parsed(source, tree), errors
 
 
 def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
@@ -125,7 +125,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     generator from outside does not do as it says (NS0905). Warns where a generator fails (NS0504).
     """
     options, results = job.options, job.results
-    found = partial(
+    search = partial(
         find_gates,
         planned,
         options.level,
@@ -133,15 +133,15 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         results=results,
         most_words=options.max_words_per_slot,
     )
-    gated = found()
+    gated = search()
     if results is not None and results.read and not gated.fits:
         # That nothing fits is never taken from the cache.
         results.distrust()
-        gated = found()
-    said = list({each.generator: each.diagnostic() for each in gated.faults}.values())
+        gated = search()
+    messages = list({fault.generator: fault.diagnostic() for fault in gated.faults}.values())
     if not gated.decodings:
-        said.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
-    return gated, said
+        messages.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
+    return gated, messages
 
 
 def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
@@ -151,9 +151,11 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     the user's limit (NS0603) does not allow.
     """
     most_words = job.options.max_words_per_slot
-    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.decodings)
+    layouts = (
+        lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
+    )
     failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
-    choice = Choice(tuple(tried), gated.misfits, failed)
+    choice = Choice(tuple(layouts), gated.misfits, failed)
     return choice, fit.faults(choice, level=job.options.level)
 
 
@@ -190,9 +192,9 @@ def find_looking_gates(plan: LookingPlan, job: Job) -> tuple[Sequence[Lowered], 
     return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
 
 
-def lay_out_looking(found: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
+def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
     """The best of them. Refuses as `lay_out_words` does."""
-    choice = Choice(tuple(found[:1]), {})
+    choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
 
 
@@ -211,8 +213,8 @@ def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
     from nscc.stream.passes import plan_of
 
     lowering, most_words = job.options.lowering, job.options.max_words_per_slot
-    asked = [f"--lowering {lowering}"] * (lowering != "auto")
-    return plan_of(program, asked + ["--max-words-per-slot"] * (most_words is not None))
+    options_for_words = [f"--lowering {lowering}"] * (lowering != "auto")
+    return plan_of(program, options_for_words + ["--max-words-per-slot"] * (most_words is not None))
 
 
 def time_sending(sending: Sending, job: Job) -> tuple[Sending, Found]:
@@ -255,7 +257,7 @@ class Pass:
 
 
 _READING = (
-    Pass("parse", parse_text, lambda made: checks.check_tree(made.source, made.tree)),
+    Pass("parse", parse_text, lambda parsed: checks.check_tree(parsed.source, parsed.tree)),
     Pass("program", make_program, checks.check_program),
 )
 PASSES = (
@@ -289,11 +291,11 @@ STREAM_PASSES = (
 """The same for chips without logic, whose pixels decode nothing: there are no gates."""
 
 
-def _passes(made: Mapping[str, Any]) -> Iterator[Pass]:
+def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
     """What runs on a program, which the first two passes have read by the time that it counts."""
     read = len(_READING)
     yield from PASSES[:read]
-    program: Program = made["program"]
+    program: Program = values["program"]
     chip = STREAM_PASSES if program.target.streamed else PASSES
     yield from (chip if program.machine is None else LOOKING_PASSES)[read:]
 
@@ -330,10 +332,10 @@ class Compiled:
 
         ValueError where only a search can tell whether the program fits.
         """
-        made = self.lowered or self.sending
-        if made is None:
+        plan = self.lowered or self.sending
+        if plan is None:
             raise ValueError("nothing was laid out")
-        return made.shortest_slot_us
+        return plan.shortest_slot_us
 
     def __repr__(self) -> str:
         words = "no words" if self.container is None else f"{self.container!r}"
@@ -382,28 +384,32 @@ def all_lowerings(program: Program, options: Options) -> Choice:
 
 def _run(source: Source, job: Job, see: Observer) -> Compiled:
     """One pass after the other, each value seen and verified before the next one takes it."""
-    made: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     messages: list[Diagnostic] = []
     value: Any = source
-    for each in _passes(made):
-        value, found = each.run(value, job)
-        made[each.name] = value
-        see(each.name, value)
-        wrong = [d for d in found if d.severity is Severity.ERROR]
-        unproved = all(map(fit.only_search_can_tell, wrong))
-        if wrong and (job.options.unproved_is_error or not unproved):
-            said = [*messages, *found]
-            raise Unfit(made["program"], said) if "program" in made else Rejected(said)
-        if wrong:
-            return _compiled(made, [*messages, *map(fit.as_note, wrong)], fits=False)
-        messages += found
-        each.verify(value)
-    return _compiled(made, messages, fits=True)
+    for compiler_pass in _passes(values):
+        value, diagnostics = compiler_pass.run(value, job)
+        values[compiler_pass.name] = value
+        see(compiler_pass.name, value)
+        errors = [d for d in diagnostics if d.severity is Severity.ERROR]
+        unproved = all(map(fit.only_search_can_tell, errors))
+        if errors and (job.options.unproved_is_error or not unproved):
+            all_messages = [*messages, *diagnostics]
+            raise (
+                Unfit(values["program"], all_messages)
+                if "program" in values
+                else Rejected(all_messages)
+            )
+        if errors:
+            return _compiled(values, [*messages, *map(fit.as_note, errors)], fits=False)
+        messages += diagnostics
+        compiler_pass.verify(value)
+    return _compiled(values, messages, fits=True)
 
 
-def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
+def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
     names = ("schedule", "words", "prove")
-    laid_out, container, proved = (made[name] if fits else None for name in names)
-    tree, program = made["parse"].tree, made["program"]
+    laid_out, container, proved = (values[name] if fits else None for name in names)
+    tree, program = values["parse"].tree, values["program"]
     choice, sending = (None, laid_out) if program.target.streamed else (laid_out, None)
     return Compiled(tree, program, choice, container, proved, tuple(messages), sending)

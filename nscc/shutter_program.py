@@ -166,7 +166,7 @@ class ShutterProgram:
         Rejected
             NS0743 for a loaded program, which has no report.
         """
-        from nscc.emit.pictures import with_pictures
+        from nscc.emit.picture_report import with_pictures
         from nscc.emit.report import report
 
         compiled, options = self._as_compiled("report")

@@ -10,7 +10,7 @@ import numpy as np
 from nscc.chips.load import builtin_target
 from nscc.chips.target import Target
 from nscc.operations import Op, op, pair
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.encoding import encode
 
 
@@ -54,7 +54,7 @@ def container_of(
             shutters=np.zeros((len(used), len(buckets), slots), bool),
         ),
         kernels=tuple(
-            Kernel(f"k{i}", tuple(encode(word) for word in words))
+            StoredKernel(f"k{i}", tuple(encode(word) for word in words))
             for i, words in enumerate(kernels)
         ),
         launches=tuple(Launch(*launch) for launch in launches),

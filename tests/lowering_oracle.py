@@ -20,7 +20,7 @@ from nscc.lower.exposure_plan import Misfit, plan_exposures
 from nscc.lower.gates import find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
 from nscc.operations import Op
-from nscc.program.program import BucketRule, Frame, Program
+from nscc.program.program import BucketRule, Program, SlotGrid
 from nscc.source import Source, Span
 from nscc.words.container import Container, DecodeTable
 from nscc.words.legality import decoded
@@ -82,7 +82,7 @@ def program_from(shutters, slot_us=None, target: Target | str = "scamp5") -> Pro
         source=Source("test.nsl", "nsl 1"),
         target=load_target(target, Path()) if isinstance(target, str) else target,
         target_span=None,
-        frame=Frame(tuple(slot_us or (1000.0,) * slots), slot_us is None, place, place),
+        frame=SlotGrid(tuple(slot_us or (1000.0,) * slots), slot_us is None, place, place),
         fields=(),
         buckets=tuple(BucketRule(f"bucket{i}", place) for i in range(buckets)),
         mode="open",

@@ -67,7 +67,7 @@ def _value(node: t.Expr, names: Mapping[str, Any]) -> Any:
             return _arithmetic(node.op, value(node.left, names), value(node.right, names))
         case t.Compare():
             left = value(node.first, names)
-            for op, part in zip(node.ops, node.rest, strict=True):
+            for op, part in zip(node.ops, node.later_operands, strict=True):
                 right = value(part, names)
                 if not _ordered(op, left, right):
                     return False

@@ -112,7 +112,7 @@ def _with_level(node: Any) -> tuple[str, int]:
             return f"not {expression_text(node.operand, _NOT)}", _NOT
         case t.Compare():
             text = expression_text(node.first, _SHIFT)
-            for op, operand in zip(node.ops, node.rest, strict=True):
+            for op, operand in zip(node.ops, node.later_operands, strict=True):
                 text += f" {op} {expression_text(operand, _SHIFT)}"
             return text, _COMPARE
         case t.Binary():

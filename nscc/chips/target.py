@@ -14,19 +14,19 @@ from typing import Any, Literal
 
 from nscc.chips.words import OwnWords
 from nscc.operations import Operation
-from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
+from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Key, Schema, key, keys_of
 
 _SIDE = Integer(1, 8192)
-_REGISTER = Text(phrase="the name of a register", optional=True)
-_REGISTERS = Several(Text(), text="a list of register names")
-_TAP = Text(pattern=r"[A-Z][A-Z0-9_]{0,15}")
+_REGISTER = TextKind(phrase="the name of a register", optional=True)
+_REGISTERS = Several(TextKind(), text="a list of register names")
+_TAP = TextKind(pattern=r"[A-Z][A-Z0-9_]{0,15}")
 _SOURCES = Integer(2, 1000, unlimited=True)
 _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
 _ours = partial(key, source="not public")
 _stream = partial(key, section="stream")
-_seen = partial(key, source="not public", section="neighbours", later=True)
+_neighbours_key = partial(key, source="not public", section="neighbours", later=True)
 _in = partial(key, source="not public", section="in", later=True)
 
 
@@ -40,7 +40,7 @@ class Target:
 
     name: str = key(NAME, "its name in messages and reports", required=True)
     kind: Literal["scamp", "stream"] = key(
-        Text(("scamp", "stream")),
+        TextKind(("scamp", "stream")),
         'pixels with a processor ("scamp"), or sent a bit for every slot ("stream")',
         default="scamp",
         later=True,
@@ -74,7 +74,7 @@ class Target:
     )  # fmt: skip
 
     reset_honours_flag: Literal["no", "yes", "unknown"] = _ours(
-        Text(("no", "yes", "unknown")),
+        TextKind(("no", "yes", "unknown")),
         'does rpix reset only where FLAG is 1? "no", "yes" or "unknown"', section="behaviour",
     )  # fmt: skip
     where_reads_flag: bool = _ours(
@@ -130,7 +130,7 @@ class Target:
         Number(-65536, 65536), "codes added to the code of an exposure of 0", section="range"
     )
     readout: Literal["spread", "full", "half"] = key(
-        Text(("spread", "full", "half")),
+        TextKind(("spread", "full", "half")),
         "codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); "
         "full, the upper half, for the converter is symmetric around 0; half, 0 to the middle",
         section="range", default="spread", later=True, source="not public",
@@ -146,17 +146,17 @@ class Target:
         Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
     )
 
-    sees_neighbours: bool = _seen(
+    sees_neighbours: bool = _neighbours_key(
         Flag(), "do words reach the NEWS, and the digital registers, of neighbours?", default=True
     )  # fmt: skip
-    directed_sources: int = _seen(
+    directed_sources: int = _neighbours_key(
         Integer(1, 4), "most analog sources of a word that writes or reads a neighbour's NEWS",
         default=2,
     )  # fmt: skip
-    directed_halving: bool = _seen(
+    directed_halving: bool = _neighbours_key(
         Flag(), "may a bus2 word read a neighbour's NEWS?", default=False
     )
-    news_read_keeps: bool = _seen(
+    news_read_keeps: bool = _neighbours_key(
         Flag(), "does NEWS keep its value when neighbours read it?", default=True
     )
 

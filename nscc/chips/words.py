@@ -32,19 +32,19 @@ from nscc.operations import (
     LINE_NAMES,
     OPERATIONS,
     READ_LINES,
-    Effect,
     Operation,
+    WordEffect,
 )
 from nscc.toml.kinds import Kind
 from nscc.toml.toml_text import written
 
 EFFECTS = {
-    "nothing": Effect.NONE,
-    **{effect.name.lower(): effect for effect in Effect if effect is not Effect.NONE},
+    "nothing": WordEffect.NONE,
+    **{effect.name.lower(): effect for effect in WordEffect if effect is not WordEffect.NONE},
 }
-_DIGITAL = (Effect.FLAG_DIGITAL, Effect.DIGITAL)
-_WRITES = (Effect.BUS, Effect.DIGITAL)
-_READS = (Effect.BUS, Effect.FLAG_ANALOG, *_DIGITAL)
+_DIGITAL = (WordEffect.FLAG_DIGITAL, WordEffect.DIGITAL)
+_WRITES = (WordEffect.BUS, WordEffect.DIGITAL)
+_READS = (WordEffect.BUS, WordEffect.FLAG_ANALOG, *_DIGITAL)
 _NEEDED = ("name", "effect", "destinations", "sources")
 _DEFAULTS: dict[str, Any] = {"divisor": 1, "inverted": False, "lines": [], "us": None}
 _LINES = {name: line for line, name in LINE_NAMES.items()}
@@ -126,12 +126,12 @@ def _row(values: Any, who: str) -> Operation:
                          f"effects are {', '.join(EFFECTS)}")  # fmt: skip
     written_, read = _counts(who, effect, keys["destinations"], keys["sources"])
     divisor = keys["divisor"]
-    if not _is_integer_within(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
+    if not _is_integer_within(divisor, 1, 64) or (divisor != 1 and effect is not WordEffect.BUS):
         raise ValueError(
             f"{who} has an invalid divisor: only bus words have a divisor, from 1 to 64"
         )
     inverted = keys["inverted"]
-    if not isinstance(inverted, bool) or (inverted and effect is not Effect.DIGITAL):
+    if not isinstance(inverted, bool) or (inverted and effect is not WordEffect.DIGITAL):
         raise ValueError(f"{who} is inverted, but only digital words can be inverted")
     number = isinstance(us, int | float) and not isinstance(us, bool)
     if us is not None and not (number and isfinite(us) and 0 < us <= 1e6):
@@ -149,7 +149,7 @@ def _row(values: Any, who: str) -> Operation:
     )
 
 
-def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
+def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
     """The numbers of registers that a word writes and reads; `who` names the word in errors."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
@@ -157,7 +157,7 @@ def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tu
         raise ValueError(f"{who} writes {int(effect in _WRITES)} to {most} destinations")
     most = len(DIGITAL_SOURCES if digital else ANALOG_SOURCES) if effect in _READS else 0
     pair = isinstance(read, Sequence) and not isinstance(read, str) and len(read) == 2
-    least = int(effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL))
+    least = int(effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL))
     if not pair or not (
         _is_integer_within(read[0], least, most) and _is_integer_within(read[1], read[0], most)
     ):
@@ -165,7 +165,7 @@ def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tu
     return written_, (read[0], read[1])
 
 
-def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
+def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
     """The control lines `names`, in the chip's order."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")

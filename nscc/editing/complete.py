@@ -85,7 +85,7 @@ class _Place:
                 {"NAME", END}
             )  # there is an error before: then anything may follow
         else:
-            expected = Stuck(len(kinds), tuple(self.tokens.found[begin:])).expected
+            expected = Stuck(len(kinds), tuple(self.tokens.lark_tokens[begin:])).expected
         if "NAME" in expected:
             yield from self._names(statement, begin)
         if "TARGET_NAME" in expected:

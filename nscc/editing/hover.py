@@ -107,18 +107,20 @@ def _picture(document: Document, name: str) -> str | None:
     if name in declared.kernels:
         weights = None if pictures is None else pictures.weights_by_name.get(name)
         return "a kernel" if weights is None else f"a kernel\n\n{_grid(weights)}"
-    kinds = {each.name.text: each for each in declared.pictures}
+    kinds = {picture.name.text: picture for picture in declared.pictures}
     if name not in kinds:
         return None
     is_plane = isinstance(kinds[name], tree.Plane)
-    told = "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
+    description = (
+        "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
+    )
     cost = next((c for c in pictures.costs if c.name == name), None) if pictures else None
     if cost is None:
-        return told
-    told += f". {counted(cost.words, 'word')}"
+        return description
+    description += f". {counted(cost.words, 'word')}"
     if is_plane:
-        return told
-    return f"{told}, peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
+        return description
+    return f"{description}, peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
 
 
 def _grid(weights: Weights) -> str:

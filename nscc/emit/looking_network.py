@@ -16,8 +16,8 @@ from nscc.logic.problem import Gate
 from nscc.looks.passes import LookingLowered
 from nscc.looks.solve import LookingSolution, SetIn
 from nscc.lower.lowered import Lowered
-from nscc.operations import Effect, Op
-from nscc.words.machine import LIGHT, Comparison, Machine
+from nscc.operations import Op, WordEffect
+from nscc.words.machine import LIGHT, Comparison, StateMachine
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
@@ -53,20 +53,20 @@ class _Maker(NetworkMaker):
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
         """Add an analog word, which writes FLAG or depends on it."""
         effect = word.operation.effect
-        if effect is Effect.FLAG_ALL:
+        if effect is WordEffect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)
-        elif effect is Effect.FLAG_ANALOG:
+        elif effect is WordEffect.FLAG_ANALOG:
             comparison = next(looks)
             signal = "light" if comparison.signal == LIGHT else self.buckets[comparison.signal]
             self.holds["FLAG"] = self.value(
                 "look", "where", "FLAG", (word,), boundary, signal=signal, steps=comparison.level
             )
-        elif effect is Effect.BUS:
+        elif effect is WordEffect.BUS:
             registers = self.lowered.plan.bucket_registers
             edge = "rise" if "PIX" in word.sources else "fall"
             for bucket in (registers.index(r) for r in word.destinations if r in registers):
                 self.demand(edge, self.buckets[bucket], boundary)
-        elif effect is Effect.RESET_PIX and self.resets_some:
+        elif effect is WordEffect.RESET_PIX and self.resets_some:
             # It is there twice: one word is too short to reset the photodiode.
             resets = (node for _, node in self.network.nodes(data=True) if node["kind"] == "demand")
             if not any((node["edge"], node["boundary"]) == ("reset", boundary) for node in resets):
@@ -85,7 +85,7 @@ class _Maker(NetworkMaker):
                 self.end(f"e{i}", f"p{i}", kind="end")
 
 
-def _machine(lowered: LookingLowered) -> Machine:
+def _machine(lowered: LookingLowered) -> StateMachine:
     machine = lowered.program.machine
     assert machine is not None
     return machine

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from nscc.chips.target import Target
-from nscc.words.machine import LIGHT, Machine
+from nscc.words.machine import LIGHT, StateMachine
 
 _MOST_SHOWN = 12
 
 
-def looks_lines(machine: Machine, buckets: tuple[str, ...], target: Target) -> list[str]:
+def looks_lines(machine: StateMachine, buckets: tuple[str, ...], target: Target) -> list[str]:
     """The comparisons, one line for each signal and level, and the states."""
     at: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:
@@ -32,7 +32,7 @@ def looks_lines(machine: Machine, buckets: tuple[str, ...], target: Target) -> l
     return [*lines, *([f"states: {'; '.join(states)}"] if states else [])]
 
 
-def looks_report(machine: Machine, target: Target) -> dict[str, Any]:
+def looks_report(machine: StateMachine, target: Target) -> dict[str, Any]:
     """The comparisons and states as JSON values, for `--emit report`."""
     return {
         "boundaries": list(machine.looks),

@@ -46,8 +46,8 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
     from nscc.emit.cpp import devkit_program
 
     choice, container, _proof = _complete(compiled)
-    made = devkit_program(compiled.tree, choice.best, container, stem)
-    return {stem + SUFFIXES[kind]: made.text.encode(), **made.images}
+    devkit = devkit_program(compiled.tree, choice.best, container, stem)
+    return {stem + SUFFIXES[kind]: devkit.text.encode(), **devkit.images}
 
 
 def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
@@ -75,9 +75,9 @@ def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
             return planes_bytes(container)
         case "icw":
             return to_bytes(container)
-    what = f"--emit {kind} does not apply to this program"
+    refused_option = f"--emit {kind} does not apply to this program"
     refuse_planes(
-        container.target, what, "--emit planes,schedule writes the planes and their times"
+        container.target, refused_option, "--emit planes,schedule writes the planes and their times"
     )
     raise ValueError(kind)
 
@@ -96,10 +96,10 @@ def _no_planes(chip: str) -> Rejected:
 
 
 def _complete(compiled: Compiled) -> tuple[Choice, Container, Proof]:
-    found = compiled.choice, compiled.container, compiled.proof
-    if found[0] is None or found[1] is None or found[2] is None:
+    results = compiled.choice, compiled.container, compiled.proof
+    if results[0] is None or results[1] is None or results[2] is None:
         raise ValueError("the program has no words to write")
-    return found[0], found[1], found[2]
+    return results[0], results[1], results[2]
 
 
 def _text_or_words(kind: str, compiled: Compiled) -> bytes:
@@ -128,7 +128,7 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "asm":
             return text_after("words", container).encode()
         case "report":
-            from nscc.emit.pictures import with_pictures
+            from nscc.emit.picture_report import with_pictures
 
             return report_bytes(with_pictures(report(choice, proof), container))
         case _:

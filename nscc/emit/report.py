@@ -11,7 +11,7 @@ from nscc.emit.looks_report import looks_report
 from nscc.emit.subject import subject
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op, Phase, WordEffect
 from nscc.prove.proof import Proof
 from nscc.words.cost import refresh_count
 
@@ -119,6 +119,6 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
 def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
     """The numbers of decoding words and of in-place pairs in a kernel."""
     rows = [word.operation for word in kernel]
-    digital = [row for row in rows if row.effect in (Effect.DIGITAL, Effect.FLAG_DIGITAL)]
+    digital = [row for row in rows if row.effect in (WordEffect.DIGITAL, WordEffect.FLAG_DIGITAL)]
     pairs = sum(row.phase is Phase.READ and not row.name.startswith("REFRESH") for row in digital)
     return len(digital) - refresh_count(kernel), pairs

@@ -41,8 +41,8 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     ]
     if program.machine is not None:
         names = tuple(bucket.name for bucket in program.buckets)
-        told = looks_lines(program.machine, names, program.target)
-        rows += [("looks" * (not k), text) for k, text in enumerate(told)]
+        looks = looks_lines(program.machine, names, program.target)
+        rows += [("looks" * (not k), text) for k, text in enumerate(looks)]
     if compiled.sending is not None and proof is not None:
         return [*rows, *stream_rows(compiled.sending, proof)]
     if lowered is None or proof is None:
@@ -51,7 +51,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
     if compiled.container is not None and compiled.container.pictures is not None:
-        from nscc.emit.pictures import picture_rows
+        from nscc.emit.picture_report import picture_rows
 
         rows += picture_rows(compiled.container.pictures, program.target)
     return [
@@ -84,8 +84,8 @@ def _codes_text(program: Program) -> str:
     only the codes in use are, among the legal ones where all are."""
     count, legal = len(program.table.codes), program.legal_codes
     if program.mode == "fixed":
-        more = legal is not None and legal > count
-        return f"{count} in use" + (f" of {legal} legal" if more else "")
+        excludes_legal_codes = legal is not None and legal > count
+        return f"{count} in use" + (f" of {legal} legal" if excludes_legal_codes else "")
     used = count if program.pixel_codes is None else len(np.unique(program.pixel_codes))
     return f"{count} legal" + (f", {used} in use" if used < count else "")
 

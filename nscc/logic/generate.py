@@ -199,10 +199,10 @@ def solutions(
         return
     fewest = inf
 
-    def counted(found: Iterable[Solution]) -> Iterator[Solution]:
+    def counted(candidates: Iterable[Solution]) -> Iterator[Solution]:
         """Solutions, the words of the best one noted."""
         nonlocal fewest
-        for solution in found:
+        for solution in candidates:
             fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
             yield solution
 

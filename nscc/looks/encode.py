@@ -13,7 +13,7 @@ from itertools import combinations, product
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 
 Rows = NDArray[np.bool_]
 """The bits of values: (values, registers)."""
@@ -49,7 +49,7 @@ class LooksEncoding:
         return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"
 
 
-def encodings(machine: Machine, registers: int) -> Iterator[LooksEncoding]:
+def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
     """Encodings in at most `registers` registers, those with the fewest registers last."""
     behaviours = int(machine.behaviour.max()) + 1
     behaviour_numbers = tuple(range(behaviours))
@@ -69,7 +69,7 @@ def encodings(machine: Machine, registers: int) -> Iterator[LooksEncoding]:
             yield LooksEncoding(code, tuple(chosen))
 
 
-def _outlasts(machine: Machine, k: int) -> bool:
+def _outlasts(machine: StateMachine, k: int) -> bool:
     """Whether a later stage depends on the answer `k`. An answer that rules read only at its own
     boundary needs no register."""
     other_values = np.delete(machine.values, k, axis=1)

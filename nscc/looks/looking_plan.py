@@ -23,7 +23,7 @@ from nscc.lower.exposure_plan import Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.truth import vector
-from nscc.words.machine import Comparison, Machine
+from nscc.words.machine import Comparison, StateMachine
 
 Nodes = NDArray[np.intp]
 Bits = NDArray[np.bool_]
@@ -66,7 +66,7 @@ class LookingPlan:
     negative takes one word less."""
 
     program: Program
-    machine: Machine
+    machine: StateMachine
     moments: tuple[Moment, ...]
     registers: dict[str, str]
     bucket_registers: tuple[str, ...]
@@ -101,7 +101,7 @@ class LookingPlan:
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
-def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:
+def plan_looks(program: Program, machine: StateMachine) -> LookingPlan | Misfit:
     """The plan of a program, or the lack of analog registers."""
     analog = analog_registers(program, "edges", reference=True)
     if isinstance(analog, Misfit):
@@ -113,7 +113,7 @@ def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:
     )  # fmt: skip
 
 
-def _moments(machine: Machine) -> Iterator[Moment]:
+def _moments(machine: StateMachine) -> Iterator[Moment]:
     """Every boundary with comparisons, opening or closing shutters, or resets."""
     fresh = _fresh(machine)
     for stage in range(machine.stages):
@@ -138,7 +138,7 @@ def _moments(machine: Machine) -> Iterator[Moment]:
 
 
 def _moment(
-    machine: Machine,
+    machine: StateMachine,
     fresh: Bits,
     boundary: int,
     comparisons: tuple[Comparison, ...],
@@ -167,7 +167,7 @@ def _moment(
     )
 
 
-def _fresh(machine: Machine) -> Bits:
+def _fresh(machine: StateMachine) -> Bits:
     """For each node and bucket, whether a shutter that is open at the end of the node's stage was
     open since the start of the frame without a reset, on every path to the node."""
     nodes, buckets = len(machine.behaviour), machine.opens.shape[1]

@@ -19,7 +19,7 @@ from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import RESET, ExposurePlan, PlanStep
 from nscc.lower.lowered import Lowered
-from nscc.lower.schedule import Schedule, kernel_us, refreshed_registers
+from nscc.lower.schedule import FrameSchedule, kernel_us, refreshed_registers
 from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
 
@@ -88,7 +88,7 @@ def _schedule(
     target: Target,
     *,
     apart: bool,
-) -> Schedule:
+) -> FrameSchedule:
     """The kernels of the frame. With `apart`, the gates after a boundary's last analog word are a
     separate kernel, because the words before them often repeat at other boundaries."""
     slots = plan.machine.slots
@@ -118,7 +118,9 @@ def _schedule(
             launches.append((n, numbers.setdefault(kernel, len(numbers))))
             levels.append(level)
     setup_us = kernel_us(setup[: last + 1], target)
-    return Schedule(allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels))
+    return FrameSchedule(
+        allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels)
+    )
 
 
 def _setup(plan: LookingPlan) -> Words:

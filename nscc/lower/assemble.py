@@ -8,7 +8,7 @@ import numpy as np
 
 from nscc.lower.lowered import Lowered
 from nscc.truth import rows
-from nscc.words.container import Container, Kernel, Launch, Readout
+from nscc.words.container import Container, Launch, Readout, StoredKernel
 from nscc.words.encoding import encode
 
 
@@ -27,7 +27,7 @@ def assemble(lowered: Lowered, level: int) -> Container:
         buckets=tuple(bucket.name for bucket in program.buckets),
         table=program.table,
         kernels=tuple(
-            Kernel(f"k{i}", tuple(encode(word) for word in kernel))
+            StoredKernel(f"k{i}", tuple(encode(word) for word in kernel))
             for i, kernel in enumerate(schedule.kernels)
         ),
         launches=tuple(

@@ -12,7 +12,7 @@ from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Problem, Solution
 from nscc.lower.exposure_plan import ExposurePlan, Opens, PlanStep
 from nscc.lower.timeline import Timeline
-from nscc.operations import Effect
+from nscc.operations import WordEffect
 from nscc.program.program import Program
 from nscc.program.wide import whole_name
 from nscc.words.container import DecodeTable
@@ -111,5 +111,9 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
 
 
 def _needs_flag(step: PlanStep, target: Target) -> bool:
-    heeding = {Effect.BUS} if target.reset_honours_flag == "no" else {Effect.BUS, Effect.RESET_PIX}
+    heeding = (
+        {WordEffect.BUS}
+        if target.reset_honours_flag == "no"
+        else {WordEffect.BUS, WordEffect.RESET_PIX}
+    )
     return any(word.operation.effect in heeding for word in step.words)

@@ -22,7 +22,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 
 from nscc.lower.timeline import Timeline, timeline
-from nscc.operations import Effect, Op, op
+from nscc.operations import Op, WordEffect, op
 from nscc.program.program import Program
 from nscc.truth import columns, members
 
@@ -172,7 +172,7 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
     for (predicate, known), times in alike.items():
         words = distinct[known]
-        buses = times * sum(word.operation.effect is Effect.BUS for word in words)
+        buses = times * sum(word.operation.effect is WordEffect.BUS for word in words)
         if predicate is None:
             counts += buses
         else:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep
-from nscc.lower.schedule import Schedule, kernel_us, schedule
+from nscc.lower.schedule import FrameSchedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
@@ -26,7 +26,7 @@ class Lowered:
 
     program: Program
     decoding: Decoding
-    schedule: Schedule
+    schedule: FrameSchedule
     time: Timeline
     most_words: int | None = None
 

@@ -16,14 +16,14 @@ from nscc.logic.problem import Segment
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
 from nscc.lower.timeline import Timeline, fades
-from nscc.operations import Effect, Op, op
+from nscc.operations import Op, WordEffect, op
 from nscc.words.cost import refresh_count, words_us
 
 Words = tuple[Op, ...]
 
 
 @dataclass(frozen=True)
-class Schedule:
+class FrameSchedule:
     """All words of a frame.
 
     `kernels` are distinct; `launches` are (boundary, kernel) in execution order. `setup_us` is the
@@ -72,14 +72,14 @@ def kernel_us(kernel: Sequence[Op], target: Target) -> float:
     return words_us(analog, len(kernel) - analog, target) + target.launch_us
 
 
-def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
+def schedule(decoding: Decoding, time: Timeline, target: Target) -> FrameSchedule:
     """Lay out the gates of a solution and the analog words of its plan over the boundaries."""
     plan = decoding.plan
     allocation = allocate(decoding.solution, target)
     boundaries = _segments(decoding, allocation)
     refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(
-        i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
+        i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is WordEffect.RESET_PIX
     )
     setup_us = kernel_us(boundaries[0][0][: exposed + 1], target)
     apart: set[Words] = set()
@@ -97,7 +97,7 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
     # and leave the other kernels of boundaries equal.
     for form in (_merged(boundaries, apart), boundaries):
         kernels, launches = _shared(form)
-        result = Schedule(allocation, kernels, launches, setup_us, refreshed)
+        result = FrameSchedule(allocation, kernels, launches, setup_us, refreshed)
         if result.words_stored <= target.store_words:
             break
     return result

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.neighbours.held import Emitter, Refused
+from nscc.neighbours.held import Emitter, PictureRefused
 from nscc.operations import STEERING, op, pair
 from nscc.words import pictures as p
 
@@ -24,7 +24,7 @@ class BitWords:
     def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
-        nodes = [node for item in pictures.items for node in p.every(item.node)]
+        nodes = [node for item in pictures.items for node in p.subexpressions(item.node)]
         self.steers = any(isinstance(node, p.Near | p.At) for node in nodes)
         self.available = [r for r in registers if not (self.steers and r in STEERING)]
         self.free = list(self.available)
@@ -33,7 +33,7 @@ class BitWords:
         for node in nodes:
             if isinstance(node, p.Bit):
                 self.uses[node.name] = self.uses.get(node.name, 0) + 1
-        for name in pictures.wanted:
+        for name in pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
 
@@ -41,7 +41,7 @@ class BitWords:
         """Computes a plane, and keeps it while it is read."""
         register, owner = self.bit(node)
         if owner is not None:
-            register = self._made("MOV", [register], [(register, owner)])
+            register = self._emit_word("MOV", [register], [(register, owner)])
         self.planes[name] = register
         self.uses[name] = self.uses.get(name, 0) + 1
         self.give((register, name))
@@ -50,7 +50,7 @@ class BitWords:
         """A register that is free."""
         if not self.free:
             count = len(self.available)
-            raise Refused("planes", self.lowering.now, count + 1, count)
+            raise PictureRefused("planes", self.lowering.now, count + 1, count)
         return self.free.pop(0)
 
     def give(self, *bits: Kept) -> None:
@@ -83,15 +83,15 @@ class BitWords:
                 return self._above(node), None
             case p.Inverse():
                 inner = self.bit(node.condition)
-                return self._made("NOT", [inner[0]], [inner]), None
+                return self._emit_word("NOT", [inner[0]], [inner]), None
             case p.Joined():
                 return self._joined(node), None
             case p.At():
                 return self._at(node), None
             case p.Near():
-                return self._near(node), None
+                return self._near_bit(node), None
 
-    def _made(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
+    def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
         """A register that a word fills; the bits that were `used` are then given back."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))
@@ -115,37 +115,37 @@ class BitWords:
 
     def _joined(self, node: p.Joined) -> str:
         """`or` is one word, `and` the inverse of that of the inverses."""
-        left, right = self.bit(node.left), self.bit(node.right)
-        a, b = left[0], right[0]
+        first, second = self.bit(node.first), self.bit(node.second)
+        a, b = first[0], second[0]
         if a == b:
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
-            return self._made(name, sources, [left, right])
+            return self._emit_word(name, sources, [first, second])
         if node.op == "or":
-            return self._made("OR", [a, b], [left, right])
-        not_a = self._made("NOT", [a], [])
-        not_b = self._made("NOT", [b], [])
-        both = self._made("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
+            return self._emit_word("OR", [a, b], [first, second])
+        not_a = self._emit_word("NOT", [a], [])
+        not_b = self._emit_word("NOT", [b], [])
+        both = self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
         if node.op == "and":
-            self.give(left, right)
+            self.give(first, second)
             return both
-        neither = self._made("NOR", [a, b], [left, right])
-        return self._made("NOR", [both, neither], [(both, None), (neither, None)])
+        neither = self._emit_word("NOR", [a, b], [first, second])
+        return self._emit_word("NOR", [both, neither], [(both, None), (neither, None)])
 
     # --- neighbours
 
     def _steer(self, steps: frozenset[Offset]) -> None:
         """R1..R4 choose these neighbours, in all pixels."""
-        wanted = frozenset(_OF_STEP[each] for each in steps)
-        if wanted == self.steered:
+        directions = frozenset(_OF_STEP[step] for step in steps)
+        if directions == self.steered:
             return
         self.lowering.word(op("CLR", list(STEERING)))
-        self.lowering.word(op("SET", sorted(wanted)))
-        self.steered = wanted
+        self.lowering.word(op("SET", sorted(directions)))
+        self.steered = directions
 
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
         """The OR of the bits of these neighbours."""
         self._steer(steps)
-        return self._made("DNEWS1" if outside else "DNEWS0", [register], [])
+        return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], [])
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
         """The bit of the pixel so far away, one step at a time; a register of its own."""
@@ -153,11 +153,11 @@ class BitWords:
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
         moved = None
         for step in steps:
-            seen = self._look(moved or register, outside, frozenset({step}))
+            neighbour = self._look(moved or register, outside, frozenset({step}))
             if moved is not None:
                 self.give((moved, None))
-            moved = seen
-        return moved or self._made("MOV", [register], [])
+            moved = neighbour
+        return moved or self._emit_word("MOV", [register], [])
 
     def _at(self, node: p.At) -> str:
         bit = self.bit(node.condition)
@@ -166,44 +166,44 @@ class BitWords:
         self.give(bit)
         return moved
 
-    def _near(self, node: p.Near) -> str:
+    def _near_bit(self, node: p.Near) -> str:
         """`any`: the OR of neighbours; `all`: the inverse of any of the inverse."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
         if node.kind == "all":
-            bit = self._made("NOT", [bit[0]], [bit]), None
+            bit = self._emit_word("NOT", [bit[0]], [bit]), None
             outside = 1 - outside
-        found = self._any(bit[0], outside, offsets)
+        register = self._any(bit[0], outside, offsets)
         self.give(bit)
         if node.kind == "all":
-            return self._made("NOT", [found], [(found, None)])
-        return found
+            return self._emit_word("NOT", [register], [(register, None)])
+        return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
         """The OR of the bits at these offsets: of rectangles row by row, then column by column."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})
-            found = self._line(line, outside, {(0, y) for y in rows})
+            result = self._line(line, outside, {(0, y) for y in rows})
             self.give((line, None))
-            return found
+            return result
         return self._line(register, outside, offsets)
 
     def _line(self, register: str, outside: int, offsets: set[Offset]) -> str:
         """The OR of the bits at these offsets: nearest neighbours in one word, others step by
         step."""
-        near = frozenset(offsets & set(_OF_STEP))
-        parts = [self._look(register, outside, near)] if near else []
-        for at in sorted(offsets - near - {(0, 0)}):
-            parts.append(self._moved(register, outside, at))
-        if not parts:
-            return self._made("MOV", [register], [])
-        total, *others = parts
-        for part in others:
-            total = self._or(total, part)
+        nearest_offsets = frozenset(offsets & set(_OF_STEP))
+        registers = [self._look(register, outside, nearest_offsets)] if nearest_offsets else []
+        for at in sorted(offsets - nearest_offsets - {(0, 0)}):
+            registers.append(self._moved(register, outside, at))
+        if not registers:
+            return self._emit_word("MOV", [register], [])
+        total, *further_registers = registers
+        for further in further_registers:
+            total = self._or(total, further)
         if (0, 0) in offsets:
-            return self._made("OR", [total, register], [(total, None)])
+            return self._emit_word("OR", [total, register], [(total, None)])
         return total
 
     def _or(self, first: str, second: str) -> str:

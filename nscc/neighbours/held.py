@@ -6,14 +6,14 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nscc.operations import Effect, Op, op
+from nscc.operations import Op, WordEffect, op
 from nscc.words import pictures as p
 
 Leveled = tuple[Op, int | None]
 """A word and the steps of IN that it needs."""
 
 
-class Refused(Exception):
+class PictureRefused(Exception):
     """An image does not fit the chip: `kind` is "registers", "range" or "planes"; `name` is the
     image or plane, `needed` and `available` are numbers of what `kind` says."""
 
@@ -55,14 +55,14 @@ class Emitter(ABC):
         self.masked = False
         self.now = ""
 
-    def word(self, made: Op, level: int | None = None) -> None:
+    def word(self, op: Op, level: int | None = None) -> None:
         """Emits the next word."""
-        effect = made.operation.effect
-        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL):
+        effect = op.operation.effect
+        if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True
-        elif effect is Effect.FLAG_ALL:
+        elif effect is WordEffect.FLAG_ALL:
             self.masked = False
-        self.words.append((made, level))
+        self.words.append((op, level))
 
     def everywhere(self) -> None:
         """FLAG is 1 in all pixels from here on."""

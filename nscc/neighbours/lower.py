@@ -15,7 +15,7 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
-from nscc.neighbours.held import Emitter, Held, Refused
+from nscc.neighbours.held import Emitter, Held, PictureRefused
 from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
 from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
 from nscc.operations import NEIGHBOURS, op
@@ -37,8 +37,8 @@ class Lowering(Emitter):
     ) -> None:
         super().__init__(pictures)
         self.target, self.synthesis = target, synthesis
-        taken = {register for register, _ in buckets.values()}
-        self.free = [name for name in target.analog_available if name not in taken]
+        bucket_registers = {register for register, _ in buckets.values()}
+        self.free = [name for name in target.analog_available if name not in bucket_registers]
         self.registers: dict[str, str] = {}
         self.held = {
             name: Held(register, sign, 0.0, pictures.limits_e[name], name)
@@ -53,15 +53,15 @@ class Lowering(Emitter):
 
     def _uses(self) -> dict[str, int]:
         """How often each image and bucket is still read; what leaves the chip once more."""
-        found: dict[str, int] = dict.fromkeys(self.held, 0)
+        uses: dict[str, int] = dict.fromkeys(self.held, 0)
         for item in self.pictures.items:
-            found[item.name] = 0
-            for node in p.every(item.node):
+            uses[item.name] = 0
+            for node in p.subexpressions(item.node):
                 if isinstance(node, p.Source):
-                    found[node.name] += 1
-        for name in self.pictures.wanted:
-            found[name] = found.get(name, 0) + 1
-        return found
+                    uses[node.name] += 1
+        for name in self.pictures.outputs:
+            uses[name] = uses.get(name, 0) + 1
+        return uses
 
     def run(self) -> None:
         """Computes every item; `registers` then holds what leaves the chip, by name."""
@@ -72,7 +72,7 @@ class Lowering(Emitter):
                 self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
             else:
                 value = self.value(item.node)
-                if item.name in self.pictures.wanted and value.sign < 0:
+                if item.name in self.pictures.outputs and value.sign < 0:
                     value = self.negated(value)
                 if value.name is not None:  # another name of a value that is held already
                     value = self.negated(self.negated(value))
@@ -83,9 +83,9 @@ class Lowering(Emitter):
                 gain = most / max(self.pictures.limits_e.values())
                 words, noise = len(self.words) - before, sqrt(value.variance)
                 self.costs.append(p.PictureCost(item.name, words, gain, noise))
-        for name in self.pictures.wanted:
-            held = self.held.get(name)
-            self.registers[name] = held.register if held else self.bits.planes[name]
+        for name in self.pictures.outputs:
+            result = self.held.get(name)
+            self.registers[name] = result.register if result else self.bits.planes[name]
         self.everywhere()
 
     # --- registers
@@ -94,7 +94,7 @@ class Lowering(Emitter):
         """A register that is free."""
         if not self.free:
             count = len(self.target.analog_available)
-            raise Refused("registers", self.now, count + 1, count)
+            raise PictureRefused("registers", self.now, count + 1, count)
         return self.free.pop(0)
 
     def give(self, *values: Held) -> None:
@@ -113,7 +113,7 @@ class Lowering(Emitter):
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
-            raise Refused("range", self.now, over, 1.0)
+            raise PictureRefused("range", self.now, over, 1.0)
 
     # --- values
 
@@ -138,12 +138,12 @@ class Lowering(Emitter):
             taps, inner = self._merged(node.value)
             return _after(self.weights[node.kernel].taps, taps), inner
         if isinstance(node, p.Sum):
-            parts = [(factor, *self._merged(part)) for factor, part in node.terms]
-            if parts and all(inner == parts[0][2] for _, _, inner in parts):
+            terms = [(factor, *self._merged(term)) for factor, term in node.terms]
+            if terms and all(inner == terms[0][2] for _, _, inner in terms):
                 total: Weights = {}
-                for factor, taps, _ in parts:
+                for factor, taps, _ in terms:
                     total = _total(total, factor, taps)
-                return total, parts[0][2]
+                return total, terms[0][2]
         return {(0, 0): Fraction(1)}, node
 
     def filtered(self, value: Held, weights: Weights) -> Held:
@@ -159,7 +159,7 @@ class Lowering(Emitter):
             taps = exact_taps(weights)
             best = self._program(taps, value)
         except ValueError:
-            raise Refused("registers", self.now, 41, 40) from None
+            raise PictureRefused("registers", self.now, 41, 40) from None
         low, high = value.scaled(*gains(taps))
         squares = sum(float(weight) ** 2 for weight in weights.values())
         variance = value.variance * squares + noise_gain(best.program) ** 2
@@ -168,14 +168,14 @@ class Lowering(Emitter):
 
     def _program(self, taps: Taps, value: Held) -> Ranged:
         """The shortest program whose values fit the registers."""
-        found = self.synthesis.programs(taps)
+        candidates = self.synthesis.programs(taps)
         least = float("inf")
-        for each in found:
-            over = max(self._excess(value, taps_) for taps_ in values_of(each.program))
+        for candidate in candidates:
+            over = max(self._excess(value, taps_) for taps_ in values_of(candidate.program))
             if over <= 1 + 1e-9:
-                return each
+                return candidate
             least = min(least, over)
-        raise Refused("range", self.now, least, 1.0)
+        raise PictureRefused("range", self.now, least, 1.0)
 
     def _excess(self, value: Held, taps: Taps) -> float:
         """How many times the registers' range what a kernel makes of a value may be."""
@@ -227,12 +227,12 @@ class Lowering(Emitter):
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
         """The value by that way which takes the fewest words, of those that fit."""
         best: tuple[int, int] | None = None
-        refused: Refused | None = None
+        refused: PictureRefused | None = None
         for number, way in enumerate(ways):
             state = self._state()
             try:
                 way()
-            except Refused as error:
+            except PictureRefused as error:
                 refused = refused or error
             else:
                 best = min(best or (len(self.words), number), (len(self.words), number))
@@ -263,11 +263,11 @@ class Lowering(Emitter):
         if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
             plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
             return self.filtered(self.value(plain), {(0, 0): common})
-        parts = []
+        signed_terms = []
         for factor, value in node.terms:
-            part = self.filtered(self.value(value), {(0, 0): abs(factor)})
-            parts.append((1 if factor > 0 else -1, part))
-        return self._added(parts)
+            term = self.filtered(self.value(value), {(0, 0): abs(factor)})
+            signed_terms.append((1 if factor > 0 else -1, term))
+        return self._added(signed_terms)
 
     def _nothing(self) -> Held:
         """A value that is 0."""
@@ -276,27 +276,27 @@ class Lowering(Emitter):
         self.word(op("bus", [register]))
         return Held(register, 1, 0.0, 0.0)
 
-    def _added(self, parts: list[tuple[int, Held]]) -> Held:
+    def _added(self, signed_terms: list[tuple[int, Held]]) -> Held:
         """The sum of values that are held, each with its sign in the sum."""
-        low = sum(v.low if sign > 0 else -v.high for sign, v in parts)
-        high = sum(v.high if sign > 0 else -v.low for sign, v in parts)
+        low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
+        high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         self.checked(low, high)
-        plus = [v for sign, v in parts if sign * v.sign > 0]
-        minus = [v for sign, v in parts if sign * v.sign < 0]
+        plus = [v for sign, v in signed_terms if sign * v.sign > 0]
+        minus = [v for sign, v in signed_terms if sign * v.sign < 0]
         # The fewer ones are inverted, all together; a word adds at most four sources.
-        total, few = (1, minus) if len(plus) >= len(minus) else (-1, plus)
-        many = plus if total > 0 else minus
-        if few:
+        total, inverted = (1, minus) if len(plus) >= len(minus) else (-1, plus)
+        direct = plus if total > 0 else minus
+        if inverted:
             self.everywhere()
-            self.word(op("bus", ["NEWS"], [v.register for v in few[:4]]))
-        sources = [*(v.register for v in many), *(["NEWS"] if few else [])]
-        if len(sources) > 4 or len(few) > 4:
-            raise Refused("registers", self.now, len(parts), 4)
+            self.word(op("bus", ["NEWS"], [v.register for v in inverted[:4]]))
+        sources = [*(v.register for v in direct), *(["NEWS"] if inverted else [])]
+        if len(sources) > 4 or len(inverted) > 4:
+            raise PictureRefused("registers", self.now, len(signed_terms), 4)
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], sources))
-        self.give(*(v for _, v in parts))
-        variance = sum(v.variance for _, v in parts) + 1 + bool(few)
+        self.give(*(v for _, v in signed_terms))
+        variance = sum(v.variance for _, v in signed_terms) + 1 + bool(inverted)
         return Held(register, -total, low, high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
@@ -335,16 +335,18 @@ class Lowering(Emitter):
 
 def _total(weights: Weights, factor: Fraction, taps: Weights) -> Weights:
     """A kernel and another one times a factor."""
-    found = dict(weights)
+    total = dict(weights)
     for at, weight in taps.items():
-        found[at] = found.get(at, Fraction(0)) + factor * weight
-    return {at: weight for at, weight in found.items() if weight}
+        total[at] = total.get(at, Fraction(0)) + factor * weight
+    return {at: weight for at, weight in total.items() if weight}
 
 
 def _after(outer: Weights, inner: Weights) -> Weights:
     """The kernel of one kernel after another."""
-    found: Weights = {}
+    composed: Weights = {}
     for (x, y), weight in outer.items():
-        moved = {(x + right, y + down): part for (right, down), part in inner.items()}
-        found = _total(found, weight, moved)
-    return found
+        moved = {
+            (x + right, y + down): inner_weight for (right, down), inner_weight in inner.items()
+        }
+        composed = _total(composed, weight, moved)
+    return composed

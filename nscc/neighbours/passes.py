@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import ceil, log2
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.neighbours.held import Leveled, Refused
+from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.operations import Op
@@ -37,29 +37,30 @@ def with_pictures(
         return container, [far]
     try:
         lowering = lowered(container, pictures, level)
-    except Refused as refused:
+    except PictureRefused as refused:
         return container, [_refusal(refused, container, program, level)]
     kernels, launches = grouped(lowering.words)
-    made = replace(
+    with_words = replace(
         pictures,
         kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
         launches=launches,
         registers=lowering.registers,
         costs=tuple(lowering.costs),
     )
-    found = replace(container, pictures=made)
+    complete = replace(container, pictures=with_words)
     most = container.target.store_words
-    if found.words_stored > most:
-        full = Refused("store", made.items[-1].name, found.words_stored, most)
+    if complete.words_stored > most:
+        full = PictureRefused("store", with_words.items[-1].name, complete.words_stored, most)
         return container, [_refusal(full, container, program, level)]
-    return found, []
+    return complete, []
 
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """The words of images and planes after a container's exposure. Raises Refused."""
     target = container.target
     buckets = {
-        each.bucket: (each.register, 1 if each.gain > 0 else -1) for each in container.readouts
+        readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
+        for readout in container.readouts
     }
     guarded = (target.mask_register, target.masked_register)
     digital = [
@@ -115,14 +116,14 @@ def _place(program: Program, name: str) -> Span:
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     target = program.target
     for name, reach in reaches(pictures).items():
-        for size, limit, what in (
+        for size, limit, unit in (
             (max(reach.left, reach.right), target.cols // 4, "columns"),
             (max(reach.up, reach.down), target.rows // 4, "rows"),
         ):
             if size > limit:
                 return Diagnostic(
                     "NS0541",
-                    f"`{name}` depends on pixels {size} {what} away; the most is {limit}, a "
+                    f"`{name}` depends on pixels {size} {unit} away; the most is {limit}, a "
                     f"quarter of the array of {target.name}",
                     source=program.source,
                     label=Label(_place(program, name), "reaches this far"),
@@ -132,32 +133,36 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     return None
 
 
-def _refusal(refused: Refused, container: Container, program: Program, level: int) -> Diagnostic:
+def _refusal(
+    refused: PictureRefused, container: Container, program: Program, level: int
+) -> Diagnostic:
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(_place(program, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
-    what = {
+    resource = {
         "registers": "analog registers",
         "planes": "digital registers",
         "store": "words in the store",
     }[refused.kind]
-    holders = ", ".join(f"{each.register} holds {each.bucket}" for each in container.readouts)
+    holders = ", ".join(
+        f"{readout.register} holds {readout.bucket}" for readout in container.readouts
+    )
     return Diagnostic(
         "NS0535",
-        f"`{name}` needs {needed:g} {what} or more, and {available:g} are there",
+        f"`{name}` needs {needed:g} {resource} or more, and {available:g} are there",
         source=program.source,
         label=label,
         notes=(f"of the exposure, {holders}",) if refused.kind == "registers" else (),
         helps=(
             "compute and read fewer images and planes at once, or take large kernels apart",
         ),
-        data={"resource": what, "required": needed, "available": available, "proved": False},
+        data={"resource": resource, "required": needed, "available": available, "proved": False},
     )  # fmt: skip
 
 
 def _beyond_range(
-    refused: Refused, container: Container, program: Program, level: int
+    refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     """NS0540, with an assumption under which the words were made."""
     pictures, over = program.pictures, refused.needed
@@ -169,7 +174,7 @@ def _beyond_range(
         smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
             lowered(container, smaller, level)
-        except Refused:
+        except PictureRefused:
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")
         break
@@ -178,7 +183,7 @@ def _beyond_range(
         limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
         try:
             lowered(container, replace(pictures, limits_e=limits), level)
-        except Refused:
+        except PictureRefused:
             share //= 2
             continue
         helps.append(f"promise less light: `assume exposure <= {share}%` compiles")

@@ -22,7 +22,7 @@ Polynomial = dict[Offset, int]
 
 
 @dataclass(frozen=True)
-class Word:
+class BusWord:
     """A bus word: each destination takes minus the sum of the sources, halved for two of them."""
 
     destinations: tuple[str, ...]
@@ -34,7 +34,7 @@ class Word:
         return len(self.destinations) == 2
 
 
-Program = tuple[Word, ...]
+Program = tuple[BusWord, ...]
 """Its result is in the first destination of the last word."""
 
 IDENTITY: Taps = {(0, 0): UNIT}
@@ -42,19 +42,19 @@ IDENTITY: Taps = {(0, 0): UNIT}
 
 def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
     """A kernel in units of 1 / UNIT; ValueError for weights that are finer."""
-    found = {at: weight * UNIT for at, weight in weights.items()}
-    if any(weight.denominator > 1 for weight in found.values()):
+    scaled = {at: weight * UNIT for at, weight in weights.items()}
+    if any(weight.denominator > 1 for weight in scaled.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
-    return {at: int(weight) for at, weight in found.items()}
+    return {at: int(weight) for at, weight in scaled.items()}
 
 
 def added(*terms: tuple[int, Taps]) -> Polynomial:
     """The sum of kernels times whole factors."""
-    found: Polynomial = {}
+    total: Polynomial = {}
     for factor, taps in terms:
         for at, weight in taps.items():
-            found[at] = found.get(at, 0) + factor * weight
-    return {at: weight for at, weight in found.items() if weight}
+            total[at] = total.get(at, 0) + factor * weight
+    return {at: weight for at, weight in total.items() if weight}
 
 
 def moved(taps: Taps, right: int, down: int) -> Polynomial:
@@ -79,23 +79,23 @@ def values_of(program: Program) -> list[Polynomial]:
 
     KeyError for a program that reads what it has not written.
     """
-    held: dict[str, Polynomial] = {"x": dict(IDENTITY)}
+    registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     values: list[Polynomial] = []
     for word in program:
-        parts = [
-            moved(held["NEWS"], *STEPS[name]) if name in NEIGHBOURS else held[name]
+        addends = [
+            moved(registers["NEWS"], *STEPS[name]) if name in NEIGHBOURS else registers[name]
             for name in word.sources
         ]
-        found = added(*((-1, part) for part in parts))
+        value = added(*((-1, addend) for addend in addends))
         if word.halves:
-            found = halved(found)
-        values.append(found)
+            value = halved(value)
+        values.append(value)
         for name in word.destinations:
             if name in NEIGHBOURS:
                 right, down = STEPS[name]
-                held["NEWS"] = moved(found, -right, -down)
+                registers["NEWS"] = moved(value, -right, -down)
             else:
-                held[name] = found
+                registers[name] = value
     return values
 
 
@@ -129,7 +129,7 @@ def turned(program: Program, turn: int) -> Program:
     def of(operands: tuple[str, ...]) -> tuple[str, ...]:
         return tuple(names.get(name, name) for name in operands)
 
-    return tuple(Word(of(word.destinations), of(word.sources)) for word in program)
+    return tuple(BusWord(of(word.destinations), of(word.sources)) for word in program)
 
 
 def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
@@ -141,7 +141,7 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
         return prefix + operand
 
     return tuple(
-        Word(tuple(map(of, word.destinations)), tuple(map(of, word.sources))) for word in program
+        BusWord(tuple(map(of, word.destinations)), tuple(map(of, word.sources))) for word in program
     )
 
 
@@ -166,11 +166,11 @@ def program_from_text(text: str) -> Program:
     is `a`, halved beside a register that nobody reads.
     """
     words = []
-    for each in text.split():
-        target, _, sources = each.partition("=")
+    for assignment in text.split():
+        target, _, sources = assignment.partition("=")
         destinations = tuple(_LETTERS.get(target[0], target[0]) for _ in "1")
         if len(target) == 2:
-            other = f"{target[0]}_" if target[1] == "2" else _LETTERS[target[1]]
-            destinations = (*destinations, other)
-        words.append(Word(destinations, tuple(_LETTERS.get(s, s) for s in sources.split(","))))
+            second_destination = f"{target[0]}_" if target[1] == "2" else _LETTERS[target[1]]
+            destinations = (*destinations, second_destination)
+        words.append(BusWord(destinations, tuple(_LETTERS.get(s, s) for s in sources.split(","))))
     return tuple(words)

@@ -16,11 +16,11 @@ from nscc.neighbours.programs import (
     IDENTITY,
     TURNS,
     UNIT,
+    BusWord,
     Offset,
     Polynomial,
     Program,
     Taps,
-    Word,
     added,
     chained,
     halved,
@@ -41,23 +41,23 @@ _MOST_KEPT = 6
 _MOST_DEPTH = 7
 
 _Key = frozenset[tuple[Offset, int]]
-_HALVE: Program = (Word(("h", "NEWS"), ("x",)),)
-_NEGATE: Program = (Word(("m",), ("x",)),)
+_HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
+_NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 @cache
 def rows() -> dict[_Key, Program]:
     """The programs of the table and their turns, by what they compute."""
-    found: dict[_Key, Program] = {}
+    shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
             program = program_from_text(line)
             taps = kernel_of(program)
             for turn in TURNS:
                 key = frozenset(turned_taps(taps, turn).items())
-                if len(program) < len(found.get(key, program * 2)):
-                    found[key] = turned(program, turn)
-    return found
+                if len(program) < len(shortest.get(key, program * 2)):
+                    shortest[key] = turned(program, turn)
+    return shortest
 
 
 @dataclass(frozen=True)
@@ -81,10 +81,10 @@ class Synthesis:
 
         Each is proved: its words compute the kernel.
         """
-        found = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
-        found = [_ranged(tidied(each.program)) for each in found]
-        assert all(kernel_of(each.program) == dict(taps) for each in found)
-        return _best(found)
+        candidates = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
+        candidates = [_ranged(tidied(candidate.program)) for candidate in candidates]
+        assert all(kernel_of(candidate.program) == dict(taps) for candidate in candidates)
+        return _best(candidates)
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
@@ -97,12 +97,12 @@ class Synthesis:
             return known
         self.steps -= 1
         self._known[key] = depth, known
-        found = [_ranged(program) for program in self._made(taps, key, depth)]
-        best = _best([*known, *found])
+        candidates = [_ranged(program) for program in self._candidates(taps, key, depth)]
+        best = _best([*known, *candidates])
         self._known[key] = depth, best
         return best
 
-    def _made(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
+    def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
         table = rows()
         if key in table:
             yield table[key]
@@ -115,15 +115,15 @@ class Synthesis:
             return
         if halvings_of(taps):
             doubled = added((-2, taps))
-            for rest in self._programs(doubled, depth - 1):
-                yield chained(_HALVE, rest.program)
-                if rest.program:
-                    yield chained(rest.program, _HALVE)
+            for remaining in self._programs(doubled, depth - 1):
+                yield chained(_HALVE, remaining.program)
+                if remaining.program:
+                    yield chained(remaining.program, _HALVE)
         for factor in factors():
             quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
-                for rest in self._programs(quotient, depth - 1):
-                    yield chained(factor.program, rest.program)
+                for remaining in self._programs(quotient, depth - 1):
+                    yield chained(factor.program, remaining.program)
         yield from self._sums(inverse, depth)
 
     def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
@@ -132,31 +132,31 @@ class Synthesis:
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
-        parts: set[int] = set()
+        centre_weights: set[int] = set()
         if middle:
             least = min(map(abs, inverse.values()))
-            parts = {UNIT, least, 2 * least, -least, -2 * least}
-            parts |= {middle - weight for weight in (0, *inverse.values())}
-        for part in sorted(parts - {0}):
-            alone: Taps = {(0, 0): part}
-            rest = added((1, inverse), (-1, alone))
-            if rest and abs(rest.get((0, 0), 0)) < abs(middle):
+            centre_weights = {UNIT, least, 2 * least, -least, -2 * least}
+            centre_weights |= {middle - weight for weight in (0, *inverse.values())}
+        for centre_weight in sorted(centre_weights - {0}):
+            alone: Taps = {(0, 0): centre_weight}
+            remainder = added((1, inverse), (-1, alone))
+            if remainder and abs(remainder.get((0, 0), 0)) < abs(middle):
                 seconds = self._programs(dict(alone), depth - 2) or [_ranged(accumulated(alone))]
-                for first in self._programs(rest, depth - 2):
+                for first in self._programs(remainder, depth - 2):
                     for second in seconds:
                         yield _summed(first.program, second.program)
         for key, program in table.items():
-            rest = added((1, inverse), (-1, dict(key)))
-            other = table.get(frozenset(rest.items()))
-            if other is not None:
-                yield _summed(program, other)
+            remainder = added((1, inverse), (-1, dict(key)))
+            remainder_program = table.get(frozenset(remainder.items()))
+            if remainder_program is not None:
+                yield _summed(program, remainder_program)
 
 
 def _summed(first: Program, second: Program) -> Program:
     """Both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
-    return (*a, *b, Word(("s",), tuple(results)))
+    return (*a, *b, BusWord(("s",), tuple(results)))
 
 
 @dataclass(frozen=True)
@@ -198,24 +198,26 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     if width < 0 or height < 0:
         return None
-    left, top = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
+    first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]
-    rest, found = dict(taps), {}
-    while rest:
-        last = max(rest)
+    dividend, quotient = dict(taps), {}
+    while dividend:
+        last = max(dividend)
         x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
-        weight, remainder = divmod(rest[last] * UNIT, lead_weight)
-        if remainder or not (left <= x <= left + width and top <= y <= top + height):
+        weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
+        if remainder or not (
+            first_col <= x <= first_col + width and first_row <= y <= first_row + height
+        ):
             return None
-        found[x, y] = weight
-        for (right, down), part in factor.taps.items():
+        quotient[x, y] = weight
+        for (right, down), factor_weight in factor.taps.items():
             place = (x + right, y + down)
-            other = rest.get(place, 0) - weight * part // UNIT
-            if other:
-                rest[place] = other
+            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
+            if difference:
+                dividend[place] = difference
             else:
-                rest.pop(place, None)
-    return found
+                dividend.pop(place, None)
+    return quotient
 
 
 def halvings_of(taps: Taps) -> int:
@@ -238,7 +240,7 @@ def accumulated(taps: Taps) -> Program:
     """
     halvings = halvings_of(taps)
     words = [
-        Word((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
+        BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
     ]
     multiples = _Multiples(f"h{halvings}" if halvings else "x", words)
@@ -252,28 +254,28 @@ def accumulated(taps: Taps) -> Program:
         else:
             sources = (_moved_by(at, multiples.of(factor), words), *total)
         total = (f"s{index}",)
-        words.append(Word(total, sources))
+        words.append(BusWord(total, sources))
     return tuple(words)
 
 
-def _moved_by(at: Offset, register: str, words: list[Word]) -> str:
+def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
     """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
     one step to a neighbour, a neighbour's NEWS after two."""
     x, y = at
     steps = [_OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [_OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
     while len(steps) > 2:
         first, second, *steps = steps
-        words.append(Word((_OPPOSITE[first],), (register,)))
+        words.append(BusWord((_OPPOSITE[first],), (register,)))
         register = f"{register}{first}{second}"
-        words.append(Word((register,), (second,)))
-    words.append(Word((_OPPOSITE[steps[0]],), (register,)))
+        words.append(BusWord((register,), (second,)))
+    words.append(BusWord((_OPPOSITE[steps[0]],), (register,)))
     return steps[1] if len(steps) == 2 else "NEWS"
 
 
 class _Multiples:
     """Integer multiples of a register, made when they are first asked for."""
 
-    def __init__(self, source: str, words: list[Word]) -> None:
+    def __init__(self, source: str, words: list[BusWord]) -> None:
         self.words = words
         self.held = {1: source}
 
@@ -288,13 +290,13 @@ class _Multiples:
                 sign = 1 if factor > 0 else -1
                 half = sign << (abs(factor).bit_length() - 1)
                 half = half // 2 if half == factor else half
-                first, rest = self.of(-half), factor - half
-                if rest == half:
-                    self.words.append(Word(("NEWS",), (self.of(half),)))
+                first, remainder = self.of(-half), factor - half
+                if remainder == half:
+                    self.words.append(BusWord(("NEWS",), (self.of(half),)))
                     sources = (first, "NEWS")
                 else:
-                    sources = (first, self.of(-rest))
-            self.words.append(Word((name,), sources))
+                    sources = (first, self.of(-remainder))
+            self.words.append(BusWord((name,), sources))
             self.held[factor] = name
         return self.held[factor]
 
@@ -311,25 +313,27 @@ def _ranged(program: Program) -> Ranged:
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
     """How much of the largest exposure a kernel gives at most, and how much it takes away."""
-    added_up = sum(weight for weight in taps.values() if weight > 0)
-    taken = sum(-weight for weight in taps.values() if weight < 0)
-    return Fraction(added_up, UNIT), Fraction(taken, UNIT)
+    added_weight = sum(weight for weight in taps.values() if weight > 0)
+    subtracted = sum(-weight for weight in taps.values() if weight < 0)
+    return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
 
 
-def _best(found: list[Ranged]) -> list[Ranged]:
+def _best(candidates: list[Ranged]) -> list[Ranged]:
     """The shortest programs, and longer ones of smaller values."""
-    kept: list[Ranged] = []
-    for each in sorted(found, key=lambda each: (len(each.program), each.peak)):
-        if not kept or each.peak < kept[-1].peak:
-            kept.append(each)
-    return kept[:_MOST_KEPT]
+    best: list[Ranged] = []
+    for candidate in sorted(
+        candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
+    ):
+        if not best or candidate.peak < best[-1].peak:
+            best.append(candidate)
+    return best[:_MOST_KEPT]
 
 
 def tidied(program: Program) -> Program:
     """A program without words for values that are held already, or that nobody reads."""
-    held: dict[str, Polynomial] = {"x": dict(IDENTITY)}
+    registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     names: dict[str, str] = {"x": "x"}
-    words: list[Word] = []
+    words: list[BusWord] = []
     values = values_of(program)
     for number, (word, value) in enumerate(zip(program, values, strict=True)):
         sources = tuple(names.get(name, name) for name in word.sources)
@@ -340,33 +344,33 @@ def tidied(program: Program) -> Program:
             if first in NEIGHBOURS or first == "NEWS":
                 step = STEPS.get(first, (0, 0))
                 placed = moved(value, -step[0], -step[1])
-                if held.get("NEWS") == placed:
+                if registers.get("NEWS") == placed:
                     continue
             else:
-                same = next((n for n, v in held.items() if v == value and n != "NEWS"), None)
+                same = next((n for n, v in registers.items() if v == value and n != "NEWS"), None)
                 if same is not None and number + 1 < len(program):
                     names[first] = same
                     continue
         for name in word.destinations:
             step = STEPS.get(name, (0, 0))
-            held["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
+            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
             names[name] = name
-        words.append(Word(word.destinations, sources))
+        words.append(BusWord(word.destinations, sources))
     return _used(words)
 
 
-def _used(words: Sequence[Word]) -> Program:
+def _used(words: Sequence[BusWord]) -> Program:
     """The words whose results are read."""
-    kept: list[Word] = []
-    wanted: set[str] = set(words[-1].destinations[:1]) if words else set()
+    used_words: list[BusWord] = []
+    live: set[str] = set(words[-1].destinations[:1]) if words else set()
     for word in reversed(words):
         writes = {"NEWS" if name in NEIGHBOURS else name for name in word.destinations}
-        if not writes & wanted:
+        if not writes & live:
             continue
-        kept.append(word)
-        wanted -= writes
-        wanted |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
-    return tuple(reversed(kept))
+        used_words.append(word)
+        live -= writes
+        live |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
+    return tuple(reversed(used_words))
 
 
 def noise_gain(program: Program) -> float:
@@ -383,16 +387,16 @@ def noise_gain(program: Program) -> float:
 
 def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
     """What registers hold at the end of a unit error that one word makes in one destination."""
-    held: dict[str, Polynomial] = {}
+    registers: dict[str, Polynomial] = {}
     for index, word in enumerate(program[number:], number):
-        found: Polynomial = {}
+        error: Polynomial = {}
         for name in word.sources:
-            part = held.get("NEWS" if name in NEIGHBOURS else name, {})
-            found = added((1, found), (-1, moved(part, *STEPS.get(name, (0, 0)))))
+            addend_error = registers.get("NEWS" if name in NEIGHBOURS else name, {})
+            error = added((1, error), (-1, moved(addend_error, *STEPS.get(name, (0, 0)))))
         for name in word.destinations:
             right, down = STEPS.get(name, (0, 0))
-            value = halved(found) if word.halves else found
+            value = halved(error) if word.halves else error
             if index == number and name == destination:
                 value = added((1, value), (1, IDENTITY))
-            held["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
-    return held
+            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
+    return registers

@@ -16,7 +16,7 @@ from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
-from nscc.program.pictures import make_pictures
+from nscc.program.picture_statements import make_pictures
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
@@ -56,11 +56,11 @@ def analyse(
     problems.stop_on_errors()
     assert frame is not None
     assert chosen is not None
-    sound = tuple(
-        part for field in fields.values() if field is not None for part in chunks_of(field)
+    chunks = tuple(
+        chunk for field in fields.values() if field is not None for chunk in chunks_of(field)
     )
     digits = {name: book for name, book in books.items() if book is not None}
-    known = Rules(sound, requires, rules, digits, len(frame.slot_us))
+    known = Rules(chunks, requires, rules, digits, len(frame.slot_us))
     completion = Completion(
         problems, declared, chosen, frame, known, planes, codes, looking, pictures
     )
@@ -74,8 +74,8 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
     constants = resolve_constants(declared, target, problems)
     books = make_books(declared.books, constants["N"], base, problems)
     fields = make_fields(declared, constants_scope(declared, constants), books, problems)
-    sound = (part for each in fields.values() if each is not None for part in chunks_of(each))
-    return {part.name: (part.low, part.high) for part in sound}
+    chunks = (chunk for field in fields.values() if field is not None for chunk in chunks_of(field))
+    return {chunk.name: (chunk.low, chunk.high) for chunk in chunks}
 
 
 def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
@@ -100,7 +100,10 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
     """NS0510, for pixels that look at the light on a chip without logic; nothing else is said."""
     looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
     statements = [*looking, *([declared.reset] if declared.reset else [])]
-    spans = (*(each.span for each in statements), *(name.span for name in declared.reads.values()))
+    spans = (
+        *(statement.span for statement in statements),
+        *(name.span for name in declared.reads.values()),
+    )
     place = min(spans, key=lambda span: span.start)
     problems.error(
         "NS0510",

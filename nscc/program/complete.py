@@ -27,7 +27,7 @@ from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
 from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
-from nscc.program.program import BucketRule, Codes, Frame, Program
+from nscc.program.program import BucketRule, Codes, Program, SlotGrid
 from nscc.program.table import (
     UNCOUNTED,
     CodeArray,
@@ -42,7 +42,7 @@ from nscc.program.table import (
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 from nscc.words.pictures import Pictures
 
 
@@ -56,7 +56,7 @@ class Completion:
     problems: Problems
     declared: Declarations
     target: Target
-    frame: Frame
+    frame: SlotGrid
     rules: Rules
     planes: dict[str, Plane]
     codes: Codes
@@ -81,9 +81,9 @@ class Completion:
         else:
             table, at_pixel = self._open(in_use, at_pixel)
             survey, legal = table, len(table.codes)
-        found = self._class(survey, table)
-        self._advise(found, survey, table)
-        return self._program(table, legal, at_pixel, found)
+        recognised = self._class(survey, table)
+        self._advise(recognised, survey, table)
+        return self._program(table, legal, at_pixel, recognised)
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
         """The program whose shutters depend on the light."""
@@ -97,12 +97,12 @@ class Completion:
             raise self._refused(problem, self.declared.rules[0].rule.span) from problem
         except TooMuch as problem:
             fields = [field.name for field in self.rules.fields]
-            part = largest_part(self.declared, looking, fields, codes)
+            excess = largest_part(self.declared, looking, fields, codes)
             if fields:
-                part.helps.extend(
+                excess.helps.extend(
                     [*self._fewer_codes(self.mode), "reduce the ranges of the fields"]
                 )
-            raise self._too_much_looked(problem, part) from problem
+            raise self._too_much_looked(problem, excess) from problem
         try:
             machine, untold = with_open_times(machine, self.frame.slot_us)
         except TooMuch as problem:
@@ -110,8 +110,8 @@ class Completion:
         problems, rules = self.problems, self.rules
         judge_looking(self.declared, machine, untold, self.target, problems)
         judge_looked_names(self.declared, looking, rules.rules, machine, problems)
-        asked = [*rules.rules, *looking.expressions]
-        judge_names(self.declared, rules.fields, asked, rules.books, problems)
+        expressions = [*rules.rules, *looking.expressions]
+        judge_names(self.declared, rules.fields, expressions, rules.books, problems)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
         table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))
@@ -124,8 +124,8 @@ class Completion:
         table: DecodeTable,
         legal: int | None,
         at_pixel: NDArray[np.int32],
-        found: Recognised,
-        machine: Machine | None = None,
+        recognised: Recognised,
+        machine: StateMachine | None = None,
     ) -> Program:
         return Program(
             source=self.problems.source,
@@ -138,8 +138,8 @@ class Completion:
             table=table,
             legal_codes=legal,
             pixel_codes=at_pixel if self.has_data else None,
-            class_name=found.name,
-            class_reason=found.reason,
+            class_name=recognised.name,
+            class_reason=recognised.reason,
             messages=self.problems.sorted(),
             machine=machine,
             pictures=self.pictures,
@@ -208,8 +208,8 @@ class Completion:
             conditions = self.declared.requires
             text = "together with the other conditions"
             if len(conditions) == 1:
-                tried = counted(self.rules.combinations, "combination")
-                text = f"false for {tried} of field values"
+                combinations = counted(self.rules.combinations, "combination")
+                text = f"false for {combinations} of field values"
             message = "`require` excludes every code"
             self.problems.error("NS0317", message, conditions[0].condition.span, text)
             self.problems.stop_on_errors()
@@ -245,12 +245,12 @@ class Completion:
             basis = "in all codes that the fields allow"
         return recognise(self.rules, [b.name for b in self.buckets], survey, basis)
 
-    def _advise(self, found: Recognised, survey: DecodeTable, table: DecodeTable) -> None:
+    def _advise(self, recognised: Recognised, survey: DecodeTable, table: DecodeTable) -> None:
         problems, declared, fields = self.problems, self.declared, self.rules.fields
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
         judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
         judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
-        judge_bumps(found, declared.rules[0], survey, problems)
+        judge_bumps(recognised, declared.rules[0], survey, problems)
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
         if isinstance(problem, TooMuch):
@@ -273,14 +273,14 @@ class Completion:
             data=_proved(problem),
         )
 
-    def _too_much_looked(self, problem: TooMuch, part: Excess) -> Rejected:
+    def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
         """NS0450 at what makes the machine large."""
         self.problems.error(
             "NS0450",
             f"too many codes, states and answers: {problem.message}",
-            part.place or self._limit_span(),
-            part.text,
-            helps=tuple(part.helps),
+            excess.place or self._limit_span(),
+            excess.text,
+            helps=tuple(excess.helps),
             data=_proved(problem),
         )
         return Rejected(self.problems.sorted())

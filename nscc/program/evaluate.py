@@ -40,9 +40,9 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
     stack: list[Value] = []
     for node in expr.nodes:
         count = len(operands(node))
-        given = stack[len(stack) - count :]
+        arguments = stack[len(stack) - count :]
         del stack[len(stack) - count :]
-        stack.append(_value(node, given, expr.constants, bindings, books))
+        stack.append(_value(node, arguments, expr.constants, bindings, books))
     (result,) = stack
     if isinstance(result.faults, np.ndarray) and not result.faults.any():
         result = Value(result.data, result.low, result.high)
@@ -53,18 +53,18 @@ def fault_at(
     expr: Checked, bindings: Bindings, books: Books, shape: tuple[int, ...], place: tuple[int, ...]
 ) -> Fault:
     """The fault of `expr` at one place of the broadcast `shape`, with the values found there."""
-    here = {
+    values_at_place = {
         name: scalar(int(np.broadcast_to(value.data, shape)[place]))
         for name, value in bindings.items()
     }
-    fault = evaluate(expr, here, books).faults
+    fault = evaluate(expr, values_at_place, books).faults
     assert isinstance(fault, Fault)
     return fault
 
 
 def _value(
     node: tree.Expr,
-    given: list[Value],
+    arguments: list[Value],
     constants: Mapping[str, int],
     bindings: Bindings,
     books: Books,
@@ -78,48 +78,49 @@ def _value(
             known = constants.get(node.text)
             return bindings[node.text] if known is None else scalar(known)
         case tree.Unary(op="not"):
-            return Value(given[0].data ^ True, 0, 1, given[0].faults)
+            return Value(arguments[0].data ^ True, 0, 1, arguments[0].faults)
         case tree.Unary():
-            (a,) = given
+            (a,) = arguments
             return Value(-a.data, -a.high, -a.low, a.faults)
         case tree.Binary(op="and"):
-            return _junction(given[0], given[1], True)
+            return _junction(arguments[0], arguments[1], True)
         case tree.Binary(op="or"):
-            return _junction(given[0], given[1], False)
+            return _junction(arguments[0], arguments[1], False)
         case tree.Binary(op="xor"):
-            a, b = given
+            a, b = arguments
             return Value(a.data ^ b.data, 0, 1, either(a.faults, b.faults))
         case tree.Binary():
-            return ARITHMETIC[node.op](node, *given)
+            return ARITHMETIC[node.op](node, *arguments)
         case tree.Compare():
-            return _chain(node, given)
+            return _chain(node, arguments)
         case tree.IfElse():
-            return _chosen(*given)
+            return _chosen(*arguments)
         case tree.Index():
             if node.base.text in books:
-                return _digit(node, given[0], books[node.base.text], bindings["n"])
-            return _bit(node, given[0], bindings[node.base.text], bindings)
+                return _digit(node, arguments[0], books[node.base.text], bindings["n"])
+            return _bit(node, arguments[0], bindings[node.base.text], bindings)
         case tree.Call():
-            return _extreme(node.function.text, given)
+            return _extreme(node.function.text, arguments)
         case tree.Place() | tree.Amount():
             raise AssertionError("`check` refuses levels and bits of neighbours")
     assert_never(node)
 
 
-def _pick(condition: Data, then: Data, other: Data) -> Data:
+def _pick(condition: Data, then: Data, otherwise: Data) -> Data:
     if isinstance(condition, np.ndarray):
-        return np.where(condition, then, other)
-    return then if condition else other
+        return np.where(condition, then, otherwise)
+    return then if condition else otherwise
 
 
-def _chosen(condition: Value, then: Value, other: Value) -> Value:
+def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
     branches = either(
-        faults_where(condition.data, then.faults), faults_where(condition.data ^ True, other.faults)
+        faults_where(condition.data, then.faults),
+        faults_where(condition.data ^ True, otherwise.faults),
     )
     return Value(
-        _pick(condition.data, then.data, other.data),
-        min(then.low, other.low),
-        max(then.high, other.high),
+        _pick(condition.data, then.data, otherwise.data),
+        min(then.low, otherwise.low),
+        max(then.high, otherwise.high),
         either(condition.faults, branches),
     )
 
@@ -130,21 +131,21 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
 
 
-def _chain(node: tree.Compare, given: list[Value]) -> Value:
+def _chain(node: tree.Compare, arguments: list[Value]) -> Value:
     links = [
         Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
-        for op, (a, b) in zip(node.ops, pairwise(given), strict=True)
+        for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
     ]
-    result = Value(links[0].data, 0, 1, either(given[0].faults, links[0].faults))
+    result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
     for link in links[1:]:
         result = _junction(result, link, True)
     return result
 
 
-def _extreme(name: str, given: list[Value]) -> Value:
+def _extreme(name: str, arguments: list[Value]) -> Value:
     pick, of_arrays = (min, np.minimum) if name == "min" else (max, np.maximum)
-    result = given[0]
-    for b in given[1:]:
+    result = arguments[0]
+    for b in arguments[1:]:
         plain = isinstance(result.data, int) and isinstance(b.data, int)
         data = (pick if plain else of_arrays)(result.data, b.data)
         low, high = pick(result.low, b.low), pick(result.high, b.high)
@@ -152,7 +153,7 @@ def _extreme(name: str, given: list[Value]) -> Value:
     return result
 
 
-def _position(node: tree.Index, index: Value, size: int, what: str) -> tuple[Data, Faults]:
+def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
     if index.low >= 0 and index.high < size:
         return index.data, index.faults
 
@@ -161,13 +162,13 @@ def _position(node: tree.Index, index: Value, size: int, what: str) -> tuple[Dat
         return Fault(
             "NS0303",
             f"the index of `{node.base.text}[{shown}]` is out of range: `{node.base.text}` "
-            f"has {what}, 0..{size - 1}",
+            f"has {size_text}, 0..{size - 1}",
             node.index.span,
             f"the index is {shown}",
         )
 
-    wrong = (index.data < 0) | (index.data >= size)
-    return guard(wrong, index.data, 0, fault, index.faults)
+    out_of_range = (index.data < 0) | (index.data >= size)
+    return guard(out_of_range, index.data, 0, fault, index.faults)
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
@@ -175,21 +176,21 @@ def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Va
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
         return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
-    parts = [bindings[chunk_name(node.base.text, k)].data for k in range(-(-bits // CHUNK_BITS))]
-    return Value(_bit_of_parts(parts, position), 0, 1, either(field.faults, faults))
+    chunks = [bindings[chunk_name(node.base.text, k)].data for k in range(-(-bits // CHUNK_BITS))]
+    return Value(_bit_of_chunks(chunks, position), 0, 1, either(field.faults, faults))
 
 
-def _bit_of_parts(parts: list[Data], position: Data) -> Data:
+def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
     """The bit at `position` of fields kept as several numbers; both broadcast."""
     if isinstance(position, int):
-        return parts[position // CHUNK_BITS] >> position % CHUNK_BITS & 1 != 0
-    shape = np.broadcast_shapes(np.shape(parts[0]), position.shape)
-    found = np.zeros(shape, np.bool_)
+        return chunks[position // CHUNK_BITS] >> position % CHUNK_BITS & 1 != 0
+    shape = np.broadcast_shapes(np.shape(chunks[0]), position.shape)
+    bits = np.zeros(shape, np.bool_)
     for k in np.unique(position // CHUNK_BITS).tolist():
-        here = np.broadcast_to(position // CHUNK_BITS == k, shape)
-        shifted = parts[k] >> np.where(here, position % CHUNK_BITS, 0)
-        found |= here & (shifted & 1 != 0)
-    return found
+        in_chunk = np.broadcast_to(position // CHUNK_BITS == k, shape)
+        shifted = chunks[k] >> np.where(in_chunk, position % CHUNK_BITS, 0)
+        bits |= in_chunk & (shifted & 1 != 0)
+    return bits
 
 
 def bit_count(field: str) -> str:

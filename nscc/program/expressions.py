@@ -69,7 +69,7 @@ def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
         case tree.Binary():
             return (node.left, node.right)
         case tree.Compare():
-            return (node.first, *node.rest)
+            return (node.first, *node.later_operands)
         case tree.IfElse():
             return (node.condition, node.then, node.otherwise)
         case tree.Index():
@@ -104,14 +104,14 @@ def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
 
 
 def check(
-    expr: tree.Expr, wanted: Type, scope: Scope, problems: Problems, what: str
+    expr: tree.Expr, expected: Type, scope: Scope, problems: Problems, role: str
 ) -> Checked | None:
     """`expr` with its names and types checked, or None after reporting what is wrong.
 
-    `what` names the expression in messages ("a rule", "the end of a range"). Names that are
+    `role` names the expression in messages ("a rule", "the end of a range"). Names that are
     `failed` in `scope` make the result None without a further report.
     """
-    return _Checker(scope, problems).run(expr, wanted, what)
+    return _Checker(scope, problems).run(expr, expected, role)
 
 
 class _Checker:
@@ -123,25 +123,25 @@ class _Checker:
         self.variables: set[str] = set()
         self.books: set[str] = set()
 
-    def run(self, expr: tree.Expr, wanted: Type, what: str) -> Checked | None:
+    def run(self, expr: tree.Expr, expected: Type, role: str) -> Checked | None:
         nodes = in_evaluation_order(expr)
         types: list[Type | None] = []
         for node in nodes:
             count = len(operands(node))
-            given = types[len(types) - count :]
+            operand_types = types[len(types) - count :]
             del types[len(types) - count :]
-            types.append(self._type(node, given))
-        found = types[0]
-        if found is not None and found != wanted:
-            message = f"{what} must be {_a(wanted)}, not {_a(found)}"
-            self._mismatch(expr.span, message, _a(found), _CONVERT[wanted])
-        if not self.sound or found is None:
+            types.append(self._type(node, operand_types))
+        actual = types[0]
+        if actual is not None and actual != expected:
+            message = f"{role} must be {_a(expected)}, not {_a(actual)}"
+            self._mismatch(expr.span, message, _a(actual), _CONVERT[expected])
+        if not self.sound or actual is None:
             return None
         return Checked(
-            nodes, found, self.constants, frozenset(self.variables), frozenset(self.books)
+            nodes, actual, self.constants, frozenset(self.variables), frozenset(self.books)
         )
 
-    def _type(self, node: tree.Expr, given: list[Type | None]) -> Type | None:
+    def _type(self, node: tree.Expr, operand_types: list[Type | None]) -> Type | None:
         match node:
             case tree.Int():
                 if node.value > LIMIT:
@@ -153,25 +153,27 @@ class _Checker:
             case tree.Name():
                 return self._name(node)
             case tree.Unary():
-                wanted: Type = "boolean" if node.op == "not" else "integer"
-                self._want(wanted, given, [node.operand], f"`{node.op}`")
-                return wanted
+                expected: Type = "boolean" if node.op == "not" else "integer"
+                self._want(expected, operand_types, [node.operand], f"`{node.op}`")
+                return expected
             case tree.Binary():
-                wanted = "boolean" if node.op in ("and", "or", "xor") else "integer"
-                self._want(wanted, given, [node.left, node.right], f"`{node.op}`")
-                return wanted
+                expected = "boolean" if node.op in ("and", "or", "xor") else "integer"
+                self._want(expected, operand_types, [node.left, node.right], f"`{node.op}`")
+                return expected
             case tree.Compare():
-                self._compare(node, given)
+                self._compare(node, operand_types)
                 return "boolean"
             case tree.IfElse():
-                self._want("boolean", given[:1], [node.condition], "the condition after `if`")
-                return self._branches(node, given[1], given[2])
+                self._want(
+                    "boolean", operand_types[:1], [node.condition], "the condition after `if`"
+                )
+                return self._branches(node, operand_types[1], operand_types[2])
             case tree.Index():
-                self._want("integer", given, [node.index], "an index")
+                self._want("integer", operand_types, [node.index], "an index")
                 self._base(node.base)
                 return "boolean"
             case tree.Call():
-                return self._call(node, given)
+                return self._call(node, operand_types)
             case tree.Place() | tree.Amount():
                 text = "a level" if isinstance(node, tree.Amount) else "a bit of a neighbour"
                 self._error("NS0531", f"{text} is no integer", node.span, text)
@@ -237,47 +239,55 @@ class _Checker:
             )
             self._error("NS0209", message, base.span, label, helps=helps)
 
-    def _compare(self, node: tree.Compare, given: list[Type | None]) -> None:
-        parts = [node.first, *node.rest]
+    def _compare(self, node: tree.Compare, operand_types: list[Type | None]) -> None:
+        compared = [node.first, *node.later_operands]
         for k, op in enumerate(node.ops):
-            left, right = given[k], given[k + 1]
+            first_type, second_type = operand_types[k], operand_types[k + 1]
             if op not in ("==", "!="):
                 # A part in the middle of a chain is reported by the comparison on its left.
                 first = k if k == 0 or node.ops[k - 1] in ("==", "!=") else k + 1
-                self._want("integer", given[first : k + 2], parts[first : k + 2], f"`{op}`")
-            elif left is not None and right is not None and left != right:
-                bit = any(isinstance(p, tree.Int) and p.value < 2 for p in parts[k : k + 2])
+                self._want(
+                    "integer", operand_types[first : k + 2], compared[first : k + 2], f"`{op}`"
+                )
+            elif first_type is not None and second_type is not None and first_type != second_type:
+                bit = any(isinstance(p, tree.Int) and p.value < 2 for p in compared[k : k + 2])
                 self._mismatch(
-                    parts[k].span.to(parts[k + 1].span),
-                    f"`{op}` compares {_a(left)} with {_a(right)}",
+                    compared[k].span.to(compared[k + 1].span),
+                    f"`{op}` compares {_a(first_type)} with {_a(second_type)}",
                     "integers and booleans do not mix",
                     _ALONE if bit else _CONVERT["boolean"],
                 )
 
-    def _branches(self, node: tree.IfElse, then: Type | None, other: Type | None) -> Type | None:
-        if then is None or other is None:
-            return then or other
-        if then != other:
-            message = f"`if else` gives {_a(then)} or {_a(other)}, but both must have one type"
+    def _branches(
+        self, node: tree.IfElse, then: Type | None, otherwise: Type | None
+    ) -> Type | None:
+        if then is None or otherwise is None:
+            return then or otherwise
+        if then != otherwise:
+            message = f"`if else` gives {_a(then)} or {_a(otherwise)}, but both must have one type"
             self._mismatch(node.span, message, "integers and booleans do not mix")
             return None
         return then
 
-    def _call(self, node: tree.Call, given: list[Type | None]) -> Type | None:
+    def _call(self, node: tree.Call, operand_types: list[Type | None]) -> Type | None:
         name = node.function.text
         if name not in MinMax:
             self._unknown(node.function, "a function", MinMax)
             return None
-        self._want("integer", given, node.arguments, f"`{name}`")
+        self._want("integer", operand_types, node.arguments, f"`{name}`")
         return "integer"
 
     def _want(
-        self, wanted: Type, given: list[Type | None], nodes: Iterable[tree.Node], who: str
+        self,
+        expected: Type,
+        operand_types: list[Type | None],
+        nodes: Iterable[tree.Node],
+        role: str,
     ) -> None:
-        for found, node in zip(given, nodes, strict=True):
-            if found is not None and found != wanted:
-                message = f"{who} needs {_a(wanted)}, not {_a(found)}"
-                self._mismatch(node.span, message, _a(found), _CONVERT[wanted])
+        for actual, node in zip(operand_types, nodes, strict=True):
+            if actual is not None and actual != expected:
+                message = f"{role} needs {_a(expected)}, not {_a(actual)}"
+                self._mismatch(node.span, message, _a(actual), _CONVERT[expected])
 
     def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
         self._error("NS0301", message, span, label, helps=helps)
@@ -286,15 +296,15 @@ class _Checker:
         message = f"`{node.text}` cannot be used here"
         self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 
-    def _unknown(self, node: tree.Name, what: str, known: Iterable[str]) -> None:
+    def _unknown(self, node: tree.Name, category: str, known: Iterable[str]) -> None:
         self.sound = False
         constant = node.text.lower()
         known = (constant,) if constant in ("true", "false") else known
-        self.problems.unknown(what, node.text, node.span, known)
+        self.problems.unknown(category, node.text, node.span, known)
 
-    def _error(self, code: str, message: str, span: Span, label: str, **more: Any) -> None:
+    def _error(self, code: str, message: str, span: Span, label: str, **details: Any) -> None:
         self.sound = False
-        self.problems.error(code, message, span, label, **more)
+        self.problems.error(code, message, span, label, **details)
 
     def _readable(self) -> list[str]:
         return [k for k, m in self.scope.items() if m.kind in ("constant", "variable", "failed")]

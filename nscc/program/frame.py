@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from nscc.program.expressions import Meaning
 from nscc.program.problems import Problems
-from nscc.program.program import Frame
+from nscc.program.program import SlotGrid
 from nscc.source import Span
 from nscc.syntax.tree import EqualSlots, ListedSlots
 
@@ -16,7 +16,7 @@ LONGEST_US = Fraction(10**12)
 
 def make_frame(
     statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
-) -> Frame | None:
+) -> SlotGrid | None:
     """The frame, or None after reporting invalid slot lengths (NS0309). `slots` is the meaning of
     N; if it failed there is no frame and no further report."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
@@ -33,4 +33,4 @@ def make_frame(
     else:
         lengths = tuple(float(time.us) for time in times)
         count_span = Span(times[0].span.start, times[-1].span.end)
-    return Frame(lengths, len(set(lengths)) == 1, statement.span, count_span)
+    return SlotGrid(lengths, len(set(lengths)) == 1, statement.span, count_span)

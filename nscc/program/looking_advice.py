@@ -19,12 +19,12 @@ from nscc.program.problems import Problems, counted, printable
 from nscc.program.table import CodeArray
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 
 
 def judge_looking(
     declared: Declarations,
-    machine: Machine,
+    machine: StateMachine,
     untold: Untold | None,
     target: Target,
     problems: Problems,
@@ -57,7 +57,7 @@ def judge_looked_names(
     declared: Declarations,
     looking: Looking,
     rules: Sequence[Checked],
-    machine: Machine,
+    machine: StateMachine,
     problems: Problems,
 ) -> None:
     """Note unused senses and states, and states that never change (NS0355). An unread sense is used
@@ -100,7 +100,7 @@ def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, CheckedNext
 
 
 def _judge_resets(
-    statement: tree.Reset, machine: Machine, target: Target, problems: Problems
+    statement: tree.Reset, machine: StateMachine, target: Target, problems: Problems
 ) -> None:
     """With a global reset, all pixels at a boundary must agree on it."""
     for stage in range(machine.stages):
@@ -122,7 +122,7 @@ def _judge_resets(
             return
 
 
-def shutters_in_the_dark(machine: Machine) -> NDArray[np.bool_]:
+def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
     """The shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()

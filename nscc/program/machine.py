@@ -22,7 +22,7 @@ from nscc.program.names import LOOKS
 from nscc.program.problems import counted
 from nscc.program.table import CodeArray, MissingValue, NoValue, Rules, TooMuch, code_text
 from nscc.program.wide import whole_name
-from nscc.words.machine import Comparison, Machine, State
+from nscc.words.machine import Comparison, State, StateMachine
 
 MOST_TRANSITIONS = 10**7
 """Most codes x states x outcomes, which the proof also replays."""
@@ -47,7 +47,7 @@ class Stage:
 
 def build_machine(
     rules: Rules, looking: Looking, codes: CodeArray, target: Target
-) -> tuple[Machine, NDArray[np.int32]]:
+) -> tuple[StateMachine, NDArray[np.int32]]:
     """The machine, and the behaviour of every code (codes,). Raises NoValue if an expression has no
     value in a reachable node or a state leaves its range, and TooMuch beyond MOST_TRANSITIONS."""
     return _Builder(rules, looking, codes, target).build()
@@ -71,7 +71,7 @@ class _Builder:
     def _stale(self, sense: CheckedSense) -> bool:
         return set(self.looks) != set(sense.at)
 
-    def build(self) -> tuple[Machine, NDArray[np.int32]]:
+    def build(self) -> tuple[StateMachine, NDArray[np.int32]]:
         nodes = self._start()
         stages: list[Stage] = []
         comparisons: list[Comparison] = []
@@ -276,7 +276,7 @@ class _Builder:
 
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
-    ) -> tuple[Machine, NDArray[np.int32]]:
+    ) -> tuple[StateMachine, NDArray[np.int32]]:
         """Join the stages, with one copy of codes that behave equally."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
@@ -296,7 +296,7 @@ class _Builder:
         opens = np.concatenate([stage.opens[rows] for stage, rows in pairs])
         behaviour = behaviour_of_code[nodes[:, 0]]
         answers = [State(s.name, 0, 1, 0, boolean=True, sense=True) for s in self.remembered]
-        machine = Machine(
+        machine = StateMachine(
             states=(*self.looking.states, *answers),
             comparisons=comparisons,
             looks=self.looks,

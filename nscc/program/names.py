@@ -102,91 +102,91 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
     for statement in file.statements:
         gatherer.add(statement)
     gatherer.finish(file)
-    return gatherer.found
+    return gatherer.declared
 
 
 class _Gatherer:
     def __init__(self, problems: Problems) -> None:
         self.problems = problems
-        self.found = Declarations()
+        self.declared = Declarations()
         self.first_place: dict[str, Span] = {}
         self.mixed = False
 
     def add(self, statement: tree.Statement) -> None:
-        found = self.found
+        declared = self.declared
         match statement:
             case tree.Version():
-                found.version = statement.number.value
+                declared.version = statement.number.value
             case tree.TargetByName() | tree.TargetFromFile():
-                if self._once("target", found.target, statement):
-                    found.target = statement
+                if self._once("target", declared.target, statement):
+                    declared.target = statement
             case tree.EqualSlots() | tree.ListedSlots():
-                if self._once("frame", found.frame, statement):
-                    found.frame = statement
+                if self._once("frame", declared.frame, statement):
+                    declared.frame = statement
             case tree.Let():
                 if self._new(statement.name):
-                    found.lets[statement.name.text] = statement
+                    declared.lets[statement.name.text] = statement
             case tree.CodeRange() | tree.CodeBits() | tree.CodeRow():
                 if self._new(statement.name):
-                    found.codes[statement.name.text] = statement
+                    declared.codes[statement.name.text] = statement
             case tree.BookInline() | tree.BookFromFile():
                 if self._new(statement.name):
-                    found.books[statement.name.text] = statement
+                    declared.books[statement.name.text] = statement
             case tree.Require():
-                found.requires.append(statement)
+                declared.requires.append(statement)
             case tree.Open() | tree.Bucket():
                 self._rule(statement)
             case tree.Sense():
                 if self._new(statement.name):
-                    found.senses[statement.name.text] = statement
+                    declared.senses[statement.name.text] = statement
             case tree.StateRange() | tree.StateBit():
                 if self._new(statement.name):
-                    found.states[statement.name.text] = statement
+                    declared.states[statement.name.text] = statement
             case tree.Next():
                 name = statement.name.text
-                if self._once(f"next {name}", found.nexts.get(name), statement):
-                    found.nexts[name] = statement
+                if self._once(f"next {name}", declared.nexts.get(name), statement):
+                    declared.nexts[name] = statement
             case tree.Reset():
-                if self._once("reset when", found.reset, statement):
-                    found.reset = statement
+                if self._once("reset when", declared.reset, statement):
+                    declared.reset = statement
             case tree.Read():
-                for each in statement.names:
-                    found.reads.setdefault(each.text, each)
+                for read_name in statement.names:
+                    declared.reads.setdefault(read_name.text, read_name)
             case tree.Kernel() | tree.KernelFromFile():
                 if self._new(statement.name):
-                    found.kernels[statement.name.text] = statement
+                    declared.kernels[statement.name.text] = statement
             case tree.Image() | tree.Plane():
                 if self._new(statement.name):
-                    found.pictures.append(statement)
+                    declared.pictures.append(statement)
             case tree.Outside():
-                if self._once("outside", found.outside, statement):
-                    found.outside = statement
+                if self._once("outside", declared.outside, statement):
+                    declared.outside = statement
             case tree.Assume():
-                found.assumes.append(statement)
+                declared.assumes.append(statement)
             case tree.Report():
-                found.reports.append(statement)
+                declared.reports.append(statement)
             case tree.PixelsExpr() | tree.PixelsTile():
                 self._pixels(statement)
             case tree.PixelsFromFile():
-                if self._once("pixels from", found.pixels_file, statement):
-                    found.pixels_file = statement
+                if self._once("pixels from", declared.pixels_file, statement):
+                    declared.pixels_file = statement
             case _:
                 assert_never(statement)
 
     def finish(self, file: tree.File) -> None:
         """Reports what must be there and is not, at the first statement."""
         place = file.statements[0].span if file.statements else Span(0, 0)
-        if self.found.frame is None:
+        if self.declared.frame is None:
             message = "the program has no `frame` statement"
             helps = ("add the number and the length of the slots: `frame 256 slots of 125us`",)
             self.problems.error("NS0204", message, place, "`frame` is missing", helps=helps)
-        if not self.found.rules:
+        if not self.declared.rules:
             message = "the program has no `open when` and no `bucket`"
             helps = ("add a rule that says when a shutter is open: `open when n < stop`",)
             self.problems.error(
                 "NS0204", message, place, "`open when` or `bucket` is missing", helps=helps
             )
-        fields = list(self.found.codes.values())
+        fields = list(self.declared.codes.values())
         if len(fields) > MOST_FIELDS:
             place, text = fields[MOST_FIELDS].name.span, f"field number {MOST_FIELDS + 1}"
             message = (
@@ -205,17 +205,17 @@ class _Gatherer:
 
     def _new(self, name: tree.Name) -> bool:
         meaning = PREDEFINED.get(name.text)
-        if name.text == LOOKS and self.found.version > 1:
+        if name.text == LOOKS and self.declared.version > 1:
             meaning = "the number of looks so far"
         if meaning is not None:
-            self.found.refused.add(name.text)
+            self.declared.refused.add(name.text)
             message = f"`{name.text}` is predefined and cannot be declared"
             text = f"`{name.text}` is {meaning}"
             self.problems.error("NS0202", message, name.span, text, helps=("choose another name",))
             return False
         if self._unused(name, f"`{name.text}` is declared twice", name.text):
             return True
-        self.found.refused.add(name.text)
+        self.declared.refused.add(name.text)
         return False
 
     def _unused(self, name: tree.Name, message: str, key: str) -> bool:
@@ -233,7 +233,7 @@ class _Gatherer:
         return False
 
     def _rule(self, rule: Rule) -> None:
-        rules = self.found.rules
+        rules = self.declared.rules
         if rules and isinstance(rules[0], tree.Open) != isinstance(rule, tree.Open):
             if self.mixed:
                 return
@@ -249,7 +249,7 @@ class _Gatherer:
         elif isinstance(rule, tree.Open):
             if self._once("open when", rules[0] if rules else None, rule):
                 rules.append(rule)
-        elif self.found.version > 2 and not self._unused(
+        elif self.declared.version > 2 and not self._unused(
             rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
         ):
             return
@@ -262,7 +262,7 @@ class _Gatherer:
 
     def _pixels(self, statement: tree.PixelsExpr | tree.PixelsTile) -> None:
         name = statement.field.text
-        first = self.found.pixels.setdefault(name, statement)
+        first = self.declared.pixels.setdefault(name, statement)
         if first is not statement:
             message, place = f"the pixel values of `{name}` are given twice", statement.field.span
             related = (Label(first.field.span, "the first"),)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.program.machine import MOST_HISTORIES
 from nscc.program.table import TooMuch
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 
 Times = tuple[tuple[int, float], ...]
 """For each bucket: the number of open slots, and their total length in microseconds."""
@@ -27,7 +27,9 @@ class Untold:
     states: tuple[str, ...]
 
 
-def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine, Untold | None]:
+def with_open_times(
+    machine: StateMachine, slot_us: Sequence[float]
+) -> tuple[StateMachine, Untold | None]:
     """The machine with `open_us` and `open_slots`, or an Untold. Raises TooMuch for too many
     different times."""
     times = _times(machine, np.array(slot_us, np.float64))
@@ -43,7 +45,7 @@ def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine
     return replace(machine, open_slots=open_slots, open_us=open_us), None
 
 
-def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
+def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
     """For each node, the possible open times at the end of its stage."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
@@ -69,7 +71,7 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
 
 
 def _differing(
-    machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
+    machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
     """The first bucket whose time is not determined by code and these states; None if all are."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
@@ -88,7 +90,7 @@ def _differing(
 
 
 def _missing(
-    machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
+    machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> tuple[str, ...]:
     unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
     for added in _choices(unread):

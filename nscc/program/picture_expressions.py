@@ -86,7 +86,7 @@ class Reader:
                 )  # fmt: skip
             case tree.Call():
                 return self._call(expr)
-        raise self._wrong(
+        raise self._report(
             "NS0531", "this is not an image", expr.span, "no image",
             ("an image is made of `exposure`, buckets and images by `+`, `-`, `* integer`, "
              "`/ power of two`, kernels, `abs(..)` and `A if PLANE else B`",),
@@ -97,7 +97,7 @@ class Reader:
         if text == "exposure":
             if len(self.buckets) == 1:
                 return p.Source(self.buckets[0])
-            raise self._wrong(
+            raise self._report(
                 "NS0323", "this program has several buckets", name.span, "whose exposure?",
                 (f"name the bucket: `{self.buckets[0]}`",),
             )  # fmt: skip
@@ -105,7 +105,7 @@ class Reader:
         if kind == "image":
             return p.Source(text)
         if kind == "plane":
-            raise self._wrong(
+            raise self._report(
                 "NS0531", f"`{text}` is a plane, and an image belongs here", name.span, "a plane",
                 (f"choose by it: `A if {text} else B`",),
             )  # fmt: skip
@@ -113,34 +113,34 @@ class Reader:
             return p.Source(text)
         raise self._unknown("an image or a bucket", name, "image")
 
-    def _scaled(self, expr: tree.Binary, left: tree.Expr, right: tree.Expr) -> p.Value:
-        if expr.op == "*" and self._is_number(left):
-            left, right = right, left
-        if not self._is_number(right):
-            raise self._wrong(
+    def _scaled(self, expr: tree.Binary, image: tree.Expr, factor: tree.Expr) -> p.Value:
+        if expr.op == "*" and self._is_number(image):
+            image, factor = factor, image
+        if not self._is_number(factor):
+            raise self._report(
                 "NS0531", "images are multiplied and divided by integers only", expr.span,
-                "two images" if not self._is_number(left) else "divided by an image",
+                "two images" if not self._is_number(image) else "divided by an image",
                 ("a pixel adds, subtracts and halves; it has no product of two values",),
             )  # fmt: skip
-        number = constant(right, self.constants, self.problems, "a factor")
+        number = constant(factor, self.constants, self.problems, "a factor")
         if number is None:
             raise _Wrong
         if expr.op == "*":
-            return _sum((Fraction(number), self._image(left)))
+            return _sum((Fraction(number), self._image(image)))
         if number < 1 or number & (number - 1):
-            raise self._no_power(number, right.span)
-        return _sum((Fraction(1, number), self._image(left)))
+            raise self._no_power(number, factor.span)
+        return _sum((Fraction(1, number), self._image(image)))
 
     def _no_power(self, number: int, span: Span) -> _Wrong:
         helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
         fixes: tuple[Fix, ...] = ()
         if number > 0:
-            near = nearest_power(number)
-            percent = 100 * abs(number / near - 1)
-            helps = (f"`/ {near}` changes the result by {percent:.0f} %", *helps)
-            fixes = (Fix(f"divide by {near}", span, str(near), sure=False),)
+            power = nearest_power(number)
+            percent = 100 * abs(number / power - 1)
+            helps = (f"`/ {power}` changes the result by {percent:.0f} %", *helps)
+            fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
         notes = ("one word halves a value; there is no other division",)
-        return self._wrong(
+        return self._report(
             "NS0532", f"a pixel cannot divide by {number}", span, "no power of two", helps,
             notes=notes, fixes=fixes,
         )  # fmt: skip
@@ -148,12 +148,12 @@ class Reader:
     def _call(self, call: tree.Call) -> p.Value:
         name, arguments = call.function.text, call.arguments
         if name in ("agree", "max", "min"):
-            raise self._wrong(
+            raise self._report(
                 "NS0539", f"`{name}` of images is not supported yet", call.span, "not yet",
                 ("use sums, kernels, `abs(..)` and `A if PLANE else B`",),
             )  # fmt: skip
         if name in ("any", "all"):
-            raise self._wrong(
+            raise self._report(
                 "NS0531", f"`{name}` makes a plane, and an image belongs here", call.span,
                 "a plane", (f"declare it: `plane p = {name}(..)`, then choose: `A if p else B`",),
             )  # fmt: skip
@@ -162,7 +162,7 @@ class Reader:
                 raise _Wrong
             raise self._unknown("a kernel", call.function, "kernel")
         if len(arguments) != 1:
-            raise self._wrong(
+            raise self._report(
                 "NS0531", f"`{name}` takes one image", call.span, f"{len(arguments)} are given",
                 (f"write `{name}(EXPR)`",),
             )  # fmt: skip
@@ -180,8 +180,8 @@ class Reader:
             case tree.Unary(op="not"):
                 return p.Inverse(self._condition(expr.operand))
             case tree.Binary(op="and" | "or" | "xor" as op):
-                left, right = self._condition(expr.left), self._condition(expr.right)
-                return p.Joined(cast(Any, op), left, right)
+                first, second = self._condition(expr.left), self._condition(expr.right)
+                return p.Joined(cast(Any, op), first, second)
             case tree.Compare():
                 return self._compare(expr)
             case tree.Place():
@@ -192,8 +192,8 @@ class Reader:
                     raise _Wrong
                 return p.At(self._named_plane(expr.base), x, y)
             case tree.Call():
-                return self._near(expr)
-        raise self._wrong(
+                return self._any_or_all(expr)
+        raise self._report(
             "NS0531", "this is not a plane", expr.span, "no condition",
             ("a plane is made of comparisons such as `image > 6%`, planes, `and`, `or`, `xor`, "
              "`not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",),
@@ -204,24 +204,24 @@ class Reader:
         if kind == "plane":
             return p.Bit(name.text)
         if kind == "image" or name.text in (*self.buckets, "exposure"):
-            raise self._wrong(
+            raise self._report(
                 "NS0531", f"`{name.text}` is an image, and a plane belongs here", name.span,
                 "an image", (f"compare it with a level: `{name.text} > 6%`",),
             )  # fmt: skip
         raise self._unknown("a plane", name, "plane")
 
-    def _near(self, call: tree.Call) -> p.Condition:
+    def _any_or_all(self, call: tree.Call) -> p.Condition:
         kind = call.function.text
         if kind not in ("any", "all"):
             image = kind in self.kernels or kind in _FUNCTIONS
             if not image:
                 raise self._unknown("a function of planes", call.function, "function")
-            raise self._wrong(
+            raise self._report(
                 "NS0531", f"`{kind}(..)` is an image, and a plane belongs here", call.span,
                 "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
             )  # fmt: skip
         if len(call.arguments) != 2 or not isinstance(call.arguments[1], tree.Name):
-            raise self._wrong(
+            raise self._report(
                 "NS0531", f"`{kind}` takes a plane and a kernel", call.span, "these arguments",
                 (f"write `{kind}(PLANE, KERNEL)`",),
             )  # fmt: skip
@@ -244,37 +244,39 @@ class Reader:
         )  # fmt: skip
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
-        operands = (compare.first, *compare.rest)
-        found: p.Condition | None = None
-        for op, left, right in zip(compare.ops, operands[:-1], compare.rest, strict=True):
+        operands = (compare.first, *compare.later_operands)
+        condition: p.Condition | None = None
+        for op, first, second in zip(
+            compare.ops, operands[:-1], compare.later_operands, strict=True
+        ):
             if op in ("==", "!="):
-                raise self._wrong(
+                raise self._report(
                     "NS0533", "charges are compared by `>` and `<`", compare.span,
                     f"this is `{op}`",
                     ("a pixel compares with both sides of a small range: "
                      "`-2% < image < 2%`",),
                     notes=("no comparator can tell whether two charges are equal",),
                 )  # fmt: skip
-            one = self._one_comparison(op[0] == ">", left, right, compare.span)
-            found = one if found is None else p.Joined("and", found, one)
-        assert found is not None
-        return found
+            comparison = self._one_comparison(op[0] == ">", first, second, compare.span)
+            condition = comparison if condition is None else p.Joined("and", condition, comparison)
+        assert condition is not None
+        return condition
 
     def _one_comparison(
-        self, above: bool, left: tree.Expr, right: tree.Expr, span: Span
+        self, above: bool, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """`left > right` where `above`, else `left < right`; at least one side is an image."""
-        levels = [self._steps(each) for each in (left, right)]
+        """`first > second` where `above`, else `first < second`; at least one side is an image."""
+        levels = [self._steps(side) for side in (first, second)]
         if levels[0] is not None and levels[1] is not None:
-            raise self._wrong(
+            raise self._report(
                 "NS0533", "a comparison has an image on at least one side", span, "two levels",
                 ("compare an image with a level: `image > 6%`",),
             )  # fmt: skip
         if levels[0] is not None:
-            return self._one_comparison(not above, right, left, span)
-        value = self._image(left)
+            return self._one_comparison(not above, second, first, span)
+        value = self._image(first)
         if levels[1] is None:
-            value, above = _sum((Fraction(1), value), (Fraction(-1), self._image(right))), above
+            value, above = _sum((Fraction(1), value), (Fraction(-1), self._image(second))), above
         test = p.Above(value, levels[1] or 0)
         return test if above else p.Inverse(test)
 
@@ -286,7 +288,7 @@ class Reader:
         if isinstance(inner, tree.Int):
             if inner.value == 0:
                 return 0
-            raise self._wrong(
+            raise self._report(
                 "NS0533", "a level has a unit", expr.span, "without a unit",
                 (f"write `{inner.value}%` of a full well, `{inner.value}e` or `{inner.value}lsb`; "
                  "only `0` needs none",),
@@ -299,7 +301,7 @@ class Reader:
         reach = min(target.in_high, -target.in_low)
         if abs(steps) > reach or steps == 0 != electrons:
             least, most = target.electrons_per_step, reach * target.electrons_per_step
-            raise self._wrong(
+            raise self._report(
                 "NS0533", f"IN cannot be {electrons:g} e", expr.span, "this level",
                 (f"give a level from {100 * least / target.full_well_e:.3g}% to "
                  f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
@@ -322,18 +324,18 @@ class Reader:
                 return self._is_number(expr.left) and self._is_number(expr.right)
         return False
 
-    def _unknown(self, what: str, name: tree.Name, kind: str) -> _Wrong:
+    def _unknown(self, category: str, name: tree.Name, kind: str) -> _Wrong:
         text = name.text
         if text in self.failed or text in self.declared.refused:
             return _Wrong()
-        later = [each for each in self.declared.pictures if each.name.text == text]
+        later = [picture for picture in self.declared.pictures if picture.name.text == text]
         if later:
-            return self._wrong(
+            return self._report(
                 "NS0531", f"`{text}` is declared further down", name.span, "not computed yet",
                 ("images and planes are computed in the order of the text: move it up",),
             )  # fmt: skip
         if text in (*self.declared.senses, *self.declared.states):
-            return self._wrong(
+            return self._report(
                 "NS0539", f"`{text}` in images and planes is not supported yet", name.span,
                 "not yet", ("use exposures, images and planes",),
             )  # fmt: skip
@@ -342,13 +344,19 @@ class Reader:
             "function": ["any", "all"],
             "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
         }.get(kind, [*self.buckets, *(n for n, k in self.kinds.items() if k == "image")])
-        self.problems.unknown(what, text, name.span, known)
+        self.problems.unknown(category, text, name.span, known)
         return _Wrong()
 
-    def _wrong(
-        self, code: str, message: str, span: Span, label: str, helps: tuple[str, ...], **more: Any
+    def _report(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        label: str,
+        helps: tuple[str, ...],
+        **details: Any,
     ) -> _Wrong:
-        self.problems.error(code, message, span, label, helps=helps, **more)
+        self.problems.error(code, message, span, label, helps=helps, **details)
         return _Wrong()
 
 
@@ -362,12 +370,12 @@ def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
     """A sum without sums in it, and without terms that add nothing."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
-        parts = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
-        flat += [(factor * inner, part) for inner, part in parts]
+        terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
+        flat += [(factor * inner, term) for inner, term in terms_of_value]
     merged: dict[p.Value, Fraction] = {}
     for factor, value in flat:
         merged[value] = merged.get(value, Fraction(0)) + factor
-    kept = tuple((factor, value) for value, factor in merged.items() if factor)
-    if len(kept) == 1 and kept[0][0] == 1:
-        return kept[0][1]
-    return p.Sum(kept)
+    nonzero = tuple((factor, value) for value, factor in merged.items() if factor)
+    if len(nonzero) == 1 and nonzero[0][0] == 1:
+        return nonzero[0][1]
+    return p.Sum(nonzero)

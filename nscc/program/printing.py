@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nscc.program.problems import counted
-from nscc.program.program import Field, Frame, Program
+from nscc.program.program import Field, Program, SlotGrid
 
 _MOST_SHUTTERS = 64
 _MOST_SLOTS = 256
@@ -32,7 +32,7 @@ def print_program(program: Program) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _frame_text(frame: Frame) -> str:
+def _frame_text(frame: SlotGrid) -> str:
     total = f"{sum(frame.slot_us):g} us in all"
     slots = counted(len(frame.slot_us), "slot")
     if frame.equal:

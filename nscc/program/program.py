@@ -12,7 +12,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 from nscc.words.pictures import Pictures
 
 Codes = Literal["fixed", "open"]
@@ -39,7 +39,7 @@ class Field:
 
 
 @dataclass(frozen=True)
-class Frame:
+class SlotGrid:
     """The time grid: the length of every slot in microseconds."""
 
     slot_us: tuple[float, ...]
@@ -74,7 +74,7 @@ class Program:
     source: Source
     target: Target
     target_span: Span | None
-    frame: Frame
+    frame: SlotGrid
     fields: tuple[Field, ...]
     buckets: tuple[BucketRule, ...]
     mode: Codes
@@ -84,7 +84,7 @@ class Program:
     class_name: str
     class_reason: str
     messages: tuple[Diagnostic, ...]
-    machine: Machine | None = None
+    machine: StateMachine | None = None
     pictures: Pictures | None = None
 
     def __repr__(self) -> str:

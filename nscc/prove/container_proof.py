@@ -40,7 +40,7 @@ def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
         raise rejected(
             "NS0440",
             f"the {subject} of '{path.as_posix()}' do not match its decode table: "
-            f"{proof.failure.what} ({_failure_place(proof.failure)})",
+            f"{proof.failure.reason} ({_failure_place(proof.failure)})",
             notes=proof.failure.doubts,
             helps=("build the program again; `nscc diff` shows which words changed",),
             data={

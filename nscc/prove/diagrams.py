@@ -58,12 +58,12 @@ class Diagrams:
         """A number that is not 0 among a diagram's leaves, the same for equal diagrams; 0 for the
         diagram that is 0."""
         stack = [node]
-        seen = set()
+        visited = set()
         while stack:
             node = stack.pop()
-            if node in seen:
+            if node in visited:
                 continue
-            seen.add(node)
+            visited.add(node)
             variable, low, high = self._nodes[node]
             if variable != _LEAF:
                 stack += (high, low)
@@ -73,14 +73,14 @@ class Diagrams:
 
     def support(self, node: int) -> frozenset[int]:
         """The variables that a diagram depends on."""
-        found = self._support.get(node)
-        if found is None:
+        variables = self._support.get(node)
+        if variables is None:
             variable, low, high = self._nodes[node]
-            found = frozenset()
+            variables = frozenset()
             if variable != _LEAF:
-                found = self.support(low) | self.support(high) | {variable}
-            self._support[node] = found
-        return found
+                variables = self.support(low) | self.support(high) | {variable}
+            self._support[node] = variables
+        return variables
 
     def add(self, a: int, b: int) -> int:
         """The sum of two numbers."""
@@ -124,20 +124,20 @@ class Diagrams:
         self, name: str, a: int, b: int, op: Callable[[Fraction, Fraction], Fraction]
     ) -> int:
         key = (name, a, b)
-        found = self._known.get(key)
-        if found is None:
+        result = self._known.get(key)
+        if result is None:
             (va, la, ha), (vb, lb, hb) = self._nodes[a], self._nodes[b]
             if va == vb == _LEAF:
-                found = self.leaf(op(self._values[a], self._values[b]))
+                result = self.leaf(op(self._values[a], self._values[b]))
             else:
-                asked = (v for v in (va, vb) if v != _LEAF)
-                top = min(asked, key=self._order.__getitem__)
+                tested = (v for v in (va, vb) if v != _LEAF)
+                top = min(tested, key=self._order.__getitem__)
                 lows = la if va == top else a, lb if vb == top else b
                 highs = ha if va == top else a, hb if vb == top else b
                 low = self._apply(name, *lows, op)
-                found = self._node(top, low, self._apply(name, *highs, op))
-            self._known[key] = found
-        return found
+                result = self._node(top, low, self._apply(name, *highs, op))
+            self._known[key] = result
+        return result
 
     def _node(self, variable: int, low: int, high: int) -> int:
         if low == high:

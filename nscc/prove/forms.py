@@ -54,12 +54,12 @@ class Forms:
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
         """The sum of forms times factors."""
         diagrams = self.diagrams
-        found: dict[Unknown, int] = {}
+        total: dict[Unknown, int] = {}
         for factor, form in terms:
             for unknown, number in form.items():
                 scaled = number if factor == 1 else diagrams.scaled(factor, number)
-                found[unknown] = diagrams.add(found.get(unknown, diagrams.zero), scaled)
-        return {unknown: number for unknown, number in found.items() if number != diagrams.zero}
+                total[unknown] = diagrams.add(total.get(unknown, diagrams.zero), scaled)
+        return {unknown: number for unknown, number in total.items() if number != diagrams.zero}
 
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
         """One form where a bit is 1, another one where it is 0."""
@@ -69,11 +69,11 @@ class Forms:
         if bit == diagrams.zero or then == otherwise:
             return otherwise
         zero = diagrams.zero
-        found = {
+        numbers = {
             unknown: diagrams.chosen(bit, then.get(unknown, zero), otherwise.get(unknown, zero))
             for unknown in then.keys() | otherwise.keys()
         }
-        return {unknown: number for unknown, number in found.items() if number != zero}
+        return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def positive(self, form: Form, at: tuple[int, int]) -> int:
         """The bit that says whether a form of the pixel `at` is above 0.

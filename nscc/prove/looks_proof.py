@@ -27,13 +27,13 @@ from nscc.prove.pixels import (
     WRONG_CODE,
     WRONG_EXPOSURE,
     Bits,
-    Pixels,
+    ReplayError,
+    ReplayPixels,
     Values,
-    Wrong,
 )
 from nscc.truth import rows
 from nscc.words.container import Container
-from nscc.words.machine import LIGHT, Machine
+from nscc.words.machine import LIGHT, StateMachine
 
 MOST_LANES = 10**7
 """Most transitions to follow in a frame."""
@@ -42,14 +42,14 @@ _DIGITS = 1e8
 """Rests that differ by less than this fraction of the frame's light are equal."""
 
 
-class Looks(Pixels):
+class Looks(ReplayPixels):
     """The lanes of a container's machine during the proof. For each lane: `node` and the `outcome`
     of the current look so far, int64 (lanes,); `due` (lanes, buckets), the program's exposures;
     `since` (lanes,), its `light`; `exact` bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None
-        self.machine: Machine = container.machine
+        self.machine: StateMachine = container.machine
         self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)
         encoding = container.encoding[self.machine.behaviour[nodes]]
@@ -82,14 +82,14 @@ class Looks(Pixels):
             bits = dict(zip(planes.values, planes.bits, strict=True))
             values = self.machine.values[self.node, k].tolist()
             if not bits.keys() >= set(values):
-                raise Wrong(f"no bits represent some value of the state `{state.name}`")
+                raise ReplayError(f"no bits represent some value of the state `{state.name}`")
             value_rows = np.array([bits[value] for value in values], np.bool_)
             registers = value_rows.reshape(len(values), -1)
             known_registers |= zip(planes.registers, self.known(registers), strict=True)
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises Wrong at the first error."""
+        """Run one frame in `light` (N,); raises ReplayError at the first error."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
@@ -100,7 +100,7 @@ class Looks(Pixels):
             self.run_launches(boundary)
             if self.pending:
                 level = machine.at(boundary)[self.pending[0]].level
-                raise Wrong(
+                raise ReplayError(
                     f"no comparison uses the level of {level} steps of IN at boundary {boundary}"
                 )
             if looks:
@@ -129,20 +129,20 @@ class Looks(Pixels):
         gains = {readout.bucket: readout for readout in self.container.readouts}
         for bucket, name in enumerate(self.container.buckets):
             if name not in gains:
-                raise Wrong("no register is read out", name)
+                raise ReplayError("no register is read out", name)
             value = self.analog[gains[name].register] * gains[name].gain
             right = self._amounts_to(value, bucket, self.due[:, bucket])
             if not right.all():
                 worst = int(self.machine.behaviour[self.node[int(np.argmin(right))]])
-                raise Wrong(WRONG_EXPOSURE, name, worst)
+                raise ReplayError(WRONG_EXPOSURE, name, worst)
         states = self._state_bits(kept_only=False)
         for register, bits in states.items():
             if self.read(register) != bits:
-                raise Wrong(f"{register} does not hold its state at the end of the frame")
+                raise ReplayError(f"{register} does not hold its state at the end of the frame")
         encoding = self.container.encoding[self.machine.behaviour[self.node]]
         for register, bits in self.code_bits(encoding).items():
             if register not in states and self.read(register) != bits:
-                raise Wrong(WRONG_CODE)
+                raise ReplayError(WRONG_CODE)
 
     def _next_frame(self) -> None:
         """Set the initial nodes of the next frame from the kept states."""
@@ -155,7 +155,7 @@ class Looks(Pixels):
     def compare(self, word: Op) -> Bits:
         """Check a comparison of the program and split all lanes by its answer."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
-            raise Wrong(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
+            raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)
         comparisons = self.machine.at(self._boundary)
         for number in self.pending:
@@ -165,7 +165,7 @@ class Looks(Pixels):
                 if self._is(total if above else -total, comparison.signal, level_e):
                     self.pending.remove(number)
                     return self._follow_both(number, above)
-        raise Wrong(
+        raise ReplayError(
             f"`{word}` compares a sum that is not a signal and its level, at boundary "
             f"{self._boundary}"
         )
@@ -194,7 +194,7 @@ class Looks(Pixels):
         count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:
-            raise Wrong(f"the proof needs more than {MOST_LANES} transitions")
+            raise ReplayError(f"the proof needs more than {MOST_LANES} transitions")
         self.choose(np.tile(np.arange(count), 2))
         self.outcome |= np.repeat([0, 1], count) << number
         no = (1 << count) - 1

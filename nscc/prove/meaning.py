@@ -21,9 +21,9 @@ class Reach(NamedTuple):
     up: int = 0
     down: int = 0
 
-    def joined(self, other: Reach) -> Reach:
+    def joined(self, reach: Reach) -> Reach:
         """What one of two values depends on."""
-        return Reach(*map(max, self, other))
+        return Reach(*map(max, self, reach))
 
     def moved(self, right: int, down: int) -> Reach:
         """The reach of a value of the pixel so far away."""
@@ -35,15 +35,15 @@ class Reach(NamedTuple):
 
 def reaches(pictures: p.Pictures) -> dict[str, Reach]:
     """The reach of every image and plane by the text."""
-    found: dict[str, Reach] = {}
+    reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
 
     def reach(node: p.Node) -> Reach:
         if isinstance(node, p.Source | p.Bit):
-            return found.get(node.name, Reach())
+            return reach_of.get(node.name, Reach())
         joined = Reach()
-        for part in p.operands(node):
-            joined = joined.joined(reach(part))
+        for operand in p.operands(node):
+            joined = joined.joined(reach(operand))
         match node:
             case p.Filtered() | p.Near():
                 moved = [joined.moved(*place) for place in weights[node.kernel].taps]
@@ -53,11 +53,11 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
         return joined
 
     for item in pictures.items:
-        found[item.name] = reach(item.node)
-    return found
+        reach_of[item.name] = reach(item.node)
+    return reach_of
 
 
-class Meaning:
+class PictureMeaning:
     """The images and planes of a text on the array of `forms`.
 
     Images are also defined beyond the array, where they depend on light there: a kernel may reach
@@ -81,10 +81,10 @@ class Meaning:
 
     def image(self, value: p.Value, at: Place) -> Form:
         """An image at a place."""
-        found = self._images.get((id(value), at))
-        if found is None:
-            found = self._images[id(value), at] = self._image(value, at)
-        return found
+        form = self._images.get((id(value), at))
+        if form is None:
+            form = self._images[id(value), at] = self._image(value, at)
+        return form
 
     def _image(self, value: p.Value, at: Place) -> Form:
         forms, (x, y) = self.forms, at
@@ -96,7 +96,7 @@ class Meaning:
                     return self.image(node, at)
                 return forms.exposure(value.name, x, y) if forms.inside(x, y) else forms.beyond()
             case p.Sum():
-                return forms.sum(*((factor, self.image(part, at)) for factor, part in value.terms))
+                return forms.sum(*((factor, self.image(term, at)) for factor, term in value.terms))
             case p.Filtered():
                 taps = self.weights[value.kernel].taps.items()
                 return forms.sum(
@@ -118,10 +118,10 @@ class Meaning:
         """A plane at a place."""
         if not self.forms.inside(*at):
             return self.outside
-        found = self._bits.get((id(condition), at))
-        if found is None:
-            found = self._bits[id(condition), at] = self._bit(condition, at)
-        return found
+        diagram = self._bits.get((id(condition), at))
+        if diagram is None:
+            diagram = self._bits[id(condition), at] = self._bit(condition, at)
+        return diagram
 
     def _bit(self, condition: p.Condition, at: Place) -> int:
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
@@ -140,15 +140,19 @@ class Meaning:
                 return diagrams.inverse(self.bit(condition.condition, at))
             case p.Joined():
                 join = {"and": diagrams.times, "or": diagrams.either, "xor": diagrams.differs}
-                left, right = self.bit(condition.left, at), self.bit(condition.right, at)
-                return join[condition.op](left, right)
+                first, second = self.bit(condition.first, at), self.bit(condition.second, at)
+                return join[condition.op](first, second)
             case p.At():
                 return self.bit(condition.condition, (x + condition.right, y + condition.down))
             case p.Near():
-                every = condition.kind == "all"
-                found = diagrams.one if every else diagrams.zero
+                is_all = condition.kind == "all"
+                diagram = diagrams.one if is_all else diagrams.zero
                 for dx, dy in self.weights[condition.kernel].taps:
-                    near = self.bit(condition.condition, (x + dx, y + dy))
-                    found = diagrams.times(found, near) if every else diagrams.either(found, near)
-                return found
+                    neighbour_bit = self.bit(condition.condition, (x + dx, y + dy))
+                    diagram = (
+                        diagrams.times(diagram, neighbour_bit)
+                        if is_all
+                        else diagrams.either(diagram, neighbour_bit)
+                    )
+                return diagram
         assert_never(condition)

@@ -22,7 +22,7 @@ from operator import attrgetter
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op, Phase, WordEffect
 from nscc.prove.noise import Noise
 from nscc.truth import columns, members, rows
 from nscc.words.container import Container
@@ -42,15 +42,15 @@ WRONG_EXPOSURE = "exposure differs from the sum of light over the open slots"
 WRONG_CODE = "the code registers do not hold their code at the end of the frame"
 
 
-class Wrong(Exception):
+class ReplayError(Exception):
     """What the words do wrong: in words, and in which bucket and shutter."""
 
-    def __init__(self, what: str, bucket: str | None = None, shutter: int | None = None) -> None:
-        super().__init__(what)
-        self.what, self.bucket, self.shutter = what, bucket, shutter
+    def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
+        super().__init__(reason)
+        self.reason, self.bucket, self.shutter = reason, bucket, shutter
 
 
-class Pixels:
+class ReplayPixels:
     """Pixels of a container, and the words that they run, over consecutive frames.
 
     `kernels` are the container's words, decoded; `encoding` bool (lanes, registers) is what the
@@ -158,46 +158,46 @@ class Pixels:
     def run(self, word: Op) -> None:
         """Runs a word in every lane."""
         match word.operation.effect:
-            case Effect.RESET_PIX:
+            case WordEffect.RESET_PIX:
                 self._reset()
-            case Effect.BUS:
+            case WordEffect.BUS:
                 self._bus(word)
-            case Effect.FLAG_ALL:
+            case WordEffect.FLAG_ALL:
                 self.write("FLAG", (self.everything, 0))
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ANALOG:
                 self.write("FLAG", self.compare(word))
-            case Effect.FLAG_DIGITAL:
-                self.write("FLAG", self._some(word))
-            case Effect.DIGITAL:
+            case WordEffect.FLAG_DIGITAL:
+                self.write("FLAG", self._or_sources(word))
+            case WordEffect.DIGITAL:
                 self._digital(word)
 
     def _reset(self) -> None:
-        where: Lanes = slice(None)
+        lanes: Lanes = slice(None)
         unsure = None
         if self.target.reset_honours_flag != "no":
-            where, unsure = self._flagged("rpix")
+            lanes, unsure = self._flagged("rpix")
         if self.target.reset_honours_flag == "unknown":
             unflagged = self.everything & ~self.read("FLAG")[0]
             unsure = members(unflagged, self.lanes) if unflagged else None
-        self._store("PIX", self._reset_level, where, unsure)
+        self._store("PIX", self._reset_level, lanes, unsure)
 
     def _bus(self, word: Op) -> None:
-        where, unsure = self._flagged(str(word))
-        value = self.total(word, where) / -word.operation.divisor
+        lanes, unsure = self._flagged(str(word))
+        value = self.total(word, lanes) / -word.operation.divisor
         for name in word.destinations:
-            self._store(name, value, where, unsure)
+            self._store(name, value, lanes, unsure)
 
-    def _store(self, name: str, value: Values, where: Lanes, unsure: Lanes | None) -> None:
-        self.analog[name][where] = value
+    def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
+        self.analog[name][lanes] = value
         if unsure is not None:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
 
-    def total(self, word: Op, where: Lanes = slice(None)) -> Values:
+    def total(self, word: Op, lanes: Lanes = slice(None)) -> Values:
         """The sum of a word's analog sources (lanes, parts)."""
         if not word.sources:
             return np.zeros((1, self.parts))
-        first, *others = (self.analog[name][where] for name in word.sources)
-        return sum(others, first)
+        first, *further_sources = (self.analog[name][lanes] for name in word.sources)
+        return sum(further_sources, first)
 
     def compare(self, word: Op) -> Bits:
         """What a comparison of analog values leaves in FLAG: it depends on the light."""
@@ -209,9 +209,9 @@ class Pixels:
         """Lanes whose FLAG is 1 and, if there are any, those whose FLAG is unknown."""
         flag = self.read("FLAG")
         if flag != self._split[0]:
-            one, zero = flag
-            ones = slice(None) if one == self.everything else members(one, self.lanes)
-            unsure = self.everything & ~(one | zero)
+            known_1, known_0 = flag
+            ones = slice(None) if known_1 == self.everything else members(known_1, self.lanes)
+            unsure = self.everything & ~(known_1 | known_0)
             self._split = flag, ones, members(unsure, self.lanes) if unsure else None
         if self._split[2] is not None:
             self._doubt(f"FLAG is unknown to `{word}` in some pixels")
@@ -222,7 +222,7 @@ class Pixels:
         if row.phase is Phase.WRITE:
             value = self.read("bus")
         else:
-            value = self._some(word)
+            value = self._or_sources(word)
             if row.inverted:
                 value = value[1], value[0]
             if row.phase is Phase.READ:
@@ -243,14 +243,14 @@ class Pixels:
             self._doubt(f"{name} has decayed{': no frame writes it anew' if never else ''}")
         return UNKNOWN
 
-    def _some(self, word: Op) -> Bits:
+    def _or_sources(self, word: Op) -> Bits:
         """The OR of a word's digital sources."""
-        one, zero = 0, self.everything
+        known_1, known_0 = 0, self.everything
         for name in word.sources:
             ones, zeros = self.read(name)
-            one |= ones
-            zero &= zeros
-        return one, zero
+            known_1 |= ones
+            known_0 &= zeros
+        return known_1, known_0
 
     def write(self, name: str, value: Bits, mask: str | None = None) -> None:
         """Writes a register; where the register `mask` is 0 it keeps its own bit."""
@@ -260,15 +260,15 @@ class Pixels:
             self._written_us[name] = self._now_us
             self._never_written.discard(name)
             return
-        one, zero = (
-            (on & new) | (off & kept) | (new & kept)
-            for new, kept in zip(value, self.read(name), strict=True)
+        known_1, known_0 = (
+            (on & new) | (off & old) | (new & old)
+            for new, old in zip(value, self.read(name), strict=True)
         )
-        self.bits[name] = one, zero
+        self.bits[name] = known_1, known_0
 
-    def _doubt(self, what: str) -> None:
+    def _doubt(self, reason: str) -> None:
         if len(self.doubts) < _MOST_DOUBTS:
-            self.doubts.append(f"{what}, at boundary {self._boundary} of frame {self._frame}")
+            self.doubts.append(f"{reason}, at boundary {self._boundary} of frame {self._frame}")
 
 
 _SEED = 20201

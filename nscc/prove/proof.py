@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from nscc.operations import Op
 from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
-from nscc.prove.pixels import Wrong
+from nscc.prove.pixels import ReplayError
 from nscc.prove.readout import readout_fault
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
@@ -35,7 +35,7 @@ class Failure:
     `doubts` are places where bits became unknown, and so perhaps the cause.
     """
 
-    what: str
+    reason: str
     frame: int
     bucket: str | None = None
     shutter: int | None = None
@@ -69,8 +69,8 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
         if fault is not None:
-            what = f"the target does not support the word `{operation}`: {fault}"
-            return Proof(codes, slots, 0, Failure(what, 0))
+            reason = f"the target does not support the word `{operation}`: {fault}"
+            return Proof(codes, slots, 0, Failure(reason, 0))
     looks = container.machine is not None
     replay = Looks(container, kernels) if looks else Replay(container, kernels)
     noise = Noise(LIGHT_SEED)
@@ -78,8 +78,10 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     for frame in range(1, FRAMES + 1):
         try:
             replay.prove_frame(noise.levels(slots, 1)[:, 0])
-        except Wrong as wrong:
-            failure = Failure(wrong.what, frame, wrong.bucket, wrong.shutter, tuple(replay.doubts))
+        except ReplayError as wrong:
+            failure = Failure(
+                wrong.reason, frame, wrong.bucket, wrong.shutter, tuple(replay.doubts)
+            )
             break
     return Proof(codes, slots, FRAMES, failure or _after_frame(container), replay.transitions)
 
@@ -91,7 +93,7 @@ def _after_frame(container: Container) -> Failure | None:
         return Failure(fault[1], FRAMES, fault[0])
     if container.pictures is None:
         return None
-    from nscc.prove.pictures import pictures_fault
+    from nscc.prove.pictures_proof import pictures_fault
 
-    found = pictures_fault(container)
-    return Failure(found, FRAMES) if found else None
+    picture_reason = pictures_fault(container)
+    return Failure(picture_reason, FRAMES) if picture_reason else None

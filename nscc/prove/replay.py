@@ -8,11 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.operations import Op
-from nscc.prove.pixels import TOLERANCE, WRONG_CODE, WRONG_EXPOSURE, Pixels, Values, Wrong
+from nscc.prove.pixels import (
+    TOLERANCE,
+    WRONG_CODE,
+    WRONG_EXPOSURE,
+    ReplayError,
+    ReplayPixels,
+    Values,
+)
 from nscc.words.container import Container
 
 
-class Replay(Pixels):
+class Replay(ReplayPixels):
     """The simulated pixels of all codes."""
 
     def __init__(
@@ -39,18 +46,18 @@ class Replay(Pixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises Wrong if it differs from the decode table."""
+        """Run one frame in `light` (N,); raises ReplayError if it differs from the decode table."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
             if bucket not in measured:
-                raise Wrong("no register is read out", bucket)
+                raise ReplayError("no register is read out", bucket)
             expected = _sums(table.shutters[:, index, :], light)
             differs = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
             if differs.any():
-                raise Wrong(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
+                raise ReplayError(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
         if any(self.read(name) != bits for name, bits in self.code.items()):
-            raise Wrong(WRONG_CODE)
+            raise ReplayError(WRONG_CODE)
 
 
 def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:

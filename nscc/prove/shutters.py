@@ -55,7 +55,7 @@ def _sent(container: Container, name: str) -> NDArray[np.bool_]:
         return container.table.shutters
     raise rejected(
         "NS0442",
-        f"the planes of {name} do not match its decode table: {proof.failure.what}",
+        f"the planes of {name} do not match its decode table: {proof.failure.reason}",
         helps=("build the program again",),
         status=1,
     )

@@ -57,39 +57,43 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         if depth > MOST_DEPTH:
             raise _too_deep(span_of(last))
         make = _OF_NODES.get(data)
-        parts: list[Token | _Part] | list[_Part] = nodes
+        arguments: list[Token | _Part] | list[_Part] = nodes
         if make is None:
-            make, parts = _OF_ALL[data], children
+            make, arguments = _OF_ALL[data], children
         span = Span(span_of(first).start, span_of(last).end)
-        return _Part(make(span, *[part.value for part in parts]), depth, first, last)
+        return _Part(make(span, *[node.value for node in arguments]), depth, first, last)
 
 
-def _compare(span: Span, first: tree.Expr, *rest: Any) -> tree.Compare:
-    return tree.Compare(span, first, rest[::2], rest[1::2])
+def _compare(span: Span, first: tree.Expr, *operators_and_operands: Any) -> tree.Compare:
+    return tree.Compare(span, first, operators_and_operands[::2], operators_and_operands[1::2])
 
 
 def _from_file(make: Callable[..., Any]) -> Callable[..., Any]:
     """The maker of a statement with a file and its options, in any order."""
 
-    def made(span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text) -> Any:
+    def make_statement(
+        span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
+    ) -> Any:
         key = next((option for option in options if isinstance(option, tree.Name)), None)
         sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
         return make(span, name, path, key, sha256)
 
-    return made
+    return make_statement
 
 
-def _kernel(span: Span, name: tree.Name, *parts: Any) -> tree.Kernel:
+def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
     """Rows, and the divisor after them if there is one."""
-    divided = not isinstance(parts[-1], tree.TileRow)
-    rows, divisor = (parts[:-1], parts[-1]) if divided else (parts, None)
+    divided = not isinstance(rows_and_divisor[-1], tree.TileRow)
+    rows, divisor = (
+        (rows_and_divisor[:-1], rows_and_divisor[-1]) if divided else (rows_and_divisor, None)
+    )
     return tree.Kernel(span, name, rows, divisor)
 
 
-def _assume(span: Span, *parts: Any) -> tree.Assume:
+def _assume(span: Span, *children: Any) -> tree.Assume:
     """The texts of tokens: `assume exposure`, a bucket's node or nothing, a comparison, a level."""
-    bucket = next((part for part in parts if isinstance(part, tree.Name)), None)
-    comparison, level = parts[-2:]
+    bucket = next((child for child in children if isinstance(child, tree.Name)), None)
+    comparison, level = children[-2:]
     return tree.Assume(span, bucket, comparison, _amount(level, span))
 
 
@@ -102,20 +106,20 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
     return tests[0]
 
 
-def _state(span: Span, *parts: Any) -> tree.StateRange | tree.StateBit:
+def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
     """`kept` stands before the name or at the end."""
-    name, *values = [part for part in parts if part is not True]
-    kept = len(values) + 1 < len(parts)
+    name, *values = [child for child in children if child is not True]
+    is_kept = len(values) + 1 < len(children)
     if len(values) == 1:
-        return tree.StateBit(span, name, values[0], kept)
+        return tree.StateBit(span, name, values[0], is_kept)
     low, high, start = values
-    return tree.StateRange(span, name, low, high, start, kept)
+    return tree.StateRange(span, name, low, high, start, is_kept)
 
 
 def _amount(text: str, span: Span) -> tree.Amount:
     unit = next(unit for unit in ("%", "lsb", "e") if text.endswith(unit))
-    whole, _, decimals = text.removesuffix(unit).partition(".")
-    return tree.Amount(span, _whole_number(whole, span) + _decimals(decimals, span), unit)
+    integer_digits, _, decimals = text.removesuffix(unit).partition(".")
+    return tree.Amount(span, _whole_number(integer_digits, span) + _decimals(decimals, span), unit)
 
 
 _OF_ALL: dict[str, Callable[..., Any]] = {
@@ -127,14 +131,14 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
     "true": lambda span, _word: tree.Bool(span, True),
     "false": lambda span, _word: tree.Bool(span, False),
     "unary": tree.Unary,
-    "binary": lambda span, left, sign, right: tree.Binary(span, sign, left, right),
+    "binary": lambda span, first, sign, second: tree.Binary(span, sign, first, second),
     "compare": _compare,
     "amount": lambda span, text: _amount(text, span),
     "assume": _assume,
     "place": lambda span, base, _open, right, _comma, down, _close: tree.Place(
         span, base, right, down
     ),
-    "sense": lambda span, _sense, name, _when, signal, sign, level, _at, at: tree.Sense(
+    "sense": lambda span, _sense, name, _when_token, signal, sign, level, _at, at: tree.Sense(
         span, name, signal, sign, level, at
     ),
 }
@@ -201,9 +205,9 @@ def _whole_number(text: str, span: Span) -> int:
 
 def _microseconds(text: str, span: Span) -> Fraction:
     number = text.rstrip("nums")
-    whole, _, decimals = number.partition(".")
+    integer_digits, _, decimals = number.partition(".")
     unit_us = _UNIT_US[text[len(number) :]]
-    us = (_whole_number(whole, span) + _decimals(decimals, span)) * unit_us
+    us = (_whole_number(integer_digits, span) + _decimals(decimals, span)) * unit_us
     if us == 0:
         raise _refused("NS0112", "the slot length is zero", span, "give a time above zero")
     return us

@@ -67,13 +67,13 @@ def format_source(source: Source) -> str:
     file, errors = parse(source)
     if errors:
         raise Rejected(errors)
-    found = Source(source.name, _Writer(source, file).text())
-    again, wrong = parse(found)
-    if wrong or _bare(again.statements) != _bare(file.statements):
+    formatted = Source(source.name, _Writer(source, file).text())
+    again, new_errors = parse(formatted)
+    if new_errors or _bare(again.statements) != _bare(file.statements):
         raise AssertionError(f"formatting {source.name!r} would change its meaning")
-    if _comments(found) != _comments(source):
+    if _comments(formatted) != _comments(source):
         raise AssertionError(f"formatting {source.name!r} would change its comments")
-    return found.text
+    return formatted.text
 
 
 def _bare(value: object) -> object:
@@ -90,8 +90,8 @@ def _comments(source: Source) -> list[str]:
     gaps = zip(
         [0, *(span.end for span in spans)], [*(span.start for span in spans), None], strict=True
     )
-    found = (_COMMENT.findall(source.text[begin:end]) for begin, end in gaps)
-    return [comment.rstrip() for each in found for comment in each]
+    comments_by_gap = (_COMMENT.findall(source.text[begin:end]) for begin, end in gaps)
+    return [comment.rstrip() for comments in comments_by_gap for comment in comments]
 
 
 @dataclass
@@ -127,12 +127,12 @@ class _Writer:
             if line_ends == 0 and self.lines and not self.lines[-1].comment:
                 self.lines[-1].comment = text
             else:
-                self._part(line_ends)
+                self._separate(line_ends)
                 self.lines.append(_Line("", text))
             at = comment.end()
-        self._part(_line_ends(gap[at:]))
+        self._separate(_line_ends(gap[at:]))
 
-    def _part(self, line_ends: int) -> None:
+    def _separate(self, line_ends: int) -> None:
         if line_ends > 1 and self.lines and self.lines[-1] != _Line():
             self.lines.append(_Line())
 
@@ -149,8 +149,8 @@ def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
         span = tokens.span(k)
         gap = text[end : span.start]
         comments = tuple(
-            (line + _line_ends(gap[: found.start()]), found.group().rstrip())
-            for found in _COMMENT.finditer(gap)
+            (line + _line_ends(gap[: match.start()]), match.group().rstrip())
+            for match in _COMMENT.finditer(gap)
         )
         line += _line_ends(gap)
         close = k > begin and (sign or _close(kinds[begin], kinds[k - 1], kinds[k], k - begin))
@@ -178,13 +178,13 @@ def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
         if empty:
             yield from ("" for _ in run)
             continue
-        longest = max((len(each.text) for each in run if each.text and each.comment), default=0)
+        longest = max((len(line.text) for line in run if line.text and line.comment), default=0)
         column = max(_COMMENTS_AT, -(-(longest + 2) // 4) * 4)
-        for each in run:
+        for line in run:
             yield (
-                f"{each.text:{column}}{each.comment}"
-                if each.text and each.comment
-                else (each.text or each.comment)
+                f"{line.text:{column}}{line.comment}"
+                if line.text and line.comment
+                else (line.text or line.comment)
             )
 
 
@@ -195,9 +195,9 @@ def _statement_lines(tokens: list[_Token]) -> list[_Line]:
         if token.kind != "," or token.comments or after not in ("]", ")", "")
     ]  # fmt: skip
     rows = _Rows.of(tokens)
-    found = None if rows is None else rows.book() if rows.is_book else rows.tile()
-    if found is not None:
-        return found
+    table_lines = None if rows is None else rows.book() if rows.is_book else rows.tile()
+    if table_lines is not None:
+        return table_lines
     if any(token.comments for token in tokens):
         return _as_it_stands(tokens)
     return [_Line(text) for text in _wrapped(tokens, "")]
@@ -210,15 +210,15 @@ def _as_it_stands(tokens: Sequence[_Token]) -> list[_Line]:
     for token in tokens:
         comments |= dict(token.comments)
         runs.setdefault(token.line, []).append(token)
-    found = []
+    lines = []
     for number in sorted(runs.keys() | comments.keys()):
         run, comment = runs.get(number, []), comments.get(number, "")
         if not run:
-            found.append(_Line(_INDENT + comment))
+            lines.append(_Line(_INDENT + comment))
             continue
-        indent = "" if not found or [token.kind for token in run] == ["]"] else _INDENT
-        found.append(_Line(indent + _joined(run), comment))
-    return found
+        indent = "" if not lines or [token.kind for token in run] == ["]"] else _INDENT
+        lines.append(_Line(indent + _joined(run), comment))
+    return lines
 
 
 @dataclass
@@ -243,7 +243,7 @@ class _Rows:
         if not is_book and not (kinds[0] == "pixels" and "tile" in kinds):
             return None
         opening = kinds.index("[")
-        rows = _parts(tokens[opening + 1 : -1])
+        rows = _split_at_commas(tokens[opening + 1 : -1])
         if not all(rows):  # a comma at the end stayed, for the comment before it
             return None
         above: list[list[str]] = []
@@ -253,8 +253,8 @@ class _Rows:
             behind = [text for line, text in begin.comments if line == end.line]
             after.append("".join(behind))
             above.append([text for line, text in begin.comments if line != end.line])
-        told = sum(map(len, above)) + sum(map(bool, after))
-        if told != sum(len(token.comments) for token in tokens):
+        row_comments = sum(map(len, above)) + sum(map(bool, after))
+        if row_comments != sum(len(token.comments) for token in tokens):
             return None
         return cls(_joined(tokens[: opening + 1]), rows, above, after, is_book)
 
@@ -262,49 +262,49 @@ class _Rows:
         """A row a line; None for a single one."""
         if len(self.rows) == 1:
             return None
-        found = [_Line(self.head, self.after[0])]
+        lines = [_Line(self.head, self.after[0])]
         for row, above, after in zip(self.rows, self.above[:-1], self.after[1:], strict=True):
-            found += [_Line(_INDENT + text) for text in above]
-            found.append(_Line(f"{_INDENT}{_joined(row)},", after))
-        return [*found, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
+            lines += [_Line(_INDENT + text) for text in above]
+            lines.append(_Line(f"{_INDENT}{_joined(row)},", after))
+        return [*lines, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
 
     def tile(self) -> list[_Line] | None:
         """A row a line, each value under that above it; None where that does not fit."""
         if self.above[0] or self.above[-1] or self.after[0]:
             return None
-        values = [[_joined(value) for value in _parts(row[1:-1])] for row in self.rows]
+        values = [[_joined(value) for value in _split_at_commas(row[1:-1])] for row in self.rows]
         columns = max(map(len, values))
         widths = [max(len(row[k]) for row in values if k < len(row)) for k in range(columns)]
         if len(self.head) + sum(widths) + 2 * columns + 2 > WIDTH:
             return None
-        found: list[_Line] = []
+        lines: list[_Line] = []
         for k, (row, after) in enumerate(zip(values, self.after[1:], strict=True)):
-            found += [_Line(" " * len(self.head) + text) for text in self.above[k]]
+            lines += [_Line(" " * len(self.head) + text) for text in self.above[k]]
             cells = ", ".join(f"{value:>{widths[i]}}" for i, value in enumerate(row))
-            begin = " " * len(self.head) if found else self.head
+            begin = " " * len(self.head) if lines else self.head
             end = "]]" if k + 1 == len(values) else "],"
-            found.append(_Line(f"{begin}[{cells}{end}", after))
-        return found
+            lines.append(_Line(f"{begin}[{cells}{end}", after))
+        return lines
 
 
-def _parts(tokens: Sequence[_Token]) -> list[list[_Token]]:
+def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
     """What stands between the commas outside of all brackets."""
-    parts: list[list[_Token]] = [[]]
+    groups: list[list[_Token]] = [[]]
     depth = 0
     for token in tokens:
         depth += (token.kind in _OPENING) - (token.kind in (")", "]"))
         if token.kind == "," and depth == 0:
-            parts.append([])
+            groups.append([])
         else:
-            parts[-1].append(token)
-    return parts
+            groups[-1].append(token)
+    return groups
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
     """A statement, or a part of one, in lines that fit; those after the first are further in."""
-    whole = indent + _joined(tokens)
-    if len(whole) <= WIDTH:
-        return [whole]
+    single_line = indent + _joined(tokens)
+    if len(single_line) <= WIDTH:
+        return [single_line]
     deeper = indent + _INDENT if len(indent) < 4 * len(_INDENT) else indent
     clauses = ("at", "when") if tokens[0].kind in ("sense", "next") else ()
     for depth in range(_depth(tokens) + 1):
@@ -314,21 +314,21 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
                 if kinds not in (clauses, ("if", "else")):
                     pieces = _together(pieces, len(deeper))
                 if len(pieces) > 1:
-                    first, *rest = pieces
-                    inner = (line for piece in rest for line in _wrapped(piece, deeper))
+                    first, *later_pieces = pieces
+                    inner = (line for piece in later_pieces for line in _wrapped(piece, deeper))
                     return [*_wrapped(first, indent), *inner]
-    return [whole]
+    return [single_line]
 
 
-def _together(pieces: Sequence[list[_Token]], taken: int) -> list[list[_Token]]:
+def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_Token]]:
     """Pieces that fit into a line in one."""
-    found: list[list[_Token]] = []
+    merged: list[list[_Token]] = []
     for piece in pieces:
-        if found and taken + len(_joined([*found[-1], *piece])) <= WIDTH:
-            found[-1] = [*found[-1], *piece]
+        if merged and indent_length + len(_joined([*merged[-1], *piece])) <= WIDTH:
+            merged[-1] = [*merged[-1], *piece]
         else:
-            found.append(list(piece))
-    return found
+            merged.append(list(piece))
+    return merged
 
 
 def _depth(tokens: Sequence[_Token]) -> int:
@@ -345,16 +345,18 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
     now = 0
     for token in tokens:
         now += (token.kind in _OPENING) - (token.kind in (")", "]"))
-        here = token.kind in kinds and now == depth and not token.sign
-        if here and token.kind != "," and pieces[-1]:
+        is_break = token.kind in kinds and now == depth and not token.sign
+        if is_break and token.kind != "," and pieces[-1]:
             pieces.append([])
         pieces[-1].append(token)
-        if here and token.kind == ",":
+        if is_break and token.kind == ",":
             pieces.append([])
     return [piece for piece in pieces if piece]
 
 
 def _joined(tokens: Sequence[_Token]) -> str:
     """Tokens in one line."""
-    first, *more = tokens
-    return first.text + "".join(f"{'' if each.close else ' '}{each.text}" for each in more)
+    first, *later_tokens = tokens
+    return first.text + "".join(
+        f"{'' if token.close else ' '}{token.text}" for token in later_tokens
+    )

@@ -21,14 +21,14 @@ class Tokens:
     """
 
     source: Source
-    found: list[Token]
+    lark_tokens: list[Token]
     kinds: list[str]
 
     @property
     def version(self) -> int:
         """The version that the text begins with; 1 where it does not say one."""
-        said = self.kinds[:2] == ["nsl", "INTEGER"]
-        number = self.text(1).lstrip("0") if said else ""
+        states_version = self.kinds[:2] == ["nsl", "INTEGER"]
+        number = self.text(1).lstrip("0") if states_version else ""
         return int(number) if number in ("2", "3") else 1
 
     def text(self, index: int) -> str:
@@ -38,12 +38,12 @@ class Tokens:
 
     def span(self, index: int) -> Span:
         """The place of a token."""
-        return span_of(self.found[index])
+        return span_of(self.lark_tokens[index])
 
     def read_as(self, index: int, word: str) -> None:
         """Takes a token for the word that it was meant to be."""
         terminal = next(name for name, spelt in spellings().items() if spelt == word)
-        self.found[index] = self.found[index].update(type=terminal)
+        self.lark_tokens[index] = self.lark_tokens[index].update(type=terminal)
         self.kinds[index] = word
 
 
@@ -61,27 +61,29 @@ def lex(source: Source) -> Tokens:
     level = re.compile(parser().get_terminal("LEVEL").pattern.value)
     lexer = parser().parse_interactive(source.text, start=START).lexer_thread
     tokens = Tokens(source, [], [])
-    taken = 0
+    end = 0
     statement = ""
     for token in lexer.lex(None):  # type: ignore[no-untyped-call]
         start = span_of(token).start
-        if start < taken:
+        if start < end:
             continue
         if tokens.kinds[-1:] == ["target"]:
-            whole = target_name.match(source.text, start)
-            if whole is not None and whole.group() not in words.values():
-                taken = whole.end()
-                token = Token("TARGET_NAME", whole.group(), start, end_pos=taken)
+            target_match = target_name.match(source.text, start)
+            if target_match is not None and target_match.group() not in words.values():
+                end = target_match.end()
+                token = Token("TARGET_NAME", target_match.group(), start, end_pos=end)
             elif token.type == "NAME":
                 token = token.update(type="TARGET_NAME")
         elif words.get(token.type) in names_in(tokens.version):
             token = token.update(type="NAME")
-        elif statement in _PICTURES and (made := _of_picture(tokens, token, statement, level)):
-            token, taken = made, span_of(made).end
+        elif statement in _PICTURES and (
+            picture_token := _of_picture(tokens, token, statement, level)
+        ):
+            token, end = picture_token, span_of(picture_token).end
         elif _awaits_level(tokens) and (amount := level.match(source.text, start)):
-            taken = amount.end()
-            token = Token("LEVEL", amount.group(), start, end_pos=taken)
-        tokens.found.append(token)
+            end = amount.end()
+            token = Token("LEVEL", amount.group(), start, end_pos=end)
+        tokens.lark_tokens.append(token)
         tokens.kinds.append(words.get(token.type, token.type))
         if token.type in words and words[token.type] in statement_words(tokens.version):
             statement = words[token.type]

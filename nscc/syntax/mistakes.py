@@ -76,9 +76,9 @@ def misspelt_statement(
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
         if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
-            near = closest(tokens.text(index), statement_words(tokens.version))
-            if near is not None:
-                return index, near
+            spelling = closest(tokens.text(index), statement_words(tokens.version))
+            if spelling is not None:
+                return index, spelling
     return None
 
 
@@ -91,7 +91,7 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     """NS0109: a word stands where a statement should begin."""
     word = tokens.text(token)
     words = statement_words(tokens.version)
-    near = closest(word, words)
+    spelling = closest(word, words)
     span = tokens.span(token)
     later = next((v for v in (2, 3) if v > tokens.version and word in statement_words(v)), None)
     return Diagnostic(
@@ -102,7 +102,7 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
         notes=("statements begin with " + ", ".join(words),),
         helps=(f"`{word}` is a statement of version {later}: begin the file with `nsl {later}`",)
         * (later is not None),
-        fixes=(Fix(did_you_mean(near), span, near, sure=False),) if near else (),
+        fixes=(Fix(did_you_mean(spelling), span, spelling, sure=False),) if spelling else (),
     )
 
 
@@ -155,15 +155,15 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
     statement = tokens.kinds[first]
     expected = expected_words(stuck.expected)
     if stuck.token < last:
-        place, found = tokens.span(stuck.token), shown(tokens.text(stuck.token))
+        place, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
     else:
         end = tokens.span(last - 1).end
-        place, found = Span(end, end), "the end of the file"
+        place, actual = Span(end, end), "the end of the file"
         if last < len(tokens.kinds):
-            found = f"the next statement, {shown(tokens.text(last))}"
+            actual = f"the next statement, {shown(tokens.text(last))}"
     return Diagnostic(
         "NS0107",
-        f"in this `{statement}` statement: expected {expected}, found {found}",
+        f"in this `{statement}` statement: expected {expected}, found {actual}",
         source=tokens.source,
         label=Label(place, f"expected {expected}"),
         related=_left_open(tokens, first, stuck),
@@ -231,6 +231,6 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     elif kind == "=" and "COMPARISON" in stuck.expected:
         yield Fix("equality is written `==`", span, "==")
     elif kind == "NAME":
-        near = closest(text, (word for word in stuck.expected if _is_word(word)))
-        if near is not None:
-            yield Fix(did_you_mean(near), span, near, sure=False)
+        spelling = closest(text, (word for word in stuck.expected if _is_word(word)))
+        if spelling is not None:
+            yield Fix(did_you_mean(spelling), span, spelling, sure=False)

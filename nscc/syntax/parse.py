@@ -43,24 +43,24 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     Of a statement with an error the part before is kept if it is whole. After MOST_ERRORS errors
     one more, NS0190, counts the rest. Never raises for bad text.
     """
-    whole = Span(0, len(source.text))
+    span = Span(0, len(source.text))
     if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
-        return tree.File(whole, ()), (too_large(source.name),)
+        return tree.File(span, ()), (too_large(source.name),)
     tokens = lex(source)
     starts = statement_starts(tokens)
     errors = _Errors(source)
     if tokens.kinds[:1] != ["nsl"]:
         if "nsl" not in tokens.kinds and _OTHER_LANGUAGE.match(source.text):
-            return tree.File(whole, ()), (_other_language(tokens),)
+            return tree.File(span, ()), (_other_language(tokens),)
         errors.add(lambda: _no_language_line(tokens, starts))
     statements = tuple(_statements(tokens, starts, errors))
     versions = [s for s in statements if isinstance(s, tree.Version)]
     for version in versions:
         if version.number.value not in VERSIONS:
-            return tree.File(whole, statements), (_unknown_version(source, version),)
+            return tree.File(span, statements), (_unknown_version(source, version),)
     if len(versions) > 1 and tokens.kinds[0] == "nsl":
         errors.add(lambda: _said_twice(source, versions))
-    return tree.File(whole, statements), errors.in_order()
+    return tree.File(span, statements), errors.in_order()
 
 
 class _Errors:
@@ -83,10 +83,10 @@ class _Errors:
             self._first.append(make())
 
     def in_order(self) -> tuple[Diagnostic, ...]:
-        found = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
+        diagnostics = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
         if self._more:
-            found.append(more_errors(self._more, self._source))
-        return tuple(found)
+            diagnostics.append(more_errors(self._more, self._source))
+        return tuple(diagnostics)
 
 
 def statement_starts(tokens: Tokens) -> list[int]:
@@ -125,12 +125,12 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
         while first is not None:
             at, first = first, None
             try:
-                found, stuck = read(tokens, at, last)
+                parsed, stuck = read(tokens, at, last)
                 if stuck is not None and not errors.are_many:
                     first = _misspelt(tokens, at, last, stuck, errors)
                 if first is not None:
-                    found, stuck = read(tokens, at, first)
-                statement = builder.build(found) if found is not None else None
+                    parsed, stuck = read(tokens, at, first)
+                statement = builder.build(parsed) if parsed is not None else None
             except Rejected as wrong:
                 errors.add(partial(replace, wrong.diagnostics[0], source=tokens.source))
             else:
@@ -142,9 +142,9 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
 
 def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Errors) -> int | None:
     """The token from which to go on, as the word that it was meant to be, or None."""
-    if (found := misspelt_statement(tokens, first, last, stuck)) is None:
+    if (misspelt := misspelt_statement(tokens, first, last, stuck)) is None:
         return None
-    index, word = found
+    index, word = misspelt
     errors.add(partial(unknown_statement, tokens, index))
     tokens.read_as(index, word)
     return index

@@ -41,14 +41,14 @@ def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stu
     stuck = None
     for index in range(first, last):
         try:
-            machine.feed_token(tokens.found[index])
+            machine.feed_token(tokens.lark_tokens[index])
         except UnexpectedToken:
-            stuck = Stuck(index, tuple(tokens.found[first:index]))
+            stuck = Stuck(index, tuple(tokens.lark_tokens[first:index]))
             break
     try:
         return machine.feed_token(Token(END, "")), stuck
     except UnexpectedToken:
-        return None, stuck or Stuck(last, tuple(tokens.found[first:last]))
+        return None, stuck or Stuck(last, tuple(tokens.lark_tokens[first:last]))
 
 
 def _machine() -> InteractiveParser:

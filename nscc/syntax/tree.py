@@ -90,7 +90,7 @@ class Compare(Node):
 
     first: Expr
     ops: tuple[str, ...]
-    rest: tuple[Expr, ...]
+    later_operands: tuple[Expr, ...]
 
 
 class IfElse(Node):

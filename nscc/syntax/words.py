@@ -99,23 +99,23 @@ def expected_words(terminals: Set[str]) -> str:
     Operators go without saying where something else has to come; a comma does where a list may
     end.
     """
-    rest = set(terminals)
-    parts: list[str] = []
-    if {"INTEGER", "NAME", "-"} <= rest:
-        parts.append("a number, a name or another expression")
-        rest -= _OPERANDS
-    if {"*", "COMPARISON"} <= rest:
-        rest -= {*_OPERATORS, "["}
-        if rest == {END}:
-            parts.append("an operator")
-    if "GROUPED" in rest:
-        rest.discard("INTEGER")
-    over = END in rest
-    rest.discard(END)
-    parts += [_PIECES.get(kind, f"`{kind}`") for kind in sorted(rest)]
+    remaining = set(terminals)
+    choices: list[str] = []
+    if {"INTEGER", "NAME", "-"} <= remaining:
+        choices.append("a number, a name or another expression")
+        remaining -= _OPERANDS
+    if {"*", "COMPARISON"} <= remaining:
+        remaining -= {*_OPERATORS, "["}
+        if remaining == {END}:
+            choices.append("an operator")
+    if "GROUPED" in remaining:
+        remaining.discard("INTEGER")
+    over = END in remaining
+    remaining.discard(END)
+    choices += [_PIECES.get(kind, f"`{kind}`") for kind in sorted(remaining)]
     if over:
-        parts.append("the next statement")
-    return ", ".join(parts[:-1]) + " or " + parts[-1] if len(parts) > 1 else parts[0]
+        choices.append("the next statement")
+    return ", ".join(choices[:-1]) + " or " + choices[-1] if len(choices) > 1 else choices[0]
 
 
 def shown(text: str) -> str:

@@ -108,7 +108,7 @@ class Flag(Kind):
 
 
 @dataclass(frozen=True, slots=True)
-class Text(Kind):
+class TextKind(Kind):
     """A text: one of `choices`, or a match of `pattern`, which `phrase` describes. `optional` ones
     may be "none", which is None."""
 
@@ -193,8 +193,8 @@ class Axis(Kind):
         return values[0] if len(values) == 1 else values
 
 
-NAME = Text(
+NAME = TextKind(
     pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",
     phrase="a name of letters, digits, `-`, `_`, `.` (at most 64, starting with a letter)",
 )
-LINE = Text(pattern=".{0,400}", phrase="one line of text with at most 400 characters")
+LINE = TextKind(pattern=".{0,400}", phrase="one line of text with at most 400 characters")

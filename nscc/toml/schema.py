@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.diagnostics.suggest import closest, did_you_mean, meant
 from nscc.source import Source
-from nscc.toml.kinds import Kind, Text
+from nscc.toml.kinds import Kind, TextKind
 from nscc.toml.toml_text import shown, span_of, spelled_value
 
 _FEW = 10
@@ -156,7 +156,7 @@ class Schema(Generic[Row]):
             path, equals, spelled = (text.strip() for text in change.partition("="))
             section, _, name = path.rpartition(".") if self.tables else ("", "", path)
             key = self.by_path.get(path)
-            if not name or not equals or not (spelled or (key and isinstance(key.kind, Text))):
+            if not name or not equals or not (spelled or (key and isinstance(key.kind, TextKind))):
                 form = "SECTION.KEY=VALUE" if self.tables else "NAME=VALUE"
                 message = f"{self.option} takes {form}, not {change[:60]!a}"
                 help_text = f"for instance {self.option} {self.example}"

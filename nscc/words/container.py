@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.words.machine import Machine, StatePlanes
+from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.pictures import Pictures
 from nscc.words.stream import Stream
 
@@ -19,7 +19,7 @@ Word = tuple[int, int, int, int, int]
 
 
 @dataclass(frozen=True)
-class Kernel:
+class StoredKernel:
     """A recorded list of words, stored once and launched as often as the schedule says."""
 
     name: str
@@ -99,7 +99,7 @@ class Container:
     slot_us: tuple[float, ...]
     buckets: tuple[str, ...]
     table: DecodeTable
-    kernels: tuple[Kernel, ...]
+    kernels: tuple[StoredKernel, ...]
     launches: tuple[Launch, ...]
     code_registers: tuple[str, ...]
     encoding: NDArray[np.bool_]
@@ -107,14 +107,14 @@ class Container:
     readouts: tuple[Readout, ...]
     source_lines: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
-    machine: Machine | None = None
+    machine: StateMachine | None = None
     state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
     stream: Stream | None = None
     pictures: Pictures | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         """What copies and pickles take: the fields, without what others have analysed."""
-        return {each.name: getattr(self, each.name) for each in fields(self)}
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @property
     def slot_s(self) -> NDArray[np.float64]:
@@ -143,7 +143,7 @@ class Container:
     def words_per_frame(self) -> int:
         """How many words a frame executes."""
         after = self.pictures.words if self.pictures else 0
-        return sum(len(self.kernels[each.kernel].words) for each in self.launches) + after
+        return sum(len(self.kernels[launch.kernel].words) for launch in self.launches) + after
 
     def __repr__(self) -> str:
         if self.target.streamed:
@@ -173,8 +173,8 @@ def state_registers(container: Container) -> tuple[str, ...]:
     """The digital registers of which a host makes the states that are read, in their order."""
     machine = container.machine
     read = [state.name for state in machine.states if state.read] if machine else []
-    held = (r for name in read for r in container.state_planes[name].registers)
-    return tuple(dict.fromkeys(held))
+    registers = (r for name in read for r in container.state_planes[name].registers)
+    return tuple(dict.fromkeys(registers))
 
 
 def packed_shutters(

@@ -8,7 +8,7 @@ from math import fsum
 
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
-from nscc.words.container import Container, Kernel, Word
+from nscc.words.container import Container, StoredKernel, Word
 from nscc.words.encoding import matching
 
 _CLOCK_CLASS = 7 << 19
@@ -80,7 +80,7 @@ def refresh_count(words: Sequence[Op]) -> int:
     return count
 
 
-def kernel_cost(kernel: Kernel, target: Target) -> WordsCost:
+def kernel_cost(kernel: StoredKernel, target: Target) -> WordsCost:
     """The cost of one launch of a kernel."""
     cost = words_cost(kernel.words, target)
     return WordsCost(cost.words, cost.us + target.launch_us)

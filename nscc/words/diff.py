@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.load import target_dict
 from nscc.words.assembly_text import name_text, number_text, ranges_text
-from nscc.words.container import Container, Kernel
+from nscc.words.container import Container, StoredKernel
 from nscc.words.cost import FrameCost, frame_cost
 from nscc.words.disassembly import instruction_lines
 from nscc.words.file import to_bytes
@@ -114,7 +114,7 @@ def _kernels(first: Container, second: Container) -> Iterator[str]:
 
 
 def _listing_change(
-    before: Kernel | None, first: Container, after: Kernel | None, second: Container
+    before: StoredKernel | None, first: Container, after: StoredKernel | None, second: Container
 ) -> Iterator[str]:
     old, new = _listing(before, first), _listing(after, second)
     # Listings of which one is a prefix of the other differ from the end of the shorter one.
@@ -123,7 +123,7 @@ def _listing_change(
     yield from _text_change(old, new, 2, f"; they part at line {same}")
 
 
-def _listing(kernel: Kernel | None, container: Container) -> list[str]:
+def _listing(kernel: StoredKernel | None, container: Container) -> list[str]:
     if kernel is None:
         return []
     return [text for _, text, _ in instruction_lines(kernel.words, container.target)]

@@ -19,7 +19,7 @@ from nscc.chips.target import Target
 from nscc.operations import Op, Phase
 from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import block_text, name_text, number_text, ranges_text, slots_text
-from nscc.words.container import Container, Kernel, Word
+from nscc.words.container import Container, StoredKernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, refuse_planes, target_fault
@@ -144,7 +144,7 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 
 
 def _kernel(container: Container, number: int) -> Iterator[str]:
-    kernel: Kernel = container.kernels[number]
+    kernel: StoredKernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
     instants_text = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
     cost = kernel_cost(kernel, container.target)

@@ -37,10 +37,10 @@ from nscc.operations import (
     S_IN,
     SETF,
     WRF,
-    Effect,
     Op,
     Operation,
-    made,
+    WordEffect,
+    make_op,
 )
 from nscc.words.container import Word
 
@@ -126,10 +126,10 @@ def encode(operation: Op) -> Word:
 
 
 @lru_cache(maxsize=1 << 14)
-def matching(word: Word, own: tuple[Operation, ...] = ()) -> Op | None:
+def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | None:
     """The operation whose word this is, bit for bit, or None if there is none.
 
-    `own` are the words that a target has beside the table's.
+    `target_operations` are the words that a target has beside the table's.
     """
     if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
         return None
@@ -140,19 +140,19 @@ def matching(word: Word, own: tuple[Operation, ...] = ()) -> Op | None:
     reads, writes = (_ANALOG_READS, _ANALOG_WRITES) if analog else (_DIGITAL_READS, _DIGITAL_WRITES)
     destinations = [name for name, mask in writes if bits & mask == mask]
     read = [name for name, mask in reads if bits & mask == mask]
-    for row in (*_KINDS.get((clock, kind), ()), *own):
+    for row in (*_KINDS.get((clock, kind), ()), *target_operations):
         sources = read
-        if row.effect in (Effect.BUS, Effect.RESET_PIX):
+        if row.effect in (WordEffect.BUS, WordEffect.RESET_PIX):
             sources = [name for name in read if not _fixed(row) & _READ[name]]
             sources = [name for name in sources if name not in destinations]
         if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):
             continue
         try:
-            found = made(row, destinations, sources)
+            operation = make_op(row, destinations, sources)
         except ValueError:
             continue
-        if _encoded(found) == bits:
-            return found
+        if _encoded(operation) == bits:
+            return operation
     return None
 
 
@@ -161,24 +161,24 @@ def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
     return count >= low and (high is None or count <= high)
 
 
-def decode(word: Word, where: str = "") -> Op:
-    """The operation of the table whose word this is; `where` names its place for the message.
+def decode(word: Word, place: str = "") -> Op:
+    """The operation of the table whose word this is; messages name its `place`.
 
     Raises Rejected (NS0701) for a word that no operation of the table encodes to.
     """
-    found = matching(word)
-    if found is None:
-        raise Rejected(no_operation(word, where))
-    return found
+    operation = matching(word)
+    if operation is None:
+        raise Rejected(no_operation(word, place))
+    return operation
 
 
-def no_operation(word: Word, where: str = "") -> Diagnostic:
+def no_operation(word: Word, place: str = "") -> Diagnostic:
     """The diagnostic NS0701 of a word that matches no operation."""
     notes = []
     bits = _joined(word)
-    wrong = [i for i in range(5) if word[i] >> 16 & 7 != i]
-    if wrong:
-        listed = ", ".join(f"{i} (0x{word[i]:05x})" for i in wrong)
+    wrong_indices = [i for i in range(5) if word[i] >> 16 & 7 != i]
+    if wrong_indices:
+        listed = ", ".join(f"{i} (0x{word[i]:05x})" for i in wrong_indices)
         notes.append(f"bits 16-18 of each integer must hold its index 0..4; wrong in {listed}")
     names = [LINE_NAMES.get(line, f"line {line}") for line in word_lines(word)]
     clock = (bits & _CLOCK) >> _CLOCK_SHIFT
@@ -186,7 +186,7 @@ def no_operation(word: Word, where: str = "") -> Diagnostic:
     notes.append(f"it raises these control lines: {raised} (clock class {clock})")
     return Diagnostic(
         "NS0701",
-        f"{where + ': ' if where else ''}unknown word, which matches no operation: "
+        f"{place + ': ' if place else ''}unknown word, which matches no operation: "
         f"{word_text(word)}",
         notes=tuple(notes),
         helps=("compile or assemble the program again; `nscc disasm` lists its words",),

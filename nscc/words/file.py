@@ -30,8 +30,8 @@ from nscc.chips.load import target_dict, target_from_dict
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words import machine_file, pictures_file
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
-from nscc.words.machine import Machine, StatePlanes
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
+from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.soundness import faults
 from nscc.words.stream import Stream
 
@@ -86,23 +86,25 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
         return (*arrays, _Array("planes", "|u1", planes), *places) if counts["pixels"] else arrays
     if "machine" not in header:
         return arrays
-    parts = machine_file.layout_of(header["machine"], buckets, counts["slots"])
-    of_machine = (_Array(name, dtype, shape, bits=dtype == "?") for name, dtype, shape in parts)
+    machine_arrays = machine_file.layout_of(header["machine"], buckets, counts["slots"])
+    of_machine = (
+        _Array(name, dtype, shape, bits=dtype == "?") for name, dtype, shape in machine_arrays
+    )
     return (*arrays, _Array("levels", "<i4", (counts["launches"],)), *of_machine)
 
 
 def to_bytes(container: Container) -> bytes:
     """The container as a file. Raises ValueError where it is not sound (a fault of its maker)."""
-    wrong = faults(container)
-    if wrong:
-        raise ValueError(f"unsound container: {wrong[0]}")
+    problems = faults(container)
+    if problems:
+        raise ValueError(f"unsound container: {problems[0]}")
     header, arrays = _header(container), _arrays(container)
     text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
-    parts = [text.encode("ascii")]
-    parts += [_packed(array, arrays[array.name]) for array in _layout(header)]
-    length = _PREAMBLE.size + sum(map(len, parts)) + _DIGEST
+    sections = [text.encode("ascii")]
+    sections += [_packed(array, arrays[array.name]) for array in _layout(header)]
+    length = _PREAMBLE.size + sum(map(len, sections)) + _DIGEST
     version = _version(container)
-    body = b"".join([_PREAMBLE.pack(MAGIC, version, len(parts[0]), length), *parts])
+    body = b"".join([_PREAMBLE.pack(MAGIC, version, len(sections[0]), length), *sections])
     return body + sha256(body).digest()
 
 
@@ -147,9 +149,9 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
     if machine is not None:
         names = "behaviour", "values", "opens", "resets", "steps", "open_slots", "open_us"
         of_machine = {name: getattr(machine, name) for name in names}
-        given = [launch.level for launch in container.launches]
+        levels = [launch.level for launch in container.launches]
         none = machine_file.NO_LEVEL
-        of_machine["levels"] = np.array([none if x is None else x for x in given], "<i4")
+        of_machine["levels"] = np.array([none if x is None else x for x in levels], "<i4")
     of_stream: dict[str, NDArray[Any]] = {}
     if container.stream is not None:
         of_stream = {name: getattr(container.stream, name) for name in ("planes", "ones", "zeros")}
@@ -185,10 +187,10 @@ def read_container(path: Path) -> Container:
             data = file.read(_CHUNK)
             # Whatever the path leads to, no more is read than a container may have.
             while data.startswith(MAGIC) and len(data) <= LARGEST_FILE:
-                more = file.read(max(_CHUNK, len(data)))
-                if not more:
+                chunk = file.read(max(_CHUNK, len(data)))
+                if not chunk:
                     break
-                data += more
+                data += chunk
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise rejected("NS0709", f"cannot read '{path}': {reason}") from None
@@ -208,9 +210,9 @@ def from_bytes(data: bytes, name: str) -> Container:
         header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])
         _check_header(header, data[len(MAGIC)])
         container = _assembled(header, data, _PREAMBLE.size + header_length)
-        wrong = faults(container)
-        if wrong:
-            raise ValueError(wrong[0])
+        problems = faults(container)
+        if problems:
+            raise ValueError(problems[0])
         if to_bytes(container) != data:
             raise ValueError("its encoding differs from the one that nscc writes")
     except RecursionError:
@@ -220,7 +222,7 @@ def from_bytes(data: bytes, name: str) -> Container:
     return container
 
 
-def _rejected(code: str, name: str, what: str) -> Rejected:
+def _rejected(code: str, name: str, reason: str) -> Rejected:
     again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
     if name.endswith(".nsl"):
         again = (
@@ -228,7 +230,7 @@ def _rejected(code: str, name: str, what: str) -> Rejected:
         )
     return rejected(
         code,
-        f"'{name}' cannot be used: {what}",
+        f"'{name}' cannot be used: {reason}",
         status=1,
         helps=(again,),
         data={"file": name},
@@ -238,23 +240,23 @@ def _rejected(code: str, name: str, what: str) -> Rejected:
 def _check_frame(data: bytes, name: str) -> int:
     """Check magic, version, length and checksum; the header's length."""
     if not data.startswith(MAGIC):
-        what = "it is empty" if not data else "it is not a container of instruction words (.icw)"
-        raise _rejected("NS0702", name, what)
+        reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
+        raise _rejected("NS0702", name, reason)
     if len(data) < _PREAMBLE.size + _DIGEST:
         raise _rejected("NS0705", name, f"it is incomplete: it has only {len(data)} bytes")
     _, version, header_length, length = _PREAMBLE.unpack_from(data)
     if version not in VERSIONS:
         known = f"{VERSIONS[0]} to {VERSIONS[-1]}"
-        what = f"it has version {version} of the format, but this nscc reads versions {known}"
-        raise _rejected("NS0704", name, what)
+        reason = f"it has version {version} of the format, but this nscc reads versions {known}"
+        raise _rejected("NS0704", name, reason)
     if len(data) != length:
-        what = f"it has {len(data)} bytes, but the container has {length}"
+        reason = f"it has {len(data)} bytes, but the container has {length}"
         if len(data) < length:
-            what = f"it is incomplete: it has {len(data)} bytes of {length}"
-        raise _rejected("NS0705", name, what)
+            reason = f"it is incomplete: it has {len(data)} bytes of {length}"
+        raise _rejected("NS0705", name, reason)
     if sha256(memoryview(data)[:-_DIGEST]).digest() != data[-_DIGEST:]:
-        what = "it is damaged: its checksum does not match its contents"
-        raise _rejected("NS0706", name, what)
+        reason = "it is damaged: its checksum does not match its contents"
+        raise _rejected("NS0706", name, reason)
     if header_length > len(data) - _PREAMBLE.size - _DIGEST:
         raise _rejected("NS0707", name, "its contents are inconsistent: the header is too long")
     return int(header_length)
@@ -288,14 +290,14 @@ def _check_header(header: Any, version: int) -> None:
     _need(all(_is_count(value) for key, value in counts.items() if key != "pixels"), "counts")
 
 
-def _need(holds: bool, what: str) -> None:
+def _need(holds: bool, subject: str) -> None:
     if not holds:
-        raise ValueError(what if " " in what else f"the header's {what} are malformed")
+        raise ValueError(subject if " " in subject else f"the header's {subject} are malformed")
 
 
-def _rows(values: Any, width: int, what: str) -> list[list[Any]]:
-    _need(isinstance(values, list), what)
-    _need(all(isinstance(row, list) and len(row) == width for row in values), what)
+def _rows(values: Any, width: int, subject: str) -> list[list[Any]]:
+    _need(isinstance(values, list), subject)
+    _need(all(isinstance(row, list) and len(row) == width for row in values), subject)
     return list(values)
 
 
@@ -317,11 +319,11 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0
     for name, count in header["kernels"]:
-        kernels.append(Kernel(name, tuple(words[first : first + count])))
+        kernels.append(StoredKernel(name, tuple(words[first : first + count])))
         first += count
     fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
     sent = ("planes", "ones", "zeros")
-    machine: Machine | None = None
+    machine: StateMachine | None = None
     planes: dict[str, StatePlanes] = {}
     launches = [(instant, kernel, None) for instant, kernel in arrays["launches"].tolist()]
     if "machine" in header:

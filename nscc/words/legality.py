@@ -12,31 +12,31 @@ from collections.abc import Sequence
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import NEIGHBOURS, STEERING, Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, WordEffect
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
 _MOST_SHOWN = 10
 
 
-def refuse_planes(target: Target, what: str, help_text: str) -> None:
-    """NS0510 (status 1) for `what` (half a sentence) of a chip without logic: it has no words."""
+def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
+    """NS0510 (status 1) with `refusal` (half a sentence): a chip without logic has no words."""
     if target.streamed:
         raise rejected(
             "NS0510",
-            f"{what}: the pixels of {target.name} have no logic and run no words",
+            f"{refusal}: the pixels of {target.name} have no logic and run no words",
             notes=("such a chip receives one bit per pixel and slot",),
             helps=(help_text,),
             status=1,
         )
 
 
-def refuse_pictures(container: Container, what: str, help_text: str) -> None:
-    """NS0542 (status 1) for `what` (half a sentence), which knows no images and planes yet."""
+def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
+    """NS0542 (status 1) with `refusal` (half a sentence) for a program with images or planes."""
     if container.pictures is not None:
         raise rejected(
             "NS0542",
-            f"{what}: images and planes are not supported there yet",
+            f"{refusal}: images and planes are not supported there yet",
             notes=("this program computes images or planes after its last slot",),
             helps=(help_text,),
             status=1,
@@ -48,30 +48,30 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
 
     Raises Rejected with all faults found (of the first ten words at fault).
     """
-    found: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     kernels: list[tuple[Op, ...]] = []
     faults: dict[Op, str | None] = {}
     for kernel in container.kernels:
         ops: list[Op] = []
         for index, word in enumerate(kernel.words):
-            where = f"word {index} of kernel '{kernel.name}'"
+            place = f"word {index} of kernel '{kernel.name}'"
             operation = matching(word, container.target.words)
             if operation is None:
-                found.append(no_operation(word, where))
+                diagnostics.append(no_operation(word, place))
             else:
                 if operation not in faults:
                     faults[operation] = target_fault(operation, container.target)
                 fault = faults[operation]
                 if fault is not None:
-                    found.append(_not_on_target(operation, where, fault, container.target))
+                    diagnostics.append(_not_on_target(operation, place, fault, container.target))
                 ops.append(operation)
-            if len(found) >= _MOST_SHOWN:
-                raise Rejected(found)
+            if len(diagnostics) >= _MOST_SHOWN:
+                raise Rejected(diagnostics)
         if len(ops) == len(kernel.words):
-            found.extend(split_pairs(kernel.name, ops))
+            diagnostics.extend(split_pairs(kernel.name, ops))
         kernels.append(tuple(ops))
-    if found:
-        raise Rejected(found[:_MOST_SHOWN])
+    if diagnostics:
+        raise Rejected(diagnostics[:_MOST_SHOWN])
     return tuple(kernels)
 
 
@@ -82,25 +82,25 @@ def picture_words(container: Container) -> list[tuple[Op, int | None]]:
     Raises Rejected as `decoded`.
     """
     pictures, target = container.pictures, container.target
-    found: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     kernels: list[list[Op]] = []
     for number, words in enumerate(pictures.kernels if pictures else ()):
         ops = []
         for index, word in enumerate(words):
-            where = f"word {index} of kernel {number} of the images"
+            place = f"word {index} of kernel {number} of the images"
             operation = matching(word, target.words)
             if operation is None:
-                found.append(no_operation(word, where))
+                diagnostics.append(no_operation(word, place))
                 continue
             fault = picture_fault(operation, target)
             if fault is not None:
-                found.append(_not_on_target(operation, where, fault, target))
+                diagnostics.append(_not_on_target(operation, place, fault, target))
             ops.append(operation)
         if len(ops) == len(words):
-            found.extend(split_pairs(f"{number} of the images", ops))
+            diagnostics.extend(split_pairs(f"{number} of the images", ops))
         kernels.append(ops)
-    if found:
-        raise Rejected(found[:_MOST_SHOWN])
+    if diagnostics:
+        raise Rejected(diagnostics[:_MOST_SHOWN])
     launches = pictures.launches if pictures else ()
     return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]
 
@@ -110,7 +110,7 @@ def target_fault(operation: Op, target: Target) -> str | None:
 
     Words that reach neighbours follow an exposure: see `picture_fault`.
     """
-    digital = operation.operation.effect is Effect.DIGITAL_NEIGHBOURS
+    digital = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
     if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
         return "only the words of images and planes reach neighbours, after the last slot"
     return picture_fault(operation, target)
@@ -129,14 +129,17 @@ def picture_fault(operation: Op, target: Target) -> str | None:
     count, row = len(operation.sources), operation.operation
     if (fault := _neighbour_fault(operation, target)) is not None:
         return fault
-    if row.effect is Effect.FLAG_DIGITAL:
+    if row.effect is WordEffect.FLAG_DIGITAL:
         kind, limit = "a WHERE", target.where_sources
     else:
-        kind, limit = "an OR or NOR", target.or_sources if row.effect is Effect.DIGITAL else None
+        kind, limit = (
+            "an OR or NOR",
+            target.or_sources if row.effect is WordEffect.DIGITAL else None,
+        )
     if limit is not None and count > limit:
         most = f"{kind} word of {target.name} reads at most {limit} sources"
         return f"{most}, but this word reads {count}"
-    reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
+    reads_flag = row.effect is WordEffect.FLAG_DIGITAL and "FLAG" in operation.sources
     if reads_flag and not target.where_reads_flag:
         return f"WHERE writes FLAG, and on {target.name} it cannot also read it"
     return None
@@ -145,7 +148,7 @@ def picture_fault(operation: Op, target: Target) -> str | None:
 def _neighbour_fault(operation: Op, target: Target) -> str | None:
     """Why `target` does not take a word that reaches neighbours; None if it does."""
     row = operation.operation
-    digital = row.effect is Effect.DIGITAL_NEIGHBOURS
+    digital = row.effect is WordEffect.DIGITAL_NEIGHBOURS
     written = NEIGHBOURS.keys() & operation.destinations
     if not (digital or written or NEIGHBOURS.keys() & operation.sources):
         return None
@@ -170,26 +173,26 @@ def pair_kind(first: Op, second: Op) -> str | None:
 
 def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
     """A diagnostic NS0703 for every half-word whose other half is not beside it."""
-    found = []
+    diagnostics = []
     for index, operation in enumerate(ops):
         before, phase = ops[index - 1] if index else None, operation.operation.phase
         following = ops[index + 1] if index + 1 < len(ops) else None
-        seen = ""
+        position = ""
         if phase is Phase.READ and not (following and pair_kind(operation, following)):
-            seen = f"is followed by `{following}`" if following else "ends the kernel"
+            position = f"is followed by `{following}`" if following else "ends the kernel"
         elif phase is Phase.WRITE and not (before and pair_kind(before, operation)):
-            seen = f"comes after `{before}`" if before else "begins the kernel"
-        if seen:
-            found.append(_split(kernel, index, operation, seen))
-    return found
+            position = f"comes after `{before}`" if before else "begins the kernel"
+        if position:
+            diagnostics.append(_split(kernel, index, operation, position))
+    return diagnostics
 
 
-def _split(kernel: str, index: int, operation: Op, seen: str) -> Diagnostic:
+def _split(kernel: str, index: int, operation: Op, position: str) -> Diagnostic:
     kind = operation.name.partition(".")[0]
     return Diagnostic(
         "NS0703",
         f"word {index} of kernel '{kernel}' is one half of a pair, and the other half is "
-        f"missing: `{operation}` {seen}",
+        f"missing: `{operation}` {position}",
         notes=(
             "the first word of a pair leaves its result on the pixel's bus, and any word "
             "between the halves loses it",
@@ -199,10 +202,10 @@ def _split(kernel: str, index: int, operation: Op, seen: str) -> Diagnostic:
     )
 
 
-def _not_on_target(operation: Op, where: str, fault: str, target: Target) -> Diagnostic:
+def _not_on_target(operation: Op, place: str, fault: str, target: Target) -> Diagnostic:
     return Diagnostic(
         "NS0708",
-        f"{where}: {target.name} cannot run `{operation}`: {fault}",
+        f"{place}: {target.name} cannot run `{operation}`: {fault}",
         helps=(f"`nscc targets {target.name}` lists what the chip has",),
         data={"target": target.name},
     )

@@ -17,10 +17,10 @@ from nscc.diagnostics.suggest import meant
 from nscc.source import Span
 from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import read_integer, read_slots
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
-from nscc.words.machine import Machine, StatePlanes
+from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.pictures import Pictures
 from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
@@ -67,7 +67,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         if draft.pixels is not None:
             span = draft.pixels.directive.span
             faults.add("NS0715", ".pixels needs codes, but .code is missing", span)
-    machine: Machine | None = None
+    machine: StateMachine | None = None
     state_planes: dict[str, StatePlanes] = {}
     if draft.machine is not None:
         text = "".join(line for line, _ in draft.machine.lines)
@@ -92,7 +92,9 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         buckets=buckets,
         table=table,
         kernels=tuple(
-            Kernel(kernel.name.text, tuple(word for line in kernel.lines for word in line.words))
+            StoredKernel(
+                kernel.name.text, tuple(word for line in kernel.lines for word in line.words)
+            )
             for kernel in draft.kernels
         ),
         launches=launches,

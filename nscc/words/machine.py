@@ -48,7 +48,7 @@ class State:
 
 
 @dataclass(frozen=True, eq=False)
-class Machine:
+class StateMachine:
     """The state machines of all behaviours; codes that behave equally share one.
 
     Stage k begins after look k (stage 0 at boundary 0) and has the nodes

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.machine import LIGHT, Comparison, Machine, State, StatePlanes
+from nscc.words.machine import LIGHT, Comparison, State, StateMachine, StatePlanes
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
 
 _STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
-Read = tuple[Machine, dict[str, StatePlanes], list[int | None]]
+Read = tuple[StateMachine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
 """The level of a launch without one."""
@@ -25,7 +25,7 @@ _LARGEST = 2**62
 _WIDTH = 96
 
 
-def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
+def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
     """The JSON header of a machine."""
     return {
         "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
@@ -109,9 +109,9 @@ def _is_count(value: Any) -> bool:
 
 def machine_from(
     header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
-) -> tuple[Machine, dict[str, StatePlanes]]:
+) -> tuple[StateMachine, dict[str, StatePlanes]]:
     """The machine and the encodings of its states, from a checked header and its arrays."""
-    machine = Machine(
+    machine = StateMachine(
         states=tuple(State(*state) for state in header["states"]),
         comparisons=tuple(Comparison(*entry) for entry in header["comparisons"]),
         looks=tuple(header["looks"]),
@@ -225,7 +225,7 @@ def faults(container: Container) -> Iterator[str]:
             yield f"a launch sets IN to {launch.level} steps"
 
 
-def _step_faults(machine: Machine) -> Iterator[str]:
+def _step_faults(machine: StateMachine) -> Iterator[str]:
     for stage in range(machine.stages):
         span = machine.nodes(stage)
         steps = machine.steps[span]
@@ -244,7 +244,7 @@ def _step_faults(machine: Machine) -> Iterator[str]:
             yield "a node of its machine leads to another behaviour"
 
 
-def _state_faults(container: Container, machine: Machine) -> Iterator[str]:
+def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
     names = [state.name for state in machine.states]
     if len({*names}) != len(names):
         yield "two states of its machine have one name"

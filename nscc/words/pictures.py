@@ -115,8 +115,8 @@ class Joined:
     """`and`, `or` or `xor` of two conditions."""
 
     op: Literal["and", "or", "xor"]
-    left: Condition
-    right: Condition
+    first: Condition
+    second: Condition
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,7 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Report:
+class PlaneReport:
     """What the host is told of a plane: whether `any` bit is 1, the coordinates of `events` (at
     most `most`), or the `box` around them."""
 
@@ -202,7 +202,7 @@ class Pictures:
     outside: int | None
     limits_e: Mapping[str, float]
     reads: tuple[str, ...]
-    reports: tuple[Report, ...]
+    reports: tuple[PlaneReport, ...]
     kernels: tuple[tuple[Word, ...], ...] = ()
     launches: tuple[TailLaunch, ...] = ()
     registers: Mapping[str, str] = field(default_factory=dict)
@@ -214,14 +214,14 @@ class Pictures:
         return {kernel.name: kernel for kernel in self.weights}
 
     @property
-    def wanted(self) -> tuple[str, ...]:
+    def outputs(self) -> tuple[str, ...]:
         """The names of what leaves the chip, each once."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property
     def words(self) -> int:
         """Words executed after the last slot."""
-        return sum(len(self.kernels[each.kernel]) for each in self.launches)
+        return sum(len(self.kernels[launch.kernel]) for launch in self.launches)
 
 
 _NODES = {
@@ -244,23 +244,23 @@ def operands(node: Node) -> tuple[Node, ...]:
         case Inverse() | Near() | At():
             return (node.condition,)
         case Joined():
-            return (node.left, node.right)
+            return (node.first, node.second)
     return ()
 
 
-def every(node: Node) -> Iterator[Node]:
+def subexpressions(node: Node) -> Iterator[Node]:
     """A node and all its parts."""
     yield node
-    for part in operands(node):
-        yield from every(part)
+    for operand in operands(node):
+        yield from subexpressions(operand)
 
 
 def to_plain(node: Node) -> list[Any]:
     """A node as lists, texts and numbers; fractions are [numerator, denominator]."""
     if isinstance(node, Sum):
-        parts = [[f.numerator, f.denominator, to_plain(value)] for f, value in node.terms]
-        return ["Sum", *parts]
-    values = (getattr(node, each.name) for each in fields(node))
+        terms = [[f.numerator, f.denominator, to_plain(value)] for f, value in node.terms]
+        return ["Sum", *terms]
+    values = (getattr(node, field.name) for field in fields(node))
     return [type(node).__name__, *(to_plain(v) if isinstance(v, Node) else v for v in values)]
 
 
@@ -271,9 +271,9 @@ def from_plain(plain: Any) -> Node:
         if name == "Sum":
             terms: Any = tuple((Fraction(n, d), from_plain(value)) for n, d, value in values)
             return Sum(terms)
-        parts: list[Any] = [from_plain(v) if isinstance(v, list) else v for v in values]
+        arguments: list[Any] = [from_plain(v) if isinstance(v, list) else v for v in values]
         make: Any = _NODES[name]
-        node: Node = make(*parts)
+        node: Node = make(*arguments)
     except (TypeError, KeyError, ValueError, ZeroDivisionError) as error:
         raise ValueError("an expression of its pictures is malformed") from error
     return node

@@ -13,11 +13,11 @@ from nscc.words.pictures import (
     Picture,
     PictureCost,
     Pictures,
-    Report,
+    PlaneReport,
     TailLaunch,
     Weights,
-    every,
     from_plain,
+    subexpressions,
     to_plain,
 )
 
@@ -55,7 +55,9 @@ def pictures_from(header: Any) -> Pictures:
             header["outside"],
             {str(name): float(limit) for name, limit in header["limits_e"].items()},
             tuple(map(str, header["reads"])),
-            tuple(Report(kind, str(plane), int(most)) for kind, plane, most in header["reports"]),
+            tuple(
+                PlaneReport(kind, str(plane), int(most)) for kind, plane, most in header["reports"]
+            ),
             tuple(tuple((a, b, c, d, e) for a, b, c, d, e in kernel) for kernel in header["words"]),
             tuple(TailLaunch(kernel, level) for kernel, level in header["launches"]),
             {str(name): str(register) for name, register in header["registers"].items()},
@@ -92,7 +94,7 @@ def faults(container: Container) -> Iterator[str]:
     known: set[str] = {*container.buckets}
     weights = {kernel.name for kernel in pictures.weights}
     for item in pictures.items:
-        for node in every(item.node):
+        for node in subexpressions(item.node):
             name = getattr(node, "name", None)
             if name is not None and name not in known:
                 yield f"`{item.name[:40]!a}` reads what is not computed before it"
@@ -103,7 +105,7 @@ def faults(container: Container) -> Iterator[str]:
         known.add(item.name)
     if pictures.outside not in (None, 0, 1) or pictures.limits_e.keys() != {*container.buckets}:
         yield "its pictures are malformed"
-    if not known.issuperset(pictures.wanted) or not pictures.wanted:
+    if not known.issuperset(pictures.outputs) or not pictures.outputs:
         yield "its pictures do not say what leaves the chip"
     for kernel in pictures.kernels:
         if not all(type(x) is int and 0 <= x < 1 << 32 for word in kernel for x in word):

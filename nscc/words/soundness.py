@@ -22,19 +22,19 @@ def faults(container: Container) -> list[str]:
     The words themselves are not looked at (see `nscc.words.legality`), except that each must be
     five 32-bit integers and that all must fit the target's store.
     """
-    parts = (
+    checks = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
         machine_file.faults, _stream_faults, pictures_file.faults,
     )  # fmt: skip
-    return [fault for part in parts for fault in part(container)]
+    return [fault for check in checks for fault in check(container)]
 
 
-def _names(what: str, names: Sequence[str]) -> Iterator[str]:
+def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
     for name in names:
         if not name or len(name) > _LONGEST_NAME or not name.isprintable():
-            yield f"the {what} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
+            yield f"the {kind} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
     if len(set(names)) != len(names):
-        yield f"a {what} name stands twice in {list(names)[:20]}"
+        yield f"a {kind} name stands twice in {list(names)[:20]}"
 
 
 def _time_faults(container: Container) -> Iterator[str]:
@@ -109,9 +109,9 @@ def _register_faults(container: Container) -> Iterator[str]:
     read = [readout.bucket for readout in container.readouts]
     if sorted(read) != sorted(container.buckets):
         yield "its readouts do not name every bucket once"
-    held = target.taps if target.streamed else target.analog_registers
+    readable = target.taps if target.streamed else target.analog_registers
     for readout in container.readouts:
-        if readout.register not in held:
+        if readout.register not in readable:
             yield f"it reads out {readout.register[:40]!a}, but {target.name} has no such register"
         if not isfinite(readout.gain):
             yield f"a readout has the gain {readout.gain}"
@@ -148,12 +148,12 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 def _text_faults(container: Container) -> Iterator[str]:
     """Free text may hold any character, but no half of one: no file and no terminal takes that."""
-    for what, text in (
+    for place, text in (
         ("its program's source", "".join(container.source_lines)),
-        ("a note", "".join(part for note in container.notes.items() for part in note)),
+        ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),
     ):
         if any("\ud800" <= c <= "\udfff" for c in text):
-            yield f"{what} holds half a character (a lone surrogate)"
+            yield f"{place} holds half a character (a lone surrogate)"
 
 
 def _within(indices: np.ndarray[tuple[int, ...], np.dtype[np.int32]], count: int) -> bool:

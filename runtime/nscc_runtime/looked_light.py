@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc.words.machine import Machine
+from nscc.words.machine import StateMachine
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import CountedLight, Soft
 from nscc_runtime.effects.sensor import Sensor
@@ -70,7 +70,7 @@ def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) ->
 
 
 def open_times(
-    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
+    machine: StateMachine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
 ) -> tuple[NDArray[np.int64], Values]:
     """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
     rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""

@@ -223,7 +223,7 @@ def _pictured(
 ) -> Simulated:
     """Images and planes: slot by slot and word by word, with all effects that were named."""
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.neighbours.frames import PicturedProgram
+    from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
     if request.plan is not None or request.audit:
         option = "--plan" if request.plan is not None else "--audit"

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc.words.machine import LIGHT, Machine
+from nscc.words.machine import LIGHT, StateMachine
 
 Values = NDArray[np.float64]
 Nodes = NDArray[np.int64]
@@ -65,7 +65,7 @@ def _share(container: Container) -> Values:
 
 
 def _run_frame(
-    container: Container, machine: Machine, nodes: Nodes, wells: Values
+    container: Container, machine: StateMachine, nodes: Nodes, wells: Values
 ) -> tuple[Courses, Nodes]:
     """A frame from these nodes on, and the nodes in which it ends."""
     share, all_pixels = np.diff(_share(container)), np.arange(len(wells))
@@ -99,7 +99,7 @@ def _run_frame(
     return Courses(wells, opens, resets, machine.values[nodes[all_pixels]], tuple(flips)), nodes
 
 
-def _next_start(machine: Machine, ended: Nodes) -> Nodes:
+def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
     """Where the next frame starts: what is kept as it was, everything else at its START."""
     is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)

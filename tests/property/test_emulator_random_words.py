@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nscc.operations import Op, op, pair
-from nscc.words.container import Container, Kernel, Launch, Readout
+from nscc.words.container import Container, Launch, Readout, StoredKernel
 from nscc.words.encoding import encode
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
@@ -68,7 +68,7 @@ def _kernel(reads_flag):
 
 def _measured(container: Container, light: Light, words: list[Op], readouts, seed) -> np.ndarray:
     """What registers hold in a frame that runs only `words`, at boundary 0."""
-    kernel = Kernel("probe", tuple(encode(word) for word in words))
+    kernel = StoredKernel("probe", tuple(encode(word) for word in words))
     probe = replace(
         container,
         kernels=(kernel,),
@@ -153,7 +153,7 @@ def test_words(data):
             look = [op("all"), op("bus", ["A"]), op("bus", ["B"], ["PIX"])]
             look += [op("WHERE", (), [name]), op("bus", ["A"], ["B"])]
             expected = chip.digital[name]
-        kernel = Kernel("look", tuple(encode(word) for word in look))
+        kernel = StoredKernel("look", tuple(encode(word) for word in look))
         looked = replace(
             container,
             kernels=(*container.kernels, kernel),

@@ -18,7 +18,7 @@ from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.frames import PicturedProgram
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 PROGRAMS, CHUNKS = 1000, 20

@@ -59,7 +59,7 @@ def _all_brackets(node: t.Expr) -> str:
         case t.Binary():
             return f"({_all_brackets(node.left)}) {node.op} ({_all_brackets(node.right)})"
         case t.Compare():
-            rest = zip(node.ops, node.rest, strict=True)
+            rest = zip(node.ops, node.later_operands, strict=True)
             links = "".join(f" {op} ({_all_brackets(value)})" for op, value in rest)
             return f"({_all_brackets(node.first)}){links}"
         case t.IfElse():

@@ -18,7 +18,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import OPERATIONS, READ_LINES, Op, op
 from nscc.source import Source
 from nscc.words.assembly import assemble
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.disassembly import disassemble
 from nscc.words.encoding import encode, matching
 from nscc.words.file import from_bytes, to_bytes
@@ -88,7 +88,9 @@ def containers(draw: st.DrawFn) -> Container:
     rng = np.random.default_rng(draw(st.integers(0, 2**32)))
     codes, shutters = draw(st.integers(1, 5)), draw(st.integers(1, 4))
     lists = st.lists(st.one_of(WORDS.map(lambda w: [w]), PAIRS), max_size=6)
-    kernels = tuple(Kernel(n, tuple(w for part in draw(lists) for w in part)) for n in kernel_names)
+    kernels = tuple(
+        StoredKernel(n, tuple(w for part in draw(lists) for w in part)) for n in kernel_names
+    )
     launches = []
     if kernels:
         pairs = st.tuples(st.integers(0, slots), st.integers(0, len(kernels) - 1))

@@ -29,7 +29,7 @@ from marks import slow
 from nscc_command import invoke
 
 from nscc.emit.cpp.patterns import patterns_of
-from nscc.words.container import Container, Kernel
+from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import decode
 from nscc.words.file import read_container
 from nscc_runtime.emulator import expose
@@ -283,7 +283,7 @@ def test_the_simulators_build_opens_the_same_shutters(name: str, tmp_path: Path)
 def ran(container: Container, recording: Recording, numbers: list[int]) -> Container:
     """The container with the words that a program ran in place of its own."""
     used = sorted(set(numbers))
-    kernels = tuple(Kernel(f"r{n}", tuple(recording.kernels[n])) for n in used)
+    kernels = tuple(StoredKernel(f"r{n}", tuple(recording.kernels[n])) for n in used)
     launches = tuple(
         replace(launch, kernel=used.index(number))
         for launch, number in zip(container.launches, numbers, strict=True)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from emulator_programs import CLEAR, LEVEL, bumps, target_of
 
-from nscc.words.container import Kernel
+from nscc.words.container import StoredKernel
 from nscc.words.encoding import encode
 from nscc_runtime.emulator import capture, expose
 from nscc_runtime.light import Light
@@ -129,7 +129,7 @@ def test_a_program_that_forgets_to_set_a_register_is_far_off(forgotten, light_e)
     first, *others = container.kernels
     words = tuple(word for word in first.words if word != encode(forgotten))
     assert len(words) == len(first.words) - 1
-    broken = replace(container, kernels=(Kernel("k0", words), *others))
+    broken = replace(container, kernels=(StoredKernel("k0", words), *others))
     truth = light.total_e()
     np.testing.assert_allclose(expose(container, light).exposure_e[0], truth, rtol=1e-12)
     far = np.abs(expose(broken, light).exposure_e[0] / truth - 1) > 0.1

@@ -10,7 +10,7 @@ from emulator_programs import container_of, target_of
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import op, pair
-from nscc.words.container import Kernel, Readout
+from nscc.words.container import Readout, StoredKernel
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
@@ -111,7 +111,7 @@ def test_split_pair_and_unknown_word_are_refused():
         with pytest.raises(Rejected, match="NS0703"):
             run(words)
     container = container_of(target_of(SHAPE), PLANES, [SHOW], [(0, 0)], 1)
-    bad = replace(container, kernels=(Kernel("bad", ((1, 2, 3, 4, 5),)),))
+    bad = replace(container, kernels=(StoredKernel("bad", ((1, 2, 3, 4, 5),)),))
     with pytest.raises(Rejected, match="NS0701"):
         expose(bad, LIGHT)
 

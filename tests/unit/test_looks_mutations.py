@@ -17,11 +17,11 @@ from looks_programs import looking_frames
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.operations import OPERATIONS, Effect, Op, Phase, op
+from nscc.operations import OPERATIONS, Op, Phase, WordEffect, op
 from nscc.pipeline import Options, run_passes
 from nscc.prove.proof import prove
 from nscc.source import Source
-from nscc.words.container import Container, Kernel, Launch
+from nscc.words.container import Container, Launch, StoredKernel
 from nscc.words.encoding import encode
 from nscc.words.legality import decoded
 from nscc_runtime.effects import selected
@@ -92,7 +92,7 @@ def changed(container: Container, choose: random.Random) -> Container:
         place = choose.randrange(len(words))
         words[place : place + 1] = [] if kind == "drop" else [encode(any_word(choose))]
         kernels = list(container.kernels)
-        kernels[number] = Kernel(kernels[number].name, tuple(words))
+        kernels[number] = StoredKernel(kernels[number].name, tuple(words))
         return replace(container, kernels=tuple(kernels))
     launches = list(container.launches)
     place = choose.randrange(len(launches))
@@ -168,12 +168,12 @@ def test_every_single_word_that_compares_is_needed(name: str) -> None:
     container = built(PROGRAMS[name])
     for number, kernel in enumerate(decoded(container)):
         for place, word in enumerate(kernel):
-            if word.operation.effect is not Effect.FLAG_ANALOG:
+            if word.operation.effect is not WordEffect.FLAG_ANALOG:
                 continue
             words = list(container.kernels[number].words)
             del words[place]
             kernels = list(container.kernels)
-            kernels[number] = Kernel(kernels[number].name, tuple(words))
+            kernels[number] = StoredKernel(kernels[number].name, tuple(words))
             other = replace(container, kernels=tuple(kernels))
             assert not prove(other, decoded(other)).holds
 

@@ -13,7 +13,7 @@ import nscc
 import nscc_runtime
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.emit.pictures import picture_report
+from nscc.emit.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.words.assembly import assemble
@@ -23,7 +23,7 @@ from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.frames import PicturedProgram
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 SIDE = 16

@@ -142,8 +142,8 @@ def test_comparisons_are_nodes() -> None:
     assert pictures is not None
     first, second = (item.node for item in pictures.items)
     assert isinstance(first, Joined)
-    assert isinstance(first.left, Above)
-    assert isinstance(first.right, Inverse)
+    assert isinstance(first.first, Above)
+    assert isinstance(first.second, Inverse)
     assert isinstance(second, At)
     assert (second.right, second.down) == (-1, 2)
 

@@ -13,7 +13,7 @@ from marks import slow
 from nscc.chips.load import builtin_target
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
-from nscc.prove.pictures import pictures_fault
+from nscc.prove.pictures_proof import pictures_fault
 from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.encoding import encode, matching
@@ -21,7 +21,7 @@ from nscc.words.legality import picture_fault
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.frames import PicturedProgram
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

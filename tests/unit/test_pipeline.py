@@ -13,7 +13,7 @@ from nscc import pipeline
 from nscc.checks import Inconsistent
 from nscc.emit.listing import text_after
 from nscc.lower.exposure_plan import LOWERINGS
-from nscc.operations import Effect, Op
+from nscc.operations import Op, WordEffect
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
@@ -134,7 +134,7 @@ def dropped_comparisons(tried):
         boundary: tuple(
             item
             for item in each
-            if not isinstance(item, Op) or item.operation.effect is not Effect.FLAG_ANALOG
+            if not isinstance(item, Op) or item.operation.effect is not WordEffect.FLAG_ANALOG
         )
         for boundary, each in first.looking.items.items()
     }

@@ -20,11 +20,11 @@ from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     OPERATIONS,
-    Effect,
+    WordEffect,
     op,
 )
 from nscc.prove.proof import prove
-from nscc.words.container import Kernel
+from nscc.words.container import StoredKernel
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import decoded
 
@@ -64,7 +64,9 @@ def changed(container, kernel, index, word):
     """The container with one word replaced."""
     kernels = list(container.kernels)
     words = kernels[kernel].words
-    kernels[kernel] = Kernel(kernels[kernel].name, (*words[:index], word, *words[index + 1 :]))
+    kernels[kernel] = StoredKernel(
+        kernels[kernel].name, (*words[:index], word, *words[index + 1 :])
+    )
     return replace(container, kernels=tuple(kernels))
 
 
@@ -81,7 +83,7 @@ def any_operation(choose, target):
     """A word of the table with operands of the target, as likely in each row."""
     while True:
         row = choose.choice(OPERATIONS)
-        analog = row.effect in (Effect.BUS, Effect.FLAG_ANALOG)
+        analog = row.effect in (WordEffect.BUS, WordEffect.FLAG_ANALOG)
         operands = []
         for names, (low, high) in (
             (list(ANALOG_WRITE if analog else target.digital_registers), row.destinations),
@@ -171,7 +173,7 @@ def test_bits_that_no_frame_writes_are_not_relied_on():
     kept = [w for w in container.kernels[last].words if "REFRESH" not in str(matching(w))]
     assert len(kept) == len(container.kernels[last].words) - 2 * len(container.code_registers)
     kernels = list(container.kernels)
-    kernels[last] = Kernel("end", tuple(kept))
+    kernels[last] = StoredKernel("end", tuple(kept))
     forgetful = replace(container, kernels=tuple(kernels))
     proof = prove(forgetful, decoded(forgetful))
     assert proof.failure is not None
@@ -197,7 +199,7 @@ def test_the_third_frame_is_like_the_second():
     other = op("REFRESH.read", (), [container.code_registers[1]])
     proof = proved(container, last, index, other)
     assert proof.failure is not None
-    assert "do not hold their code" in proof.failure.what
+    assert "do not hold their code" in proof.failure.reason
     assert proof.failure.frame == 1
 
 

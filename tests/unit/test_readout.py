@@ -174,7 +174,7 @@ def test_the_proof_covers_them(monkeypatch: pytest.MonkeyPatch, fault: int) -> N
     monkeypatch.setattr(readout_words, "spreading", wrong)
     failure = prove(container, decoded(container)).failure
     assert failure is not None
-    assert "the meaning of its codes" in failure.what
+    assert "the meaning of its codes" in failure.reason
 
 
 def compiled(*statements: str) -> Container:

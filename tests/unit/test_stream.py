@@ -92,8 +92,8 @@ def test_every_single_bit_is_proved() -> None:
         planes[slot, y, x // 8] ^= 1 << x % 8
         proof = prove_stream(replace(container, stream=replace(stream, planes=planes)))
         assert proof.failure is not None
-        assert f"x = {x}, y = {y}" in proof.failure.what
-        assert f"slot {slot}" in proof.failure.what
+        assert f"x = {x}, y = {y}" in proof.failure.reason
+        assert f"slot {slot}" in proof.failure.reason
     crossed = replace(stream, ones=stream.zeros, zeros=stream.ones)
     assert not prove_stream(replace(container, stream=crossed)).holds
 

@@ -11,7 +11,7 @@ import pytest
 
 from nscc.chips.load import builtin_target
 from nscc.source import Source
-from nscc.toml.kinds import Flag, Integer, Number, Several, Text
+from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Key, Schema
 from nscc.toml.schema_files import file_text
 from nscc.toml.toml_text import parsed
@@ -19,7 +19,7 @@ from nscc_runtime.sensor import default_sensor, parameter, parameters
 from nscc_runtime.sensor.file import schema_of
 
 ROWS = (
-    Key("", "title", Text(), "what it is called", default=""),
+    Key("", "title", TextKind(), "what it is called", default=""),
     Key("lens", "focus_mm", Number(1, 100, "mm"), "of the lens", default=8.0, required=True),
     Key("lens", "stops", Several(Integer(1, 9), 2), "first and last", default=(1, 2)),
     Key("shutter", "open", Flag(), "whether it is", default=False),

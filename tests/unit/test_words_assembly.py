@@ -15,7 +15,7 @@ from nscc.operations import op
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
 from nscc.words.assembly_text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.cost import frame_cost
 from nscc.words.diff import differences
 from nscc.words.disassembly import disassemble
@@ -101,7 +101,9 @@ def test_bare_instructions_give_words() -> None:
 def test_words_that_no_line_stands_for_are_printed_as_bits() -> None:
     lone, wide = encode(op("OR.read", (), ["R2"])), encode(op("SET", ["R20"]))
     other = (1, 2, 3, 4, 0xFFFFFFFF)
-    container = replace(assembled(HAND), kernels=(Kernel("k", (lone, wide, other)),), launches=())
+    container = replace(
+        assembled(HAND), kernels=(StoredKernel("k", (lone, wide, other)),), launches=()
+    )
     text = disassemble(container)
     assert text.count(".word 0x") == 3
     assert "half of a pair" in text

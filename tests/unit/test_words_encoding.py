@@ -12,7 +12,7 @@ import pytest
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.macros import MNEMONICS, OperandError, expand
-from nscc.operations import BY_NAME, DIGITAL_WRITE, OPERATIONS, Effect, Op, Phase, op, pair
+from nscc.operations import BY_NAME, DIGITAL_WRITE, OPERATIONS, Op, Phase, WordEffect, op, pair
 from nscc.words.encoding import decode, encode, matching, word_lines, word_text
 from nscc.words.legality import split_pairs, target_fault
 
@@ -72,7 +72,7 @@ def run(ops: tuple[Op, ...], state: dict[str, bool]) -> dict[str, bool]:
     state, bus = dict(state), False
     for operation in ops:
         row = BY_NAME[operation.name]
-        assert row.effect is Effect.DIGITAL
+        assert row.effect is WordEffect.DIGITAL
         value = any(state[s] for s in operation.sources) != row.inverted
         if row.phase is Phase.READ:
             bus = value
@@ -141,13 +141,13 @@ def test_analog_macro_computes_what_its_name_says(line: tuple[str, ...]) -> None
         for operation in expand(line[0], line[1:]):
             row = operation.operation
             total = sum(state[s] for s in operation.sources)
-            if row.effect is Effect.BUS and flag:
+            if row.effect is WordEffect.BUS and flag:
                 state.update(dict.fromkeys(operation.destinations, -total / row.divisor))
-            elif row.effect is Effect.RESET_PIX:
+            elif row.effect is WordEffect.RESET_PIX:
                 state["PIX"] = 7.0
-            elif row.effect is Effect.FLAG_ANALOG:
+            elif row.effect is WordEffect.FLAG_ANALOG:
                 flag = total > 0
-            elif row.effect is Effect.FLAG_ALL:
+            elif row.effect is WordEffect.FLAG_ALL:
                 flag = True
         kept = ("A", "PIX") if "div" in line[0] else ("A", "B", "C", "D", "PIX")
         assert {r: state[r] for r in kept} == {r: expected[r] for r in kept}

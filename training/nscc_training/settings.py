@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from nscc.toml.kinds import Flag, Integer, Number, Several, Text
+from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Schema, key, keys_of
 from nscc_training.code_choices import RELAXATIONS, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
@@ -18,7 +18,7 @@ class ShutterSettings:
     """[shutter]: what is learned on the sensor's side."""
 
     kind: str = key(
-        Text(("a", "b", "c", "d", "e", "codebook", "looks")),
+        TextKind(("a", "b", "c", "d", "e", "codebook", "looks")),
         "the class of shutters; looks: pixels that close at the first look above a level",
         "b",
         name="class",
@@ -35,13 +35,13 @@ class ShutterSettings:
         Integer(2, 32), "exposures of a pixel that looks: the number of looks plus one", 5
     )
     init: str = key(
-        Text(),
+        TextKind(),
         f"{', '.join(STARTS)}, learned (as quad), a run, or a file: codes, .npz or .mat, or a "
         "program of the class, .nsl", "quad",
     )  # fmt: skip
     learn: bool = key(Flag(), "false: the codes do not change", True)
     relaxation: str = key(
-        Text(RELAXATIONS),
+        TextKind(RELAXATIONS),
         "how codes are learned: the gradient method for the quantisation, or a search",
         "straight-through",
     )  # fmt: skip
@@ -77,14 +77,16 @@ class ShutterSettings:
         Number(0, 1),
         "the last fraction of the steps, in which only the decoder learns", 0.0,
     )  # fmt: skip
-    target: str = key(Text(), "the chip: a name or a file, as --target takes it", "scamp5")
+    target: str = key(TextKind(), "the chip: a name or a file, as --target takes it", "scamp5")
     buckets: int = key(
         Integer(1, 2),
         "2: a second bucket collects the light that the code excludes (clips)", 1,
     )  # fmt: skip
-    require: str = key(Text(), "a condition that legal codes fulfil, as in a program (b, c, d)", "")
+    require: str = key(
+        TextKind(), "a condition that legal codes fulfil, as in a program (b, c, d)", ""
+    )
     codes: str = key(
-        Text(("fixed", "open")), "open: every legal code must compile, not only those learned",
+        TextKind(("fixed", "open")), "open: every legal code must compile, not only those learned",
         "fixed",
     )  # fmt: skip
     words_weight: float = key(
@@ -99,20 +101,22 @@ class ShutterSettings:
 class DecoderSettings:
     """[decoder]: what makes pictures of frames."""
 
-    name: str = key(Text(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d")
-    size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
+    name: str = key(
+        TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
+    )
+    size: str = key(TextKind(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
     width: float = key(
         Number(0.01, 1), "width of its layers, as a fraction of the size's width", 1.0
     )
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
     guess: str = key(
-        Text(("by size", "yes", "no")),
+        TextKind(("by size", "yes", "no")),
         "whether a U-Net starts from a first guess; by size: the small ones do, those of the "
         "paper's size do not",
         "by size",
     )  # fmt: skip
     init: str = key(
-        Text(), "the run (a folder, or one that comes with nscc) whose weights it starts from; "
+        TextKind(), "the run (a folder, or one that comes with nscc) whose weights it starts from; "
                 "empty: random weights", "",
     )  # fmt: skip
     learn: bool = key(
@@ -121,7 +125,7 @@ class DecoderSettings:
         True,
     )  # fmt: skip
     lessons: str = key(
-        Text(("", "denoise", "codes", "stills")),
+        TextKind(("", "denoise", "codes", "stills")),
         "the task that `any` learns from pictures in [data] train: noisy clips, clips with "
         "codes of every class, stills with stops; empty: captures with the run's own "
         "shutters", "",
@@ -147,10 +151,12 @@ class DecoderSettings:
 class SensorSettings:
     """[sensor]: what becomes of the light."""
 
-    file: str = key(Text(), "a sensor file (nscc effects --toml); empty: the protocol's sensor", "")
+    file: str = key(
+        TextKind(), "a sensor file (nscc effects --toml); empty: the protocol's sensor", ""
+    )
     noise: bool = key(Flag(), "photon noise and readout noise", True)
     effects: str = key(
-        Text(),
+        TextKind(),
         "sensor effects as in --effects: all, auto, or names; empty: noise, full well and "
         "converter", "",
     )  # fmt: skip
@@ -162,17 +168,17 @@ class DataSettings:
     """[data]: scenes. Training and validation never share one."""
 
     train: str = key(
-        Text(),
+        TextKind(),
         "a folder, procedural (synthetic scenes), or a custom source as module:name",
         "procedural",
     )
     val: str = key(
-        Text(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
+        TextKind(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
     )
-    protocol: str = key(Text(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
+    protocol: str = key(TextKind(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
     transfer: str = key(
-        Text(("", "linear", "srgb")), "curve of clips: linear or srgb; empty: as the protocol says",
-        "",
+        TextKind(("", "linear", "srgb")),
+        "curve of clips: linear or srgb; empty: as the protocol says", "",
     )  # fmt: skip
     patch: int = key(Integer(11, 4096), "rows and columns of a training patch", 64)
     together: int = key(
@@ -201,7 +207,7 @@ class LossSettings:
     """[loss]: what is minimised."""
 
     name: str = key(
-        Text(),
+        TextKind(),
         "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, a "
         "custom loss as module:name, or a sum of losses joined by +", "mu-law",
     )  # fmt: skip
@@ -215,15 +221,15 @@ class TrainSettings:
     batch: int = key(_COUNT, "patches per update", 4)
     seed: int = key(Integer(0, 2**31 - 1), "seed of all random numbers", 0)
     device: str = key(
-        Text(("auto", "cpu", "cuda")),
+        TextKind(("auto", "cpu", "cuda")),
         "device of networks and frames of the emulated chip; auto: cuda if available", "auto",
     )  # fmt: skip
     dtype: str = key(
-        Text(("f32", "bf16")), "data type of the decoder; the sensor model is always f32", "f32"
+        TextKind(("f32", "bf16")), "data type of the decoder; the sensor model is always f32", "f32"
     )
     rate: float = key(Number(0, 10), "learning rate of the decoder", 1e-3)
     optimizer: str = key(
-        Text(("adam", "muon")),
+        TextKind(("adam", "muon")),
         "optimizer of the decoder; muon: Muon for its inner convolutions, Adam elsewhere",
         "adam",
     )  # fmt: skip
@@ -238,7 +244,9 @@ class TrainSettings:
     code_rate: float = key(
         Number(0, 10), "learning rate of the codes, as a fraction of their range", 1e-3
     )
-    schedule: str = key(Text(("cosine", "constant")), "schedule of both learning rates", "cosine")
+    schedule: str = key(
+        TextKind(("cosine", "constant")), "schedule of both learning rates", "cosine"
+    )
     clip: float = key(Number(0, 1e9), "largest norm of the decoder's gradient; 0: any", 1.0)
     validate_every: int = key(Integer(1, 10**9), "steps between validations and checkpoints", 100)
 

@@ -16,9 +16,9 @@ from math import ceil
 
 from nscc.chips.target import Target
 from nscc.emit.cpp.cpp_text import remarked, template_lines
-from nscc.operations import Effect
+from nscc.operations import WordEffect
 from nscc.words.assembly_text import ranges_text
-from nscc.words.container import Container, Kernel
+from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import decode
 
 LONGEST_GAP_US = 1 << 30
@@ -99,7 +99,7 @@ def exact(value: float) -> Fraction:
     return Fraction(Decimal(repr(float(value))))
 
 
-def kernel_us(kernel: Kernel, target: Target) -> Fraction:
+def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
     """Time of one launch of a kernel, in microseconds."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
@@ -119,8 +119,8 @@ def _setup_us(container: Container) -> Fraction:
             break
         words = container.kernels[launch.kernel].words
         for index, word in enumerate(words):
-            if decode(word).operation.effect is Effect.RESET_PIX:
-                setup = elapsed + kernel_us(Kernel("", words[: index + 1]), target)
+            if decode(word).operation.effect is WordEffect.RESET_PIX:
+                setup = elapsed + kernel_us(StoredKernel("", words[: index + 1]), target)
         elapsed += kernel_us(container.kernels[launch.kernel], target)
     return setup
 

@@ -14,7 +14,7 @@ from itertools import product
 
 from nscc.emit.cpp.cpp_text import Call, call_text, remarked
 from nscc.macros import MNEMONICS, OperandError, expand
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op, Phase, WordEffect
 from nscc.words.container import Word
 from nscc.words.encoding import encode, word_text
 
@@ -150,7 +150,7 @@ def _single(operation: Op) -> Call | None:
         return None
     if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):
         return None
-    if operation.operation.effect is Effect.DIGITAL and (
+    if operation.operation.effect is WordEffect.DIGITAL and (
         len(operation.destinations) > MOST_DESTINATIONS
     ):
         return None

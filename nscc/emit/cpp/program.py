@@ -36,7 +36,7 @@ from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.words.assembly_text import number_text, ranges_text
-from nscc.words.container import Container, Kernel, state_registers
+from nscc.words.container import Container, StoredKernel, state_registers
 from nscc.words.encoding import decode
 from nscc.words.legality import refuse_pictures
 from nscc.words.readout import converter_of, preparation_of
@@ -141,7 +141,7 @@ def _check_store(
         raise Rejected(_no_cpp(program, devkit, reason, way_out))
 
 
-def ops_of(kernel: Kernel) -> list[Op]:
+def ops_of(kernel: StoredKernel) -> list[Op]:
     """The words of a kernel, decoded."""
     return [decode(word) for word in kernel.words]
 
@@ -157,7 +157,7 @@ def _header(
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
     executed = sum(len(container.kernels[launch.kernel].words) for launch in container.launches)
-    others = loading.words + len(preparation_of(container).words)
+    loading_and_readout_words = loading.words + len(preparation_of(container).words)
     yield from comment(
         f"{_name(program)}: per-pixel shutters for the {devkit.name} devkit. Written by nscc from "
         f"the words of the compiled program, {_WORDS[devkit.tables]}."
@@ -170,13 +170,13 @@ def _header(
         ("digital", allocation.holders),
         ("analog", lowered.plan.registers),
     ):
-        held = "; ".join(f"{register} {holder}" for register, holder in holders.items())
-        if held:
-            yield from entry(title, held)
+        contents = "; ".join(f"{register} {holder}" for register, holder in holders.items())
+        if contents:
+            yield from entry(title, contents)
     yield from entry(
         "words",
         f"{stored} stored in {len(container.kernels)} kernels, {executed} a frame; "
-        f"{others} more load the codes and prepare readout",
+        f"{loading_and_readout_words} more load the codes and prepare readout",
     )
     yield from entry("time", _time_text(container, schedule))
     yield from entry("readout", _readout_text(container))
@@ -202,10 +202,10 @@ def _name(program: Program) -> str:
 def _slots_text(container: Container) -> str:
     total = number_text(float(sum(map(exact, container.slot_us))))
     lengths = sorted(set(container.slot_us))
-    each = f"of {number_text(lengths[0])} us"
+    slot_length = f"of {number_text(lengths[0])} us"
     if len(lengths) > 1:
-        each = f"of {number_text(lengths[0])} to {number_text(lengths[-1])} us"
-    return f"{container.slots} {each}, {total} us in all"
+        slot_length = f"of {number_text(lengths[0])} to {number_text(lengths[-1])} us"
+    return f"{container.slots} {slot_length}, {total} us in all"
 
 
 def _time_text(container: Container, schedule: LaunchSchedule) -> str:
@@ -246,8 +246,8 @@ def _state_texts(container: Container) -> Iterator[str]:
             text = f"{state.name} in {' '.join(planes.registers) or 'no register'}"
             rows = zip(planes.values, planes.bits.astype(int), strict=True)
             listed = [f"{value} is {''.join(map(str, bits))}" for value, bits in rows]
-            more = f", and {len(listed) - _MOST_VALUES} more" * (len(listed) > _MOST_VALUES)
-            yield f"{text}: {', '.join(listed[:_MOST_VALUES])}{more}"
+            omitted = f", and {len(listed) - _MOST_VALUES} more" * (len(listed) > _MOST_VALUES)
+            yield f"{text}: {', '.join(listed[:_MOST_VALUES])}{omitted}"
 
 
 def _array_text(target: Target) -> str:
@@ -257,10 +257,10 @@ def _array_text(target: Target) -> str:
     return text
 
 
-def _statement(program: Program, span: Span, what: str = "") -> str:
+def _statement(program: Program, span: Span, prefix: str = "") -> str:
     """The line of the source that a span begins on, as a comment."""
     row, _ = program.source.row_column(span.start)
-    return f"// {safe(f'{what}{_name(program)}:{row}: {program.source.line(row).strip()}')}"
+    return f"// {safe(f'{prefix}{_name(program)}:{row}: {program.source.line(row).strip()}')}"
 
 
 def _pixel_statements(tree: File, program: Program) -> Iterator[str]:
@@ -292,31 +292,31 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
             f"{len(ops)} word{'s' * (len(ops) != 1)}, {us} us; launched at boundary "
             f"{instants or '-'}"
         )
-        written = {register for each in ops for register in each.destinations}
+        written = {register for op in ops for register in op.destinations}
         for register, bucket in bucket_of.items():
             if register in written and bucket in rules:
                 yield _statement(program, rules[bucket], f"writes {register}: ")
-        others = None if narrow is None else narrow[number]
-        yield from kernel_lines(kernel_name(number), ops, others, tables=devkit.tables)
+        narrow_ops = None if narrow is None else narrow[number]
+        yield from kernel_lines(kernel_name(number), ops, narrow_ops, tables=devkit.tables)
         yield ""
 
 
 def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list[Op]] | None:
     """The kernels in words that have calls, proved as the container's own are."""
-    found = narrowed(container)
-    if found is None and not devkit.tables:
+    narrow_kernels = narrowed(container)
+    if narrow_kernels is None and not devkit.tables:
         reason = (
             "a word has more sources than a call of the devkit's library takes, and no register "
             "is free"
         )
         raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
-    if found is not None:
-        proof = prove(container, found)
+    if narrow_kernels is not None:
+        proof = prove(container, narrow_kernels)
         if not proof.holds:
             raise ValueError(
                 f"calls with few sources do not implement the program: {proof.failure}"
             )
-    return found
+    return narrow_kernels
 
 
 def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
@@ -341,9 +341,9 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     if preparing.level is not None:
         settle = ceil(exact(container.target.in_settle_us))
         prepare = template_lines("spread", level=preparing.level, settle=settle)
-    made = calls(preparing.words)
-    assert made is not None, "every bus of at most four registers has a call"
-    prepare += section((call for call, _ in made), " " * 8)
+    readout_calls = calls(preparing.words)
+    assert readout_calls is not None, "every bus of at most four registers has a call"
+    prepare += section((call for call, _ in readout_calls), " " * 8)
     yield from ["", *template_lines("frames", prepare="\n".join(prepare))]
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):

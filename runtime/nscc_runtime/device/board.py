@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect
+from nscc.operations import WordEffect
 from nscc.words.encoding import decode
 from nscc.words.readout import converter_of
 from nscc_runtime.device.messages import Channel
@@ -112,7 +112,7 @@ def looks(container: Container) -> bool:
     """Return whether words of the container compare analog values, so that each pixel has its own
     FLAG."""
     words = (word for kernel in container.kernels for word in kernel.words)
-    return any(decode(word).operation.effect is Effect.FLAG_ANALOG for word in words)
+    return any(decode(word).operation.effect is WordEffect.FLAG_ANALOG for word in words)
 
 
 def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:

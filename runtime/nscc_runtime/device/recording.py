@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel, Word
 from nscc.words.machine import StatePlanes
 from nscc.words.plane_files import codes_of_planes
 from nscc_runtime.device.objects import RUN, WORD, unpacked_plane
@@ -142,7 +142,7 @@ def container_of(
             np.arange(count, dtype=np.int32),
             np.zeros((count, len(names), len(slot_us)), bool),
         ),
-        kernels=tuple(Kernel(f"k{number}", words) for number, words in enumerate(kernels)),
+        kernels=tuple(StoredKernel(f"k{number}", words) for number, words in enumerate(kernels)),
         launches=tuple(launches),
         code_registers=tuple(bits),
         encoding=encoding,

@@ -10,7 +10,16 @@ from pathlib import Path
 
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
-from nscc.operations import ANALOG_SOURCES, DIGITAL_SOURCES, OPERATIONS, Effect, Op, Phase, op, pair
+from nscc.operations import (
+    ANALOG_SOURCES,
+    DIGITAL_SOURCES,
+    OPERATIONS,
+    Op,
+    Phase,
+    WordEffect,
+    op,
+    pair,
+)
 from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
 from nscc.words.readout import spreading
@@ -100,7 +109,7 @@ def _operations() -> Iterator[str]:
         counts = [*row.destinations, *row.sources]
         numbers = [
             str(row.clock),
-            "NOTHING" if row.effect is Effect.NONE else row.effect.name,
+            "NOTHING" if row.effect is WordEffect.NONE else row.effect.name,
             _PHASES[row.phase],
             str(1 + _PAIRS.index(kind) if half else 0),
             *(str(_limit(count)) for count in counts),

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op, Phase, WordEffect
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
@@ -141,26 +141,26 @@ class _Translator:
     def _translate(self, op: Op) -> list[tuple[int, ...]]:
         planes, rows = self.layout.planes, self.layout.rows
         match op.operation.effect:
-            case Effect.NONE:
+            case WordEffect.NONE:
                 return []
-            case Effect.DIGITAL_NEIGHBOURS:
+            case WordEffect.DIGITAL_NEIGHBOURS:
                 raise AssertionError(f"`{op}` has no place in an exposure")
-            case Effect.RESET_PIX:
+            case WordEffect.RESET_PIX:
                 # "unknown" is taken as "yes": the chip that resets less.
                 if self.target.reset_honours_flag == "no":
                     return [(Step.COPY, rows["PIX"], rows["reset"])]
                 return [(Step.DIVIDE, rows["PIX"], rows["reset"], 1)]
-            case Effect.BUS:
+            case WordEffect.BUS:
                 return self._bus(op)
-            case Effect.FLAG_ALL:
+            case WordEffect.FLAG_ALL:
                 return [self._combine("FLAG", (), inverted=True)]
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ANALOG:
                 masked = self.target.where_obeys_flag
                 compare = Step.COMPARE_MASKED if masked else Step.COMPARE
                 return [(compare, planes["FLAG"], *self._listed(op.sources, rows))]
-            case Effect.FLAG_DIGITAL:
+            case WordEffect.FLAG_DIGITAL:
                 return self._digital(op, ("FLAG",))
-            case Effect.DIGITAL:
+            case WordEffect.DIGITAL:
                 return self._digital(op, op.destinations)
 
     def _listed(self, sources: tuple[str, ...], places: dict[str, int]) -> tuple[int, int]:

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect
+from nscc.operations import WordEffect
 from nscc.words.container import Container
 from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.reference.digital import UNKNOWN, Bits, Digital
@@ -157,7 +157,7 @@ class _PathReplay:
         words: list[RunningWord] = []
         for word in running_words(self.container):
             self.registers.now_us = float(start_us[word.boundary])
-            if word.resets or word.compares or word.op.operation.effect is Effect.BUS:
+            if word.resets or word.compares or word.op.operation.effect is WordEffect.BUS:
                 self._met(word)
                 words.append(word)
             else:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.words.cost import word_us
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.digital import Digital
@@ -81,9 +81,9 @@ class ArrayPixels(WordPixels):
     def _run(self, word: RunningWord) -> None:
         op, digital = word.op, self.digital
         match op.operation.effect:
-            case Effect.BUS:
+            case WordEffect.BUS:
                 self._bus_on_array(word)
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ANALOG:
                 total = self.total(word)
                 for seen in self.at("compare"):
                     total = seen(self, total, word)
@@ -92,9 +92,9 @@ class ArrayPixels(WordPixels):
                     found &= digital.read("FLAG") == 1
                 self.tainted["FLAG"] = self._taint(op)
                 digital.write("FLAG", found)
-            case Effect.DIGITAL_NEIGHBOURS:
+            case WordEffect.DIGITAL_NEIGHBOURS:
                 self._near(op)
-            case Effect.FLAG_DIGITAL | Effect.FLAG_ALL:
+            case WordEffect.FLAG_DIGITAL | WordEffect.FLAG_ALL:
                 self.tainted["FLAG"] = self._taint(op)
                 digital.run(op)
             case _:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op, Phase, WordEffect
 
 Bits = NDArray[np.int8]
 """0, 1 or UNKNOWN."""
@@ -53,11 +53,11 @@ class Digital:
     def run(self, op: Op) -> None:
         """One word that neither is analog nor compares."""
         match op.operation.effect:
-            case Effect.FLAG_ALL:
+            case WordEffect.FLAG_ALL:
                 self.write("FLAG", np.ones_like(self.bits["FLAG"]))
-            case Effect.FLAG_DIGITAL:
+            case WordEffect.FLAG_DIGITAL:
                 self.write("FLAG", self._or_sources(op))
-            case Effect.DIGITAL:
+            case WordEffect.DIGITAL:
                 self._digital(op)
 
     def _digital(self, op: Op) -> None:

@@ -19,7 +19,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect
+from nscc.operations import WordEffect
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.effects import Selection, selected
@@ -185,12 +185,12 @@ class _LookingPixels(WordPixels):
     def _run(self, word: RunningWord) -> None:
         flag = self.digital.read("FLAG") == 1
         match word.op.operation.effect:
-            case Effect.RESET_PIX:
+            case WordEffect.RESET_PIX:
                 everywhere = self.target.reset_honours_flag == "no"
                 self.reset(word, np.ones_like(flag) if everywhere else flag)
-            case Effect.BUS:
+            case WordEffect.BUS:
                 self.bus(word, flag)
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ANALOG:
                 is_above = self._compared_total(word) > 0
                 self.digital.write(
                     "FLAG", is_above & flag if self.target.where_obeys_flag else is_above

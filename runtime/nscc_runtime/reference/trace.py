@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import Effect, Op
+from nscc.operations import Op, WordEffect
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
@@ -26,7 +26,7 @@ from nscc_runtime.reference.digital import Digital
 
 Bits = NDArray[np.bool_]
 
-_ANALOG = Effect.BUS, Effect.RESET_PIX, Effect.FLAG_ANALOG
+_ANALOG = WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.FLAG_ANALOG
 
 
 def opens_no_shutters(problem: str) -> Rejected:
@@ -56,12 +56,12 @@ class RunningWord:
     @property
     def resets(self) -> bool:
         """Whether it resets PIX."""
-        return self.op.operation.effect is Effect.RESET_PIX
+        return self.op.operation.effect is WordEffect.RESET_PIX
 
     @property
     def compares(self) -> bool:
         """Whether it is a `where`."""
-        return self.op.operation.effect is Effect.FLAG_ANALOG
+        return self.op.operation.effect is WordEffect.FLAG_ANALOG
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -128,7 +128,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
             raise opens_no_shutters(
                 f"`{word.op}` makes FLAG depend on the light: this program opens no shutters"
             )
-        if word.resets or word.op.operation.effect is Effect.BUS:
+        if word.resets or word.op.operation.effect is WordEffect.BUS:
             everywhere = word.resets and target.reset_honours_flag == "no"
             words.append(AnalogWord.of(word, ~nothing if everywhere else pixel.read("FLAG") == 1))
         else:

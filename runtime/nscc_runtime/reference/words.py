@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.operations import OPERATIONS, Effect
+from nscc.operations import OPERATIONS, WordEffect
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
@@ -51,7 +51,7 @@ def most_destinations(target: Target) -> int:
     that few words of a target's own change the draws of the others.
     """
     rows = (*OPERATIONS, *target.words)
-    most = max(row.destinations[1] or 0 for row in rows if row.effect is Effect.BUS)
+    most = max(row.destinations[1] or 0 for row in rows if row.effect is WordEffect.BUS)
     return 1 << (most - 1).bit_length()
 
 

@@ -11,7 +11,7 @@ from nscc.emit.sending_report import stream_report
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
 from nscc.pipeline import Compiled, Options
-from nscc.toml.kinds import Integer, Text
+from nscc.toml.kinds import Integer, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
 from nscc_training.sweep.point_programs import (
@@ -80,8 +80,9 @@ COMPILE = PointKind(
 def _limit_keys() -> tuple[Key, ...]:
     names = tuple(family.name for family in families())
     return (
-        axis("family", Text(names), "a class at every size"),
-        axis("slot", Text(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
+        axis("family", TextKind(names), "a class at every size"),
+        axis("slot",
+             TextKind(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
              "the length of its slots", "1ms"),
         axis("level", Integer(0, 3), "as -O", 1),
         *target_keys(),

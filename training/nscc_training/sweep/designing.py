@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
-from nscc.toml.kinds import Integer, Number, Text
+from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.light import light_files, scene_keys, scene_of, sensor_keys, sensor_of
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
@@ -21,11 +21,11 @@ def _keys() -> tuple[Key, ...]:
     return (
         *scene_keys(),
         axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
-        axis("criterion", Text(_CRITERIA), "the curve on which the error is minimised; "
+        axis("criterion", TextKind(_CRITERIA), "the curve on which the error is minimised; "
                                            "sve-risk: a fixed 2 x 2 tile instead of looks", "mu"),
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
         axis("slot_us", Number(0.01, 1e6), "their length in microseconds", 125.0),
-        axis("target", Text(), "the chip, by name or file", DEFAULT_NAME),
+        axis("target", TextKind(), "the chip, by name or file", DEFAULT_NAME),
         axis("level", Integer(0, 3), "as -O", 2),
         *sensor_keys(),
     )  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.toml.kinds import Flag, Integer, Number, Text
+from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.light import (
     light_files,
@@ -44,17 +44,17 @@ def _keys() -> tuple[Key, ...]:
     return (
         *program_keys(),
         *scene_keys(),
-        axis("bench", Text(_BENCHES),
+        axis("bench", TextKind(_BENCHES),
              "instead of scene: scenes of a protocol, decoded without training"),
-        axis("data", Text(), "the bench's folder of scenes; empty: synthetic scenes", ""),
+        axis("data", TextKind(), "the bench's folder of scenes; empty: synthetic scenes", ""),
         axis("scenes", Integer(1, 1000), "the number of scenes", 1),
         axis("frames", Integer(1, 4096),
              "number of frames of the bench's clips, a multiple of the slots", 16),
         axis("at_us", Number(0.01, 1e6, automatic=True), "slot length of the bench; auto: the "
                                                          "shortest", None),
-        axis("effects", Text(), "sensor effects, as in --effects", "auto"),
-        axis("tolerance", Text(), "the tolerance of the plan, as in --tolerance", "5e"),
-        axis("fidelity", Text(("planned", "reference")), "how words are executed", "planned"),
+        axis("effects", TextKind(), "sensor effects, as in --effects", "auto"),
+        axis("tolerance", TextKind(), "the tolerance of the plan, as in --tolerance", "5e"),
+        axis("fidelity", TextKind(("planned", "reference")), "how words are executed", "planned"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),
         axis("device_seed", Integer(0, 2**31 - 1), "seed of fixed patterns", 0),
         *sensor_keys(),

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.files import write_whole
-from nscc.toml.kinds import Flag, Integer, Number, Text
+from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES
 from nscc_training.scene_files import folders_of
@@ -21,18 +21,20 @@ RUN = "run"
 
 def _keys() -> tuple[Key, ...]:
     return (
-        axis(RUN, Text(), "parts of this grid, of kind train, whose runs are evaluated"),
-        axis("subject", Text(), "instead of run: a baseline, a run folder, or for sci8 a method"),
-        axis("protocol", Text(NAMES), "the evaluation protocol", "hdr-v1"),
-        axis("data", Text(), "the folder of scenes"),
+        axis(RUN, TextKind(), "parts of this grid, of kind train, whose runs are evaluated"),
+        axis(
+            "subject", TextKind(), "instead of run: a baseline, a run folder, or for sci8 a method"
+        ),
+        axis("protocol", TextKind(NAMES), "the evaluation protocol", "hdr-v1"),
+        axis("data", TextKind(), "the folder of scenes"),
         axis("seed", Integer(0, 2**31 - 1), "seed of random codes and noise", 0),
         axis(
             "shutter",
-            Text(),
+            TextKind(),
             "other codes for a baseline that accepts any code, as in --shutter",
             "",
         ),
-        axis("effects", Text(), "effects of the emulated chip that exposes the scenes", ""),
+        axis("effects", TextKind(), "effects of the emulated chip that exposes the scenes", ""),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),

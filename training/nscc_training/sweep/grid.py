@@ -25,7 +25,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
-from nscc.toml.kinds import Axis, Several, Text
+from nscc.toml.kinds import Axis, Several, TextKind
 from nscc.toml.schema import FileCodes, Key, Schema
 from nscc.toml.schema_files import file_bytes, file_table, file_text
 from nscc_training.sweep.evaluating import RUN
@@ -37,37 +37,41 @@ MOST_POINTS = 100_000
 _CODES = FileCodes("NS0830", "NS0830", unknown="NS0831", wrong_value="NS0832", missing="NS0832")
 _START = "`nscc sweep --schema KIND` prints a complete part to start from"
 _KIND = Key(
-    "", "kind", Text(tuple(KINDS)), "; ".join(f"{k.name}: {k.summary}" for k in KINDS.values()), ""
+    "",
+    "kind",
+    TextKind(tuple(KINDS)),
+    "; ".join(f"{k.name}: {k.summary}" for k in KINDS.values()),
+    "",
 )
 _NAME, _NAME_SAID = r"[A-Za-z0-9_-]{1,60}", "take letters, digits, `-` and `_`"
 _VALUE = re.compile(r"\{([^{}]+)\}")
 _PLOT = "plot"
 _CALLED = Key(
-    "", "name", Text(
+    "", "name", TextKind(
         pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
         phrase='a name, "{KEY}" in it for a value',
     ), "what its points are called, instead of part and axes", "",
 )  # fmt: skip
-_LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has none", "")
+_LIKE = Key("", "like", TextKind(), "a part above whose keys it takes where it has none", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
 _PLOT_KEYS = (
-    Key(_PLOT, "x", Text(), "the horizontal axis; by default the first numeric axis", ""),
+    Key(_PLOT, "x", TextKind(), "the horizontal axis; by default the first numeric axis", ""),
     Key(
         _PLOT,
         "y",
-        Several(Text(), text="a list of results"),
+        Several(TextKind(), text="a list of results"),
         "the results on the vertical axis",
         (),
     ),
     Key(
         _PLOT,
         "line",
-        Several(Text(), text="a list of axes"),
+        Several(TextKind(), text="a list of axes"),
         "the axes with one line per value",
         (),
     ),
-    Key(_PLOT, "panel", Text(), "the axis with one panel per value", ""),
+    Key(_PLOT, "panel", TextKind(), "the axis with one panel per value", ""),
 )
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nscc.chips.target import Target
-from nscc.toml.kinds import Text
+from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Values
 from nscc_training.sweep.point_programs import axis
@@ -22,9 +22,19 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 def scene_keys() -> tuple[Key, ...]:
     """Return the keys of scenes."""
     return (
-        axis("scene", Text(), "a scene, as nscc run takes it"),
-        axis("exposure", Text(), "electrons over the frame, as --exposure; empty: the scene's", ""),
-        axis("transfer", Text(("", "linear", "srgb")), "the scene's curve; empty: by its file", ""),
+        axis("scene", TextKind(), "a scene, as nscc run takes it"),
+        axis(
+            "exposure",
+            TextKind(),
+            "electrons over the frame, as --exposure; empty: the scene's",
+            "",
+        ),
+        axis(
+            "transfer",
+            TextKind(("", "linear", "srgb")),
+            "the scene's curve; empty: by its file",
+            "",
+        ),
     )
 
 
@@ -33,7 +43,7 @@ def sensor_keys() -> tuple[Key, ...]:
     from nscc_runtime.sensor.file import schema
 
     numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
-    return (axis(_FILE, Text(), "a sensor file (nscc effects --toml)", ""), *numbers)
+    return (axis(_FILE, TextKind(), "a sensor file (nscc effects --toml)", ""), *numbers)
 
 
 def light_files(values: Values) -> Sequence[Path]:

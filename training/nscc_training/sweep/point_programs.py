@@ -15,7 +15,7 @@ from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.toml.kinds import Axis, Integer, Number, Several, Text
+from nscc.toml.kinds import Axis, Integer, Number, Several, TextKind
 from nscc.toml.schema import Key
 from nscc_training.code_choices import STARTS
 from nscc_training.sweep.point import PointFault, Values
@@ -48,20 +48,20 @@ def target_keys() -> tuple[Key, ...]:
         for key in SCHEMA.keys
         if key.section not in ("", "registers")
     )
-    return (axis("target", Text(), "the chip, by name or file; empty: the program's own", ""),
+    return (axis("target", TextKind(), "the chip, by name or file; empty: the program's own", ""),
             *numbers)  # fmt: skip
 
 
 def program_keys() -> tuple[Key, ...]:
     """Return the keys of programs and of their compilation."""
     return (
-        axis("program", Text(), "a file of a program"),
-        axis("rule", Text(), "instead of program: the statements below `frame`"),
-        axis("class", Text(CLASSES), "instead of program: codes of a class on a tile"),
+        axis("program", TextKind(), "a file of a program"),
+        axis("rule", TextKind(), "instead of program: the statements below `frame`"),
+        axis("class", TextKind(CLASSES), "instead of program: codes of a class on a tile"),
         axis("slots", Integer(1, 65536), "slots of a frame, for a rule or a class", 16),
         axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
-        axis("init", Text(STARTS), "the codes of a class", "random"),
+        axis("init", TextKind(STARTS), "the codes of a class", "random"),
         axis(
             "length",
             Integer(1, 65536, automatic=True),
@@ -72,13 +72,13 @@ def program_keys() -> tuple[Key, ...]:
         axis("seed", Integer(0, 2**31 - 1), "seed of all random numbers", 0),
         axis(
             "codes",
-            Text(("fixed", "open")),
+            TextKind(("fixed", "open")),
             "fixed: the used codes; open: every legal code",
             "fixed",
         ),
         axis(
             "lowering",
-            Text(("auto", *LOWERINGS)),
+            TextKind(("auto", *LOWERINGS)),
             "the lowering: how the exposure is computed",
             "auto",
         ),

@@ -7,7 +7,7 @@ from dataclasses import MISSING
 from functools import cache
 from pathlib import Path
 
-from nscc.toml.kinds import Axis, Text
+from nscc.toml.kinds import Axis, TextKind
 from nscc.toml.schema import Key
 from nscc.toml.toml_text import written
 from nscc_training.config import load_config, settings_of
@@ -25,7 +25,10 @@ _STAGES = ("soft", "hard", "compiled", "emulated")
 @cache
 def _keys() -> tuple[Key, ...]:
     settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
-    return (axis(_CONFIG, Text(), "a configuration of nscc train, else its defaults"), *settings)
+    return (
+        axis(_CONFIG, TextKind(), "a configuration of nscc train, else its defaults"),
+        *settings,
+    )
 
 
 def _settings(values: Values) -> RunSettings:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nscc.operations import Op
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
-from nscc.words.pictures import Pictures, Report
+from nscc.words.pictures import Pictures, PlaneReport
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
@@ -96,7 +96,7 @@ class PicturedProgram:
             told[f"image_codes_{name}"] = frame.frame[0]
             told[f"image_saturated_by_{name}"] = frame.saturated_by[0]
         margin = np.zeros(pixels.shape, np.bool_)
-        for name in pictures.wanted:
+        for name in pictures.outputs:
             margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
         for name in pictures.reads:
             if name not in read:
@@ -174,7 +174,7 @@ class PicturedProgram:
         return pixels
 
 
-def reported(report: Report, bits: NDArray[np.bool_]) -> Told:
+def reported(report: PlaneReport, bits: NDArray[np.bool_]) -> Told:
     """What the host is told of a plane (rows, cols).
 
     Events are (x, y) in reading order, -1 behind the last one; the box is the least and the largest

@@ -18,7 +18,7 @@ from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.words.pictures import Picture, Pictures, Report, Weights
+from nscc.words.pictures import Picture, Pictures, PlaneReport, Weights
 
 MOST_SIDE = 9
 """Most rows and columns of a kernel."""
@@ -44,8 +44,8 @@ def make_pictures(
     if not used or target is None:
         return None
     maker = _Maker(declared, constants, target, base, problems)
-    made = maker.make()
-    return None if problems.has_errors() else made
+    pictures = maker.make()
+    return None if problems.has_errors() else pictures
 
 
 class _Maker:
@@ -66,8 +66,8 @@ class _Maker:
     def make(self) -> Pictures | None:
         if not self._possible():
             return None
-        kernels = [self._kernel(each) for each in self.declared.kernels.values()]
-        known = {each.name: each for each in kernels if each is not None}
+        kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
+        known = {kernel.name: kernel for kernel in kernels if kernel is not None}
         outside = self._outside()
         reader = Reader(
             self.declared, self.constants, self.target, self.buckets, known, outside, self.problems
@@ -114,10 +114,10 @@ class _Maker:
             )  # fmt: skip
             return False
         if self.declared.senses or self.declared.states:
-            each = next(iter([*self.declared.senses.values(), *self.declared.states.values()]))
+            statement = next(iter([*self.declared.senses.values(), *self.declared.states.values()]))
             self.problems.error(
                 "NS0539", "images and planes beside senses and states are not supported yet",
-                each.span, "declared here",
+                statement.span, "declared here",
                 related=(Label(self._place(), "the images"),),
                 helps=("use fixed shutters here, or leave images and planes to the host",),
             )  # fmt: skip
@@ -125,15 +125,15 @@ class _Maker:
         return True
 
     def _outside(self) -> int | None:
-        given = self.declared.outside
-        if given is None:
+        outside = self.declared.outside
+        if outside is None:
             return None
-        if given.bit.value not in (0, 1):
+        if outside.bit.value not in (0, 1):
             self.problems.error(
-                "NS0534", "bits beyond the array are 0 or 1", given.bit.span,
-                f"this is {given.bit.value}", helps=("write `outside 0` or `outside 1`",),
+                "NS0534", "bits beyond the array are 0 or 1", outside.bit.span,
+                f"this is {outside.bit.value}", helps=("write `outside 0` or `outside 1`",),
             )  # fmt: skip
-        return given.bit.value & 1
+        return outside.bit.value & 1
 
     # --- kernels
 
@@ -149,10 +149,10 @@ class _Maker:
             rows.append(tuple(cast(list[int], values)))
         divisor = 1
         if kernel.divisor is not None:
-            found = constant(kernel.divisor, self.constants, self.problems, "a divisor")
-            if found is None or not self._power_of_two(found, kernel.divisor.span, rows):
+            number = constant(kernel.divisor, self.constants, self.problems, "a divisor")
+            if number is None or not self._power_of_two(number, kernel.divisor.span, rows):
                 return None
-            divisor = found
+            divisor = number
         fault = _kernel_fault(rows)
         if fault is not None:
             self._bad_kernel(name, fault, kernel.span)
@@ -193,12 +193,12 @@ class _Maker:
         helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
         fixes: tuple[Fix, ...] = ()
         if divisor > 0:
-            near = nearest_power(divisor)
-            error = 100 * abs(divisor / near - 1)
-            more = "larger" if near < divisor else "smaller"
-            text = f"`/ {near}` makes everything {error:.0f} % {more}"
+            power = nearest_power(divisor)
+            error = 100 * abs(divisor / power - 1)
+            change = "larger" if power < divisor else "smaller"
+            text = f"`/ {power}` makes everything {error:.0f} % {change}"
             helps = (f"{text}; choose levels to match", *helps)
-            fixes = (Fix(f"divide by {near}", span, str(near), sure=False),)
+            fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
         self.problems.error(
             "NS0532", f"a pixel cannot divide by {divisor}", span, "no power of two",
             notes=("one word halves a value; there is no other division",),
@@ -218,15 +218,15 @@ class _Maker:
                 self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
         return tuple(names)
 
-    def _reports(self, reader: Reader) -> tuple[Report, ...]:
-        found = []
-        for each in self.declared.reports:
-            made = self._report(each, reader)
-            if made is not None:
-                found.append(made)
-        return tuple(found)
+    def _reports(self, reader: Reader) -> tuple[PlaneReport, ...]:
+        reports = []
+        for statement in self.declared.reports:
+            report = self._report(statement, reader)
+            if report is not None:
+                reports.append(report)
+        return tuple(reports)
 
-    def _report(self, report: tree.Report, reader: Reader) -> Report | None:
+    def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         kind, plane = report.kind.text, report.plane.text
         if kind not in _REPORTS:
             self._bad_report(report.kind.span, f"`{clipped(kind)}` is no kind of report")
@@ -249,7 +249,7 @@ class _Maker:
             message = f"events are at most 1 to {MOST_EVENTS}, other reports have no limit"
             self._bad_report(report.span, message)
             return None
-        return Report(cast(Literal["any", "events", "box"], kind), plane, most)
+        return PlaneReport(cast(Literal["any", "events", "box"], kind), plane, most)
 
     def _bad_report(self, span: Span, message: str) -> None:
         helps = ("write `report any P`, `report events P at most 1000` or `report box P`",)
@@ -260,16 +260,19 @@ class _Maker:
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
-        for each in self.declared.assumes:
-            names = [each.bucket.text] if each.bucket is not None else self.buckets
-            if each.bucket is not None and each.bucket.text not in limits:
-                self.problems.unknown("a bucket", each.bucket.text, each.bucket.span, limits)
+        for assumption in self.declared.assumes:
+            names = [assumption.bucket.text] if assumption.bucket is not None else self.buckets
+            if assumption.bucket is not None and assumption.bucket.text not in limits:
+                self.problems.unknown(
+                    "a bucket", assumption.bucket.text, assumption.bucket.span, limits
+                )
                 continue
-            most_e = level_e(float(each.level.value), each.level.unit, target)
-            if each.comparison != "<=" or not 0 < most_e <= full_e:
+            most_e = level_e(float(assumption.level.value), assumption.level.unit, target)
+            if assumption.comparison != "<=" or not 0 < most_e <= full_e:
                 self.problems.error(
-                    "NS0537", "an assumption is `<=` a level above 0, up to a full well", each.span,
-                    f"`{each.comparison}`, {most_e:g} e",
+                    "NS0537", "an assumption is `<=` a level above 0, up to a full well",
+                    assumption.span,
+                    f"`{assumption.comparison}`, {most_e:g} e",
                     helps=(f"write `assume exposure <= 50%`; a full well is {full_e:g} e",),
                 )  # fmt: skip
                 continue

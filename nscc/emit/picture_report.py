@@ -36,16 +36,16 @@ def picture_report(container: Container) -> dict[str, Any]:
     costs = {cost.name: cost for cost in pictures.costs}
     reach = reaches(pictures)
 
-    def told(item: Picture) -> dict[str, Any]:
+    def item_report(item: Picture) -> dict[str, Any]:
         cost = costs[item.name]
-        found: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
+        report: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
         if not item.is_plane:
-            found |= {"peak_gain": cost.peak_gain, "noise_gain": cost.noise_gain}
-        return found
+            report |= {"peak_gain": cost.peak_gain, "noise_gain": cost.noise_gain}
+        return report
 
     return {
-        "images": {item.name: told(item) for item in pictures.items if not item.is_plane},
-        "planes": {item.name: told(item) for item in pictures.items if item.is_plane},
+        "images": {item.name: item_report(item) for item in pictures.items if not item.is_plane},
+        "planes": {item.name: item_report(item) for item in pictures.items if item.is_plane},
         "images_words_total": pictures.words,
         "images_us": pictures_us(pictures, container.target),
     }

@@ -15,16 +15,16 @@ from fractions import Fraction
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.prove.diagrams import TooLarge
 from nscc.prove.forms import IN, Form, Forms
-from nscc.prove.meaning import Bits, Fields, Meaning, Reach, reaches
+from nscc.prove.meaning import Bits, Fields, PictureMeaning, Reach, reaches
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Condition
 
 
-class Wrong(Exception):
+class PictureReplayError(Exception):
     """A word does what no proof covers."""
 
 
@@ -46,8 +46,8 @@ def pictures_fault(container: Container) -> str | None:
         replay = PictureReplay(container, forms)
         for op, level in words:
             replay.run(op, level)
-        return _difference(container, replay, Meaning(pictures, forms), (size.left, size.up))
-    except Wrong as wrong:
+        return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
+    except PictureReplayError as wrong:
         return str(wrong)
     except Rejected as rejected:
         return rejected.diagnostics[0].message
@@ -56,23 +56,23 @@ def pictures_fault(container: Container) -> str | None:
 
 
 def _difference(
-    container: Container, replay: PictureReplay, meaning: Meaning, middle: tuple[int, int]
+    container: Container, replay: PictureReplay, meaning: PictureMeaning, middle: tuple[int, int]
 ) -> str | None:
     """Where what registers hold is not what the text says."""
     pictures, forms = container.pictures, replay.forms
     assert pictures is not None
-    for name in pictures.wanted:
+    for name in pictures.outputs:
         register = pictures.registers.get(name, "")
-        held: Fields | Bits | None = replay.analog.get(register)
+        contents: Fields | Bits | None = replay.analog.get(register)
         if isinstance(meaning.nodes.get(name), Condition):
-            held = replay.digital.get(register)
-        if held is None:
+            contents = replay.digital.get(register)
+        if contents is None:
             return f"no register holds `{name}`"
         for at in forms.places():
-            if forms.depends_beyond(held[at]):
+            if forms.depends_beyond(contents[at]):
                 if at == middle:
                     return f"`{name}` depends on what is beyond every array"
-            elif held[at] != meaning.value(name, at):
+            elif contents[at] != meaning.value(name, at):
                 return f"`{name}` is not what the text says"
     written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
@@ -89,28 +89,28 @@ def words_reach(words: Launched, container: Container) -> Reach:
         return reach.get(name, Reach())
 
     for op, _ in words:
-        found = Reach()
+        word_reach = Reach()
         for name in op.sources:
-            found = found.joined(of(name))
+            word_reach = word_reach.joined(of(name))
         effect = op.operation.effect
-        if effect is Effect.DIGITAL_NEIGHBOURS:
+        if effect is WordEffect.DIGITAL_NEIGHBOURS:
             moved = [of(op.sources[0]).moved(*step) for step in STEERING.values()]
             moved += [of(name) for name in STEERING]
-            found = Reach(*map(max, *moved))
-        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL, Effect.FLAG_ALL):
-            reach["FLAG"] = Reach() if effect is Effect.FLAG_ALL else found
+            word_reach = Reach(*map(max, *moved))
+        if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL):
+            reach["FLAG"] = Reach() if effect is WordEffect.FLAG_ALL else word_reach
         elif op.operation.phase is Phase.READ:
-            reach["bus"] = found
+            reach["bus"] = word_reach
         elif op.operation.phase is Phase.WRITE:
-            found = of("bus")
+            word_reach = of("bus")
         for name in op.destinations:
             if name in NEIGHBOURS:
                 right, down = STEPS[name]
-                name, found = "NEWS", found.moved(-right, -down)
+                name, word_reach = "NEWS", word_reach.moved(-right, -down)
             masked = name == container.target.masked_register
-            if effect is Effect.BUS or masked:
-                found = found.joined(of(name)).joined(of("FLAG"))
-            reach[name] = found
+            if effect is WordEffect.BUS or masked:
+                word_reach = word_reach.joined(of(name)).joined(of("FLAG"))
+            reach[name] = word_reach
     total = Reach()
     for value in reach.values():
         total = total.joined(value)
@@ -130,9 +130,9 @@ class PictureReplay:
         container, forms = self.container, self.forms
         target = container.target
         places = forms.places()
-        held = {readout.register: readout for readout in container.readouts}
+        readout_of = {readout.register: readout for readout in container.readouts}
         for name in target.analog_registers:
-            readout = held.get(name)
+            readout = readout_of.get(name)
             if readout is not None:
                 gain = Fraction(1) / Fraction(readout.gain)
                 self.analog[name] = {
@@ -148,40 +148,40 @@ class PictureReplay:
 
     def run(self, op: Op, level: int | None) -> None:
         """One word in all pixels, with IN at so many steps."""
-        forms, one = self.forms, self.forms.diagrams.one
+        forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
-            case Effect.NONE:
+            case WordEffect.NONE:
                 return
-            case Effect.FLAG_ALL:
-                self.digital["FLAG"] = dict.fromkeys(forms.places(), one)
-            case Effect.FLAG_DIGITAL:
-                self.digital["FLAG"] = self._some(op)
-            case Effect.FLAG_ANALOG:
+            case WordEffect.FLAG_ALL:
+                self.digital["FLAG"] = dict.fromkeys(forms.places(), true_bit)
+            case WordEffect.FLAG_DIGITAL:
+                self.digital["FLAG"] = self._or_sources(op)
+            case WordEffect.FLAG_ANALOG:
                 before, totals = self.digital["FLAG"], self._totals(op, level)
-                found = {at: forms.positive(total, at) for at, total in totals.items()}
+                flags = {at: forms.positive(total, at) for at, total in totals.items()}
                 if self.container.target.where_obeys_flag:
                     times = forms.diagrams.times
-                    found = {at: times(bit, before[at]) for at, bit in found.items()}
-                self.digital["FLAG"] = found
-            case Effect.BUS:
+                    flags = {at: times(bit, before[at]) for at, bit in flags.items()}
+                self.digital["FLAG"] = flags
+            case WordEffect.BUS:
                 self._bus(op, level)
-            case Effect.DIGITAL_NEIGHBOURS:
-                self._write(op.destinations[0], self._near(op))
-            case Effect.DIGITAL:
+            case WordEffect.DIGITAL_NEIGHBOURS:
+                self._write(op.destinations[0], self._or_neighbours(op))
+            case WordEffect.DIGITAL:
                 self._digital(op)
             case _:
-                raise Wrong(f"`{op}` has no place after the exposure")
+                raise PictureReplayError(f"`{op}` has no place after the exposure")
 
     def _totals(self, op: Op, level: int | None) -> Fields:
         """The sum of a word's analog sources in every pixel."""
         forms = self.forms
-        one = Fraction(1)
+        unit_factor = Fraction(1)
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
             if name == "IN":
                 if level is None:
-                    raise Wrong(f"`{op}` reads IN, which is not set")
+                    raise PictureReplayError(f"`{op}` reads IN, which is not set")
                 steps = {IN: forms.diagrams.leaf(Fraction(level))} if level else {}
                 fields.append(dict.fromkeys(forms.places(), steps))
             elif name in NEIGHBOURS:
@@ -191,8 +191,10 @@ class PictureReplay:
             elif name in self.analog:
                 fields.append(self.analog[name])
             else:
-                raise Wrong(f"`{op}` reads {name} after the exposure")
-        return {at: forms.sum(*((one, part[at]) for part in fields)) for at in forms.places()}
+                raise PictureReplayError(f"`{op}` reads {name} after the exposure")
+        return {
+            at: forms.sum(*((unit_factor, field[at]) for field in fields)) for at in forms.places()
+        }
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """What the pixels so far away hold."""
@@ -209,7 +211,7 @@ class PictureReplay:
         forms, flag = self.forms, self.digital["FLAG"]
         directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
         if directed and any(bit != forms.diagrams.one for bit in flag.values()):
-            raise Wrong(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
+            raise PictureReplayError(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
         factor = Fraction(-1, op.operation.divisor)
         values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
         for name in op.destinations:
@@ -217,37 +219,39 @@ class PictureReplay:
                 right, down = STEPS[name]
                 self.analog["NEWS"] = self._moved(values, -right, -down)
                 continue
-            held = self.analog[name]
-            self.analog[name] = {at: forms.chosen(flag[at], values[at], held[at]) for at in held}
+            previous = self.analog[name]
+            self.analog[name] = {
+                at: forms.chosen(flag[at], values[at], previous[at]) for at in previous
+            }
 
-    def _some(self, op: Op) -> Bits:
+    def _or_sources(self, op: Op) -> Bits:
         """The OR of a word's digital sources."""
         diagrams = self.forms.diagrams
-        found = dict.fromkeys(self.forms.places(), diagrams.zero)
+        bits = dict.fromkeys(self.forms.places(), diagrams.zero)
         for name in op.sources:
-            found = {at: diagrams.either(bit, self.digital[name][at]) for at, bit in found.items()}
-        return found
+            bits = {at: diagrams.either(bit, self.digital[name][at]) for at, bit in bits.items()}
+        return bits
 
-    def _near(self, op: Op) -> Bits:
+    def _or_neighbours(self, op: Op) -> Bits:
         """The OR of a source in those neighbours that a pixel chooses."""
         diagrams = self.forms.diagrams
         source = self.digital[op.sources[0]]
         beyond = diagrams.one if op.operation.inverted else diagrams.zero
-        found = {}
+        bits = {}
         for x, y in source:
             bit = diagrams.zero
             for name, (right, down) in STEERING.items():
-                near = source.get((x + right, y + down), beyond)
-                bit = diagrams.either(bit, diagrams.times(self.digital[name][x, y], near))
-            found[x, y] = bit
-        return found
+                neighbour = source.get((x + right, y + down), beyond)
+                bit = diagrams.either(bit, diagrams.times(self.digital[name][x, y], neighbour))
+            bits[x, y] = bit
+        return bits
 
     def _digital(self, op: Op) -> None:
         row = op.operation
         if row.phase is Phase.WRITE:
             value = self.digital["bus"]
         else:
-            value = self._some(op)
+            value = self._or_sources(op)
             if row.inverted:
                 value = {at: self.forms.diagrams.inverse(bit) for at, bit in value.items()}
             if row.phase is Phase.READ:
@@ -260,6 +264,6 @@ class PictureReplay:
     def _write(self, name: str, value: Bits) -> None:
         target, diagrams = self.container.target, self.forms.diagrams
         if name == target.masked_register and target.mask_register is not None:
-            mask, held = self.digital[target.mask_register], self.digital[name]
-            value = {at: diagrams.chosen(mask[at], bit, held[at]) for at, bit in value.items()}
+            mask, previous = self.digital[target.mask_register], self.digital[name]
+            value = {at: diagrams.chosen(mask[at], bit, previous[at]) for at, bit in value.items()}
         self.digital[name] = dict(value)
