@@ -88,10 +88,10 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     where no pixel asks its neighbours, the least that it can have seen itself.
     """
     opened = readout.open_s > 0
-    good = opened & ~readout.saturated
-    time = _box(np.where(good, readout.open_s, 0.0), readout)
-    known = _box(good, readout) > 0.5
-    light_e = _box(np.where(good, readout.light_e, 0.0), readout)
+    is_measured = opened & ~readout.saturated
+    time = _box(np.where(is_measured, readout.open_s, 0.0), readout)
+    known = _box(is_measured, readout) > 0.5
+    light_e = _box(np.where(is_measured, readout.light_e, 0.0), readout)
     # Noise may take a dark pixel below nothing.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
     if readout.window == (1, 1):

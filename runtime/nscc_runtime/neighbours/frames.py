@@ -48,11 +48,15 @@ class PicturedProgram:
     def _image_sensor(self) -> Sensor:
         """The sensor where an image is converted: codes are symmetric around 0, not spread."""
         target = self.container.target
-        own, full = (
-            default_sensor(each).values for each in (target, replace(target, readout="full"))
+        default_values, full_values = (
+            default_sensor(variant).values for variant in (target, replace(target, readout="full"))
         )
-        given = self.sensor.values
-        changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
+        sensor_values = self.sensor.values
+        changed = {
+            name: full_values[name]
+            for name in full_values
+            if sensor_values[name] == default_values[name] != full_values[name]
+        }
         return self.sensor.changed(**changed)
 
     def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
@@ -79,7 +83,7 @@ class PicturedProgram:
         pixels = self._computed(exposure, seeds, number)
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
-        told: Told = {}
+        arrays: Told = {}
         wait_s = self.container.target.readout_us * 1e-6
         pixels.hold(pixels.after_us * 1e-6)
         read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
@@ -92,24 +96,24 @@ class PicturedProgram:
             pixels.hold(wait_s)
         images = [name for name in read if name not in buckets]
         for name, values, frame in self._converted(images, read, valid, seeds, number):
-            told[f"image_{name}"] = values
-            told[f"image_codes_{name}"] = frame.frame[0]
-            told[f"image_saturated_by_{name}"] = frame.saturated_by[0]
+            arrays[f"image_{name}"] = values
+            arrays[f"image_codes_{name}"] = frame.frame[0]
+            arrays[f"image_saturated_by_{name}"] = frame.saturated_by[0]
         margin = np.zeros(pixels.shape, np.bool_)
         for name in pictures.wanted:
             margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
         for name in pictures.reads:
             if name not in read:
                 bits = pixels.digital.read(pictures.registers[name]) == 1
-                told[f"plane_{name}"] = bits.reshape(pixels.shape)
+                arrays[f"plane_{name}"] = bits.reshape(pixels.shape)
         for report in pictures.reports:
             register = pictures.registers[report.plane]
             bits = (pixels.digital.read(register) == 1) & ~pixels.tainted[register]
-            told |= reported(report, bits.reshape(pixels.shape))
-        told["margin"] = margin
-        kept = [name for name in read if name in buckets]
-        frame = self._bucket_frame(kept, read, valid, seeds, number)
-        return replace(frame, told=told)
+            arrays |= reported(report, bits.reshape(pixels.shape))
+        arrays["margin"] = margin
+        read_buckets = [name for name in read if name in buckets]
+        frame = self._bucket_frame(read_buckets, read, valid, seeds, number)
+        return replace(frame, told=arrays)
 
     def _bucket_frame(
         self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
@@ -143,11 +147,16 @@ class PicturedProgram:
             stack[place], stacked[place] = values, marks
             exposure = Exposure(stack, np.broadcast_to(valid, shape), stacked)
             frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
-            one = slice(place, place + 1)
+            image_slice = slice(place, place + 1)
             yield (
                 name,
                 values,
-                Frame(frame.frame[one], stack[one], frame.valid[one], frame.saturated_by[one]),
+                Frame(
+                    frame.frame[image_slice],
+                    stack[image_slice],
+                    frame.valid[image_slice],
+                    frame.saturated_by[image_slice],
+                ),
             )
 
     def _computed(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> ArrayPixels:
@@ -187,11 +196,11 @@ def reported(report: Report, bits: NDArray[np.bool_]) -> Told:
     if report.kind == "box":
         box = [cols.min(), rows.min(), cols.max(), rows.max()] if rows.size else [-1] * 4
         return {name: np.array(box, np.int32)}
-    found = np.full((report.most, 2), -1, np.int32)
+    coordinates = np.full((report.most, 2), -1, np.int32)
     count = min(len(rows), report.most)
-    found[:count, 0], found[:count, 1] = cols[:count], rows[:count]
+    coordinates[:count, 0], coordinates[:count, 1] = cols[:count], rows[:count]
     return {
-        name: found,
+        name: coordinates,
         f"{name}_count": np.array(count, np.int32),
         f"{name}_overflow": np.array(len(rows) > report.most),
     }

@@ -48,8 +48,11 @@ class ArrayPixels(WordPixels):
         # Registers without an exposure hold whatever it has left: the same in all of them.
         arbitrary = self.arbitrary(0)
         self.begin()
-        left = arbitrary * (self.sensor.register_max_e / 2)
-        self.register = {**dict.fromkeys(self.target.analog_registers, left), **self.exposed}
+        start_value_e = arbitrary * (self.sensor.register_max_e / 2)
+        self.register = {
+            **dict.fromkeys(self.target.analog_registers, start_value_e),
+            **self.exposed,
+        }
         registers = (*self.target.digital_registers, "FLAG")
         bits = {**dict.fromkeys(registers, arbitrary < 0.5), **self.code}
         self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
@@ -63,7 +66,7 @@ class ArrayPixels(WordPixels):
         self.tainted = dict.fromkeys((*self.register, *self.digital.bits, "IN"), untainted)
 
     def draw(self, name: str, number: int) -> Values:
-        effect = next(each for each in self.effects.effects if each.name == name)
+        effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
         return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
@@ -85,15 +88,15 @@ class ArrayPixels(WordPixels):
                 self._bus_on_array(word)
             case Effect.FLAG_ANALOG:
                 total = self.total(word)
-                for seen in self.at("compare"):
-                    total = seen(self, total, word)
-                found = total > 0
+                for apply_effect in self.at("compare"):
+                    total = apply_effect(self, total, word)
+                is_positive = total > 0
                 if self.target.where_obeys_flag:
-                    found &= digital.read("FLAG") == 1
+                    is_positive &= digital.read("FLAG") == 1
                 self.tainted["FLAG"] = self._taint(op)
-                digital.write("FLAG", found)
+                digital.write("FLAG", is_positive)
             case Effect.DIGITAL_NEIGHBOURS:
-                self._near(op)
+                self._or_neighbours(op)
             case Effect.FLAG_DIGITAL | Effect.FLAG_ALL:
                 self.tainted["FLAG"] = self._taint(op)
                 digital.run(op)
@@ -103,13 +106,15 @@ class ArrayPixels(WordPixels):
 
     def _taint(self, op: Op) -> Bits:
         """Where any source of a word depends on what is beyond the array."""
-        found = np.zeros(len(self.places), np.bool_)
+        is_tainted = np.zeros(len(self.places), np.bool_)
         for name in op.sources:
             if name in NEIGHBOURS:
-                found = found | self.moved(self.tainted["NEWS"], *STEPS[name], beyond=True)
+                is_tainted = is_tainted | self.moved(
+                    self.tainted["NEWS"], *STEPS[name], beyond=True
+                )
             else:
-                found = found | self.tainted[name]
-        return found
+                is_tainted = is_tainted | self.tainted[name]
+        return is_tainted
 
     def _taint_bits(self, op: Op) -> None:
         if op.operation.phase is not Phase.WRITE:
@@ -117,18 +122,18 @@ class ArrayPixels(WordPixels):
         if op.operation.phase is Phase.READ:
             return
         for name in op.destinations:
-            found = self.tainted["bus"]
+            is_tainted = self.tainted["bus"]
             if name == self.target.masked_register:
-                found = found | self.tainted[name]
-            self.tainted[name] = found
+                is_tainted = is_tainted | self.tainted[name]
+            self.tainted[name] = is_tainted
 
     def _room(self) -> Values:
         """An array of ours that nothing holds: new ones cost more than what is computed in them."""
         if self._rooms:
             return self._rooms.pop()
-        found = np.empty(len(self.places))
-        self._own.add(id(found))
-        return found
+        array = np.empty(len(self.places))
+        self._own.add(id(array))
+        return array
 
     def _leave(self, values: Values) -> None:
         """Takes an array of ours back."""
@@ -136,17 +141,19 @@ class ArrayPixels(WordPixels):
             self._rooms.append(values)
 
     def total(self, word: RunningWord) -> Values:
-        found = self._room()
-        found[:] = 0.0
+        sum_e = self._room()
+        sum_e[:] = 0.0
         for name in word.op.sources:
             if name in NEIGHBOURS:
                 (right, down), news = STEPS[name], self.register["NEWS"].reshape(self.shape)
                 rows, cols = self.shape
-                here = _overlap(rows, -down), _overlap(cols, -right)
-                found.reshape(self.shape)[here] += news[_overlap(rows, down), _overlap(cols, right)]
+                on_array = _overlap(rows, -down), _overlap(cols, -right)
+                sum_e.reshape(self.shape)[on_array] += news[
+                    _overlap(rows, down), _overlap(cols, right)
+                ]
             else:
-                found += word.in_e if name == "IN" else self.register[name]
-        return found
+                sum_e += word.in_e if name == "IN" else self.register[name]
+        return sum_e
 
     def _bus_on_array(self, word: RunningWord) -> None:
         result = self.total(word)
@@ -164,14 +171,14 @@ class ArrayPixels(WordPixels):
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
         """What cut any source of a word off."""
-        found = self._uncut
+        cut_marks = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
             if by is not self._uncut:
                 if name in NEIGHBOURS:
                     by = self.moved(by, *STEPS[name], beyond=np.uint8(0))
-                found = found | by
-        return found
+                cut_marks = cut_marks | by
+        return cut_marks
 
     def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
         """The marks of a value, with that of one beyond the registers' range."""
@@ -192,13 +199,13 @@ class ArrayPixels(WordPixels):
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
             tainted = self.moved(tainted, -right, -down, beyond=True)
             name = "NEWS"
-        here, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
+        is_flagged, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
         old = self.register[name]
-        if not here.all() or doubt.any():
-            np.copyto(value, old, where=~here)
+        if not is_flagged.all() or doubt.any():
+            np.copyto(value, old, where=~is_flagged)
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
-                by = np.where(here, by, self.cut_by[name])
-            tainted = np.where(here, tainted, self.tainted[name]) | doubt
+                by = np.where(is_flagged, by, self.cut_by[name])
+            tainted = np.where(is_flagged, tainted, self.tainted[name]) | doubt
         self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
         self._leave(old)
 
@@ -210,20 +217,20 @@ class ArrayPixels(WordPixels):
             result = written(self, result, word, index, sign)
         return result
 
-    def _near(self, op: Op) -> None:
+    def _or_neighbours(self, op: Op) -> None:
         """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
-        found = np.zeros(len(self.places), np.bool_)
+        or_bits = np.zeros(len(self.places), np.bool_)
         tainted = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
         for name, (right, down) in STEERING.items():
             chosen = digital.read(name) == 1
             if chosen.any():
-                found |= chosen & self.moved(bits, right, down, beyond=outside)
+                or_bits |= chosen & self.moved(bits, right, down, beyond=outside)
                 far = self.moved(self.tainted[source], right, down, beyond=False)
                 tainted |= chosen & far
             tainted |= self.tainted[name]
-        digital.write(op.destinations[0], found)
+        digital.write(op.destinations[0], or_bits)
         self.tainted[op.destinations[0]] = tainted
 
     def moved(
@@ -232,11 +239,13 @@ class ArrayPixels(WordPixels):
     ) -> NDArray[Any]:  # fmt: skip
         """What the pixels so far to the right and down hold."""
         rows, cols = self.shape
-        found = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
-        found[:] = beyond
-        there, here = _overlap(cols, right), _overlap(cols, -right)
-        found[_overlap(rows, -down), here] = values.reshape(self.shape)[_overlap(rows, down), there]
-        return found.reshape(-1)
+        shifted = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
+        shifted[:] = beyond
+        source_cols, target_cols = _overlap(cols, right), _overlap(cols, -right)
+        shifted[_overlap(rows, -down), target_cols] = values.reshape(self.shape)[
+            _overlap(rows, down), source_cols
+        ]
+        return shifted.reshape(-1)
 
 
 def _overlap(size: int, step: int) -> slice:

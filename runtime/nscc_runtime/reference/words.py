@@ -69,12 +69,12 @@ def in_rows(
     saturated_by = np.empty(exposure.shape, np.uint8)
     valid = np.empty((len(rows), cols), np.bool_)
 
-    def fill(part: range) -> None:
-        fallen = fall(part)
-        found, marked = run(part, fallen)
-        chunk = slice(part.start - rows.start, part.stop - rows.start)
-        exposure[:, chunk] = found.reshape(-1, len(part), cols)
-        saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
+    def fill(strip: range) -> None:
+        fallen = fall(strip)
+        exposures_e, marked = run(strip, fallen)
+        chunk = slice(strip.start - rows.start, strip.stop - rows.start)
+        exposure[:, chunk] = exposures_e.reshape(-1, len(strip), cols)
+        saturated_by[:, chunk] = marked.reshape(-1, len(strip), cols)
         valid[chunk] = fallen.valid
 
     in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
@@ -115,7 +115,7 @@ class WordPixels(Pixels):
         """Looks up what does not depend on pixels."""
         self.at, self.target = self.effects.at, self.container.target
         self.most = most_destinations(self.target)
-        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
+        self.errors_at = {effect.name: errors.at for effect, errors in self.effects.having(Errors)}
 
     def arbitrary(self, group: int) -> Values:
         """Uniform numbers, fixed by the device, of which a register's first value is made."""
@@ -137,15 +137,15 @@ class WordPixels(Pixels):
 
     def hold(self, seconds: float) -> None:
         """Registers hold their values for so long."""
-        for held in self.at("hold"):
-            kept = held(self, seconds)
-            self.register = {name: value * kept for name, value in self.register.items()}
+        for hold_gain in self.at("hold"):
+            gain = hold_gain(self, seconds)
+            self.register = {name: value * gain for name, value in self.register.items()}
 
-    def reset(self, word: RunningWord, here: Bits) -> None:
+    def reset(self, word: RunningWord, is_reset: Bits) -> None:
         """PIX is emptied there."""
-        self.charge = np.where(here, 0.0, self.charge)
-        self.marks.empty(here)
-        self.resets.reset(self, here, word, word.boundary)
+        self.charge = np.where(is_reset, 0.0, self.charge)
+        self.marks.empty(is_reset)
+        self.resets.reset(self, is_reset, word, word.boundary)
 
     def total(self, word: RunningWord) -> Values:
         """The sum of a word's sources."""
@@ -155,8 +155,8 @@ class WordPixels(Pixels):
                 total += word.in_e
             elif name == "PIX":
                 level = self.resets.read_level(self, self.charge, word, word.boundary)
-                for found in self.at("reads"):
-                    level = found(self, level, word)
+                for apply_effect in self.at("reads"):
+                    level = apply_effect(self, level, word)
                 total += level
             else:
                 total += self.source(name)
@@ -166,7 +166,7 @@ class WordPixels(Pixels):
         """What a word reads of an analog register."""
         return self.register[name]
 
-    def bus(self, word: RunningWord, here: Bits) -> None:
+    def bus(self, word: RunningWord, is_written: Bits) -> None:
         """The destinations of a word get the sum of its sources there."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
         full, lost = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
@@ -175,8 +175,8 @@ class WordPixels(Pixels):
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
             value, lost_here = self.marks.clip_register(self, value, lost)
-            self.register[name] = np.where(here, value, self.register[name])
-            self.marks.write(name, here, full, lost_here)
+            self.register[name] = np.where(is_written, value, self.register[name])
+            self.marks.write(name, is_written, full, lost_here)
 
     def read_out(self) -> Marked:
         """The exposures of the frame, and what cut them off."""
@@ -185,8 +185,8 @@ class WordPixels(Pixels):
         stays = self.container.pictures is not None  # images are made of it before readout
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
-            for held in () if stays else self.at("hold"):
-                value = value * held(self, order * self.target.readout_us * 1e-6)
+            for hold_gain in () if stays else self.at("hold"):
+                value = value * hold_gain(self, order * self.target.readout_us * 1e-6)
             bucket = self.container.buckets.index(readout.bucket)
             for leaves in () if stays else self.at("readout"):
                 value = leaves(self, value, bucket)

@@ -84,7 +84,9 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
     container, light, frame = bench.container, bench.light, taken.frame
     about = meta(container, light, frame, taken.origin)
     file = with_table(FrameFile.of(container, light, frame, about), container)
-    coded = coded_frame({"frame": frame.frame, "saturated": frame.saturated, **file.kept}, about)
+    coded = coded_frame(
+        {"frame": frame.frame, "saturated": frame.saturated, **file.extra_arrays}, about
+    )
     if coded.is_still:
         truth = np.asarray(light.total_e())[None]
         yield _Way("merged", "neighbours", partial(_merged, bench, taken), truth)
