@@ -22,7 +22,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.sensor import default_sensor
 
-Told = dict[str, NDArray[Any]]
+FrameArrays = dict[str, NDArray[Any]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +83,7 @@ class PicturedProgram:
         pixels = self._computed(exposure, seeds, number)
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
-        arrays: Told = {}
+        arrays: FrameArrays = {}
         wait_s = self.container.target.readout_us * 1e-6
         pixels.hold(pixels.after_us * 1e-6)
         read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
@@ -183,7 +183,7 @@ class PicturedProgram:
         return pixels
 
 
-def reported(report: Report, bits: NDArray[np.bool_]) -> Told:
+def reported(report: Report, bits: NDArray[np.bool_]) -> FrameArrays:
     """What the host is told of a plane (rows, cols).
 
     Events are (x, y) in reading order, -1 behind the last one; the box is the least and the largest

@@ -169,14 +169,14 @@ class WordPixels(Pixels):
     def bus(self, word: RunningWord, is_written: Bits) -> None:
         """The destinations of a word get the sum of its sources there."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
-        full, lost = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
+        full, lost_e = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            value, lost_here = self.marks.clip_register(self, value, lost)
+            value, lost_after_e = self.marks.clip_register(self, value, lost_e)
             self.register[name] = np.where(is_written, value, self.register[name])
-            self.marks.write(name, is_written, full, lost_here)
+            self.marks.write(name, is_written, full, lost_after_e)
 
     def read_out(self) -> Marked:
         """The exposures of the frame, and what cut them off."""

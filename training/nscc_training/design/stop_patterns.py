@@ -69,14 +69,14 @@ def shapes() -> dict[str, Levels]:
 def patterns(slots: int) -> list[Pattern]:
     """Return all that are tried: each shape with each ratio of its levels and longest stop."""
     stops = np.array(stops_tried(slots))
-    tried = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
+    candidates = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
         deepest = int(levels.max())
         for step in _HALF_STOPS:
             for longest in range(len(stops) - 1, -1, -1):
                 if deepest and longest >= step * deepest:
-                    tried.append(Pattern(name, stops[longest - step * levels]))
-    return tried
+                    candidates.append(Pattern(name, stops[longest - step * levels]))
+    return candidates
 
 
 def judged(
@@ -88,18 +88,20 @@ def judged(
     `scenes` are electrons over the frame (rows, cols); `compiled` makes the program in which all
     pixels have one stop.
     """
-    tried = patterns(slots)
-    sums = np.zeros((len(tried), 2))
+    candidates = patterns(slots)
+    sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):
         light_e = np.asarray(scenes[number], np.float64)
         peak = peak_of(light_e.reshape(-1), number)
         frames = _frames(chip, light_e, slots, slot_us, compiled, number)
         truth = np.clip(light_e / peak, 0, 1)
-        for k, pattern in enumerate(tried):
+        for k, pattern in enumerate(candidates):
             light = np.clip(_merged(chip, frames, pattern, slots) / peak, 0, 1)
             sums[k] += psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)
     means = sums / len(scenes)
-    results = [Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(tried, means, strict=True)]
+    results = [
+        Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(candidates, means, strict=True)
+    ]
     return sorted(results, key=lambda pattern: -pattern.mean_db)
 
 

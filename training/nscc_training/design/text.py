@@ -53,8 +53,8 @@ def level_text(steps: int, target: Target) -> str:
     """A level of so many steps of IN in percent of a full well, with the fewest decimals that the
     compiler rounds to it."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
-    found = (f"{percent:.{digits}f}" for digits in count())
-    return next(f"{text}%" for text in found if level_steps(float(text), "%", target) == steps)
+    candidates = (f"{percent:.{digits}f}" for digits in count())
+    return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)
 
 
 def _formatted(lines: Sequence[str]) -> str:

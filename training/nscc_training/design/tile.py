@@ -43,11 +43,13 @@ def best_tile(
     tiles = list(combinations_with_replacement(range(len(stops)), _PLACES))
     risks = np.zeros(len(tiles))
     for number, scene in enumerate(scenes):
-        told, apart = _tables(chip, np.asarray(scene, np.float64), number, stops, slots, curve)
+        stop_errors, apart = _tables(
+            chip, np.asarray(scene, np.float64), number, stops, slots, curve
+        )
         for k, tile in enumerate(tiles):
             # The pixel p of each tile, told by the pixel q: what q's stop tells of q's own light,
             # and how far that is from the light at p.
-            by = np.stack([told[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
+            by = np.stack([stop_errors[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
             risks[k] += (by[:, None, :] + apart).min(axis=2).mean() / len(scenes)
     best = int(risks.argmin())
     a, b, c, d = (stops[k] for k in _laid(tiles[best]))
@@ -72,8 +74,8 @@ def _tables(
     tiles = squares.reshape(-1, _PLACES)
     tiles = tiles[:: -(-len(tiles) // _MOST_TILES)]
     light, peaks = tiles.reshape(-1), np.full(tiles.size, peak)
-    told = chip.errors(light, peaks, np.array(stops) / slots, curve)
+    stop_errors = chip.errors(light, peaks, np.array(stops) / slots, curve)
     on = on_curve(tiles, np.array(peak), curve, chip.code_e)
     apart = (on[:, :, None] - on[:, None, :]) ** 2
     shape = (*tiles.shape, len(stops))
-    return told.reshape(shape).astype(np.float32), apart.astype(np.float32)
+    return stop_errors.reshape(shape).astype(np.float32), apart.astype(np.float32)

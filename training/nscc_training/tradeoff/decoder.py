@@ -141,7 +141,7 @@ def measure(
             break
     points = [
         Point(
-            case.name, way.method, way.setting, score, unit, tuple(each["ms"] for each in runs),
+            case.name, way.method, way.setting, score, unit, tuple(timing["ms"] for timing in runs),
             more_is_better=True, device=way.device,
         )
         for (case, way), runs in zip(turns, timed, strict=True)
@@ -153,11 +153,11 @@ def measure(
 def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
     """Return how long a decoder takes for one scene and, if they are asked for, its scores."""
 
-    def every() -> list[Light]:
+    def decode_all() -> list[Light]:
         return [way.run(frames) for frames in case.captures]
 
     corner = partial(way.run, case.captures[0].corner(_WARM))
-    lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, every, corner)
+    lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, decode_all, corner)
     return {"ms": taken_ms / len(lights), "scores": scored(case, lights) if scores else None}
 
 
@@ -165,9 +165,9 @@ def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
     """Return PSNR in dB and SSIM, means over the scenes, as the protocol counts them. Scenes
     without any error count for SSIM alone, unless all are such."""
     pairs = zip(case.captures, lights, strict=True)
-    found = [frames.scene.scores(light) for frames, light in pairs]
-    psnr_db = finite_mean(number(scores["psnr_db"]) for scores in found)
-    return psnr_db, float(np.mean([scores["ssim"] for scores in found]))
+    scene_scores = [frames.scene.scores(light) for frames, light in pairs]
+    psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
+    return psnr_db, float(np.mean([scores["ssim"] for scores in scene_scores]))
 
 
 def ways_of(kind: Kind) -> list[Way]:
@@ -181,35 +181,35 @@ def ways_of(kind: Kind) -> list[Way]:
 
 def networks(folder: RunFolder, name: str) -> list[Way]:
     """Return a run's decoder in both number formats, FC-net also with fewer blocks."""
-    parts = folder.setup
-    method = f"{parts.settings.decoder.name} {parts.settings.decoder.sized}{name}"
-    device = torch.cuda.get_device_name(parts.device) if parts.device.type == "cuda" else ""
-    found = []
+    setup = folder.setup
+    method = f"{setup.settings.decoder.name} {setup.settings.decoder.sized}{name}"
+    device = torch.cuda.get_device_name(setup.device) if setup.device.type == "cuda" else ""
+    ways = []
     for dtype in ("f32", "bf16"):
-        if not isinstance(parts.decoder, BlockNet):
-            run = _network(folder, parts.decoder, dtype)
-            found.append(Way(method, dtype, run, device, loads=dtype))
+        if not isinstance(setup.decoder, BlockNet):
+            run = _network(folder, setup.decoder, dtype)
+            ways.append(Way(method, dtype, run, device, loads=dtype))
             continue
         for blocks, overlapping in _OVERLAPS.items():
-            net = copy(parts.decoder)
+            net = copy(setup.decoder)
             net.overlapping = overlapping
             setting = f"x{blocks} {dtype}"
-            found.append(Way(method, setting, _network(folder, net, dtype), device, loads=setting))
-    return found
+            ways.append(Way(method, setting, _network(folder, net, dtype), device, loads=setting))
+    return ways
 
 
 def _network(
     folder: RunFolder, net: torch.nn.Module, dtype: str
 ) -> Callable[[CapturedScene], Light]:
-    parts = folder.setup
+    setup = folder.setup
 
     @torch.no_grad()
     def run(frames: CapturedScene) -> Light:
-        frame = parts.model.relative(torch.from_numpy(frames.codes))
+        frame = setup.model.relative(torch.from_numpy(frames.codes))
         shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
-        with torch.autocast(parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
-            light = net(frame.to(parts.device), shutters.to(parts.device))
-        return np.asarray(light[0].float().cpu().numpy().astype(np.float64) * parts.unit_e)
+        with torch.autocast(setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
+            light = net(frame.to(setup.device), shutters.to(setup.device))
+        return np.asarray(light[0].float().cpu().numpy().astype(np.float64) * setup.unit_e)
 
     return run
 
@@ -235,13 +235,13 @@ def _fixed(kind: Kind, settings: Settings) -> Case:
 
 
 def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
-    parts = runs[0].setup
-    kind: Kind = "stills" if parts.still else "clips"
-    protocol = protocol_of(kind, settings.size, parts.slots)
+    setup = runs[0].setup
+    kind: Kind = "stills" if setup.still else "clips"
+    protocol = protocol_of(kind, settings.size, setup.slots)
     if settings.data is not None:
         for run in runs:
             check_unseen(run, files_of(protocol, settings.data))
-    frames = _captures(protocol, parts.encoder.hard().cpu(), parts.model, settings)
+    frames = _captures(protocol, setup.encoder.hard().cpu(), setup.model, settings)
     apart = names_of(runs)
     ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
     return Case(f"{kind}, code of {name}", frames, (*ways_of(kind), *ways))

@@ -121,10 +121,13 @@ def configurations(settings: Settings) -> list[Configuration]:
     kinds = ("clips", "stills") if settings.data is None else kinds_in(settings.data)
     shapes: list[tuple[Kind, str, int]] = []
     if "clips" in kinds:
-        shapes += [("clips", *each) for each in product(settings.classes, settings.slots)]
+        shapes += [
+            ("clips", *class_and_slots)
+            for class_and_slots in product(settings.classes, settings.slots)
+        ]
     if "stills" in kinds:
         shapes += [("stills", "b", slots) for slots in settings.stop_slots]
-    found = [
+    all_configurations = [
         Configuration(*shape, codes, lowering)
         for shape in shapes
         for codes, lowering in product(settings.codes, settings.lowerings)
@@ -132,11 +135,11 @@ def configurations(settings: Settings) -> list[Configuration]:
     if "stills" in kinds:
         known = [k for k in settings.looks if f"looks-{k}" in LOOKING_ROWS]
         looking = [("looks", k) for k in known] + [("designed", k) for k in settings.looks]
-        found += [
+        all_configurations += [
             Configuration("stills", name, SLOTS, "open", "edges", exposures)
             for name, exposures in looking
         ]
-    return found
+    return all_configurations
 
 
 def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = None) -> Measured:
@@ -145,37 +148,56 @@ def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = N
     that does not serve, and for a target that does not exist."""
     target = load_target(settings.target, Path())
     todo = configurations(settings)
-    benches = {kind: Bench.of(kind, target, settings) for kind in {each.kind for each in todo}}
+    benches = {
+        kind: Bench.of(kind, target, settings)
+        for kind in {configuration.kind for configuration in todo}
+    }
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
-    for each in progress(todo):
-        name = f"{each.kind}, {each.method}, {each.slots}"
-        found = rows.once(name, partial(_row, each, benches[each.kind]))
-        if "code" in found:
-            refused.append(Refused(**found))
+    for configuration in progress(todo):
+        name = f"{configuration.kind}, {configuration.method}, {configuration.slots}"
+        row = rows.once(name, partial(_row, configuration, benches[configuration.kind]))
+        if "code" in row:
+            refused.append(Refused(**row))
         else:
-            points.append(Point(**{**found, "times_ms": tuple(found["times_ms"])}))
+            points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
     return Measured(tuple(points), tuple(refused), target.name)
 
 
-def _row(each: Configuration, bench: Bench) -> dict[str, Any]:
+def _row(configuration: Configuration, bench: Bench) -> dict[str, Any]:
     """Return the fields of a configuration's Point, or of what Refused says of it."""
-    setting = f"{each.slots} slots"
-    shutters = _encoder(each, bench.settings) if each.exposures is None else bench.schedule(each)
-    found = compiled_for(each, shutters, bench)
-    if isinstance(found, Diagnostic):
-        return asdict(Refused(each.kind, each.method, setting, found.code, found.message))
-    assert found.container is not None
-    words = f"{setting}, {found.container.words_per_frame} words"
-    psnr_db, slot_ms = bench.psnr_db(found.container, shutters), found.shortest_slot_us / 1e3
+    setting = f"{configuration.slots} slots"
+    shutters = (
+        _encoder(configuration, bench.settings)
+        if configuration.exposures is None
+        else bench.schedule(configuration)
+    )
+    compiled = compiled_for(configuration, shutters, bench)
+    if isinstance(compiled, Diagnostic):
+        return asdict(
+            Refused(
+                configuration.kind, configuration.method, setting, compiled.code, compiled.message
+            )
+        )
+    assert compiled.container is not None
+    words = f"{setting}, {compiled.container.words_per_frame} words"
+    psnr_db, slot_ms = bench.psnr_db(compiled.container, shutters), compiled.shortest_slot_us / 1e3
     return asdict(
-        Point(each.kind, each.method, words, psnr_db, "psnr_db", (slot_ms,), more_is_better=True)
+        Point(
+            configuration.kind,
+            configuration.method,
+            words,
+            psnr_db,
+            "psnr_db",
+            (slot_ms,),
+            more_is_better=True,
+        )
     )
 
 
 def compiled_for(
-    each: Configuration, shutters: Encoder | Schedule, bench: Bench
+    configuration: Configuration, shutters: Encoder | Schedule, bench: Bench
 ) -> Compiled | Diagnostic:
     """Return the configuration compiled for the slots that it is captured with, or why not. Words
     do not depend on the slot's length but for refresh, which shorter slots need less of."""
@@ -189,25 +211,27 @@ def compiled_for(
         else:
             text = program_of(shutters, chip).text
         source = Source("shutter.nsl", text)
-        case = SynthesisCase(each.method, source, Path(), each.codes, chip.file)
-        return compiled_or_not(CompileVariant(case, each.lowering, settings.level))
+        case = SynthesisCase(configuration.method, source, Path(), configuration.codes, chip.file)
+        return compiled_or_not(CompileVariant(case, configuration.lowering, settings.level))
 
     if settings.slot_us is not None:
         return compiled(settings.slot_us)
-    found = compiled(_LONG_US)
-    if isinstance(found, Diagnostic):
-        return found
-    return compiled(max(1, math.ceil(found.shortest_slot_us / _TICK_US - 1e-6)) * _TICK_US)
+    longest_compiled = compiled(_LONG_US)
+    if isinstance(longest_compiled, Diagnostic):
+        return longest_compiled
+    return compiled(
+        max(1, math.ceil(longest_compiled.shortest_slot_us / _TICK_US - 1e-6)) * _TICK_US
+    )
 
 
-def _encoder(each: Configuration, settings: Settings) -> Encoder:
+def _encoder(configuration: Configuration, settings: Settings) -> Encoder:
     """Return the codes that a configuration is captured with."""
-    tile, start = ((2, 2), "quad") if each.kind == "stills" else ((8, 8), "random")
-    length = settings.length or max(1, each.slots // 4)
+    tile, start = ((2, 2), "quad") if configuration.kind == "stills" else ((8, 8), "random")
+    length = settings.length or max(1, configuration.slots // 4)
     spec = ShutterSpec(
-        each.shutters, each.slots, settings.tile or tile,
-        length=length if each.shutters == "c" else None,
-        rows=settings.rows if each.shutters == "codebook" else None,
+        configuration.shutters, configuration.slots, settings.tile or tile,
+        length=length if configuration.shutters == "c" else None,
+        rows=settings.rows if configuration.shutters == "codebook" else None,
     )  # fmt: skip
     return make_encoder(spec, settings.init or start, settings.seed)
 
@@ -237,14 +261,14 @@ class Bench:
         )
         return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
-    def schedule(self, each: Configuration) -> Schedule:
+    def schedule(self, configuration: Configuration) -> Schedule:
         """Return where pixels look: a row of hdr-v1, or designed for the scenes' light."""
-        assert each.exposures is not None
-        if each.shutters == "looks":
-            return row_of(each.method, self.target)
+        assert configuration.exposures is not None
+        if configuration.shutters == "looks":
+            return row_of(configuration.method, self.target)
         chip = DesignChip.of(self.target, self.sensor)
         lights = histogram([scene.light_e for scene in self.scenes])
-        return Model(chip, lights, [1.0] * SLOTS).best(each.exposures - 1, "linear")
+        return Model(chip, lights, [1.0] * SLOTS).best(configuration.exposures - 1, "linear")
 
     def psnr_db(self, container: Container, shutters: Encoder | Schedule) -> float:
         """Return the mean over the scenes, by a decoder that needs no training."""
@@ -273,12 +297,12 @@ class Bench:
         digest = sha256(b"".join(a.tobytes() for a in (codes, frames.saturated, tile))).digest()
         if digest not in self.known:
             if frames.is_still:
-                made = STILLS["merged"].decode(frames)
+                decoded = STILLS["merged"].decode(frames)
             else:
-                made = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
-                joined = len(scene.light_e) // len(made)
-                made = np.repeat(made / joined, joined, axis=0)
-            self.known[digest] = number(scene.scores(made)["psnr_db"])
+                decoded = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
+                joined = len(scene.light_e) // len(decoded)
+                decoded = np.repeat(decoded / joined, joined, axis=0)
+            self.known[digest] = number(scene.scores(decoded)["psnr_db"])
         return self.known[digest]
 
 
@@ -294,9 +318,9 @@ def _light(scene: ProtocolScene, slots: int) -> Light:
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
     """Return what does not fit, those together that have one reason."""
     together: dict[tuple[str, str], list[str]] = {}
-    for each in refused:
-        name = f"{each.case}, {each.method}, {each.setting}"
-        together.setdefault((each.code, each.reason), []).append(name)
+    for refusal in refused:
+        name = f"{refusal.case}, {refusal.method}, {refusal.setting}"
+        together.setdefault((refusal.code, refusal.reason), []).append(name)
     lines = []
     for (code, reason), names in together.items():
         lines += ["", f"does not fit: {reason} ({code})", *(f"  {name}" for name in names)]
