@@ -21,7 +21,7 @@ from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.frame_content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
 from nscc_runtime.light import Light
-from nscc_runtime.merge import Readout, light_estimate, readouts
+from nscc_runtime.merge import MeasuredReadout, light_estimate, readouts
 from nscc_runtime.pieces import Taken
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
@@ -233,7 +233,7 @@ class Capture(Frame):
     def _fidelity(self) -> str:
         return self.exposed.simulated.origin.fidelity
 
-    def _readouts(self) -> list[Readout]:
+    def _readouts(self) -> list[MeasuredReadout]:
         return readouts(self.container, self.first, self.response)
 
     def _codes(self) -> str:

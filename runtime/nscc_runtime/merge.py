@@ -27,7 +27,7 @@ _LARGEST_TILE = 16
 
 
 @dataclass(frozen=True, eq=False)
-class Readout:
+class MeasuredReadout:
     """One bucket as it was read out; arrays are (rows, cols).
 
     `frame` uint8; `saturated` bool; `light_e`, the electrons that fell while each pixel was open,
@@ -44,7 +44,7 @@ class Readout:
     window: tuple[int, int]
 
 
-def readouts(container: Container, frame: Frame, response: Response) -> list[Readout]:
+def readouts(container: Container, frame: Frame, response: Response) -> list[MeasuredReadout]:
     """The buckets of one frame of a container with pixels."""
     refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
@@ -63,7 +63,9 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
         open_s = response.open_s
         light_e = response.electrons(frame.frame)
     return [
-        Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window)
+        MeasuredReadout(
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window
+        )
         for b, name in enumerate(container.buckets)
     ]
 
@@ -79,7 +81,7 @@ def _period(codes: NDArray[Any]) -> int:
     return next((p for p in range(1, rows) if np.array_equal(codes[p:], codes[:-p])), rows)
 
 
-def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
+def light_estimate(readout: MeasuredReadout) -> tuple[Field, NDArray[np.bool_]]:
     """Electrons a second (rows, cols) from the unsaturated pixels around each pixel, and where any
     is.
 
@@ -107,7 +109,7 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     return light, known
 
 
-def _box(values: NDArray[Any], readout: Readout) -> Field:
+def _box(values: NDArray[Any], readout: MeasuredReadout) -> Field:
     """Sums over the window around every pixel."""
     total = np.asarray(values, np.float64)
     for axis, width in enumerate(readout.window):
@@ -120,7 +122,7 @@ def _box(values: NDArray[Any], readout: Readout) -> Field:
     return _spread(total, readout)
 
 
-def _spread(inside: Field, readout: Readout) -> Field:
+def _spread(inside: Field, readout: MeasuredReadout) -> Field:
     """What windows within the picture have, at the pixels: those at the edge share the nearest."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2

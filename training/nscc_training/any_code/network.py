@@ -83,7 +83,7 @@ class ClipDenoiser(nn.Module):
         return output
 
 
-class Block(nn.Module):
+class FrameExchangeBlock(nn.Module):
     """Two convolutions that add to what they see, after channels went to the frames beside."""
 
     def __init__(self, width: int) -> None:
@@ -134,7 +134,7 @@ class _Exchanged(torch.autograd.Function):
 
 
 def _pair(width: int) -> nn.ModuleList:
-    return nn.ModuleList([Block(width), Block(width)])
+    return nn.ModuleList([FrameExchangeBlock(width), FrameExchangeBlock(width)])
 
 
 def bf16_where_multiplied() -> AbstractContextManager[object]:

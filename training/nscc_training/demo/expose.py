@@ -28,7 +28,7 @@ from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.demo.subject import Subject
-from nscc_training.design.chip import Chip, Curve
+from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
 from nscc_training.design.text import frame_text
 from nscc_training.run_files import RunCapture, run_capture
@@ -220,7 +220,7 @@ def _metered(
 ) -> int:
     """Return the slots for which a camera with automatic exposure opens."""
     light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
-    return best_stop(Chip.of(container.target, sensor), light_e, container.slots, curve)
+    return best_stop(DesignChip.of(container.target, sensor), light_e, container.slots, curve)
 
 
 def camera(

@@ -35,7 +35,7 @@ _COPIES = 2
 
 
 @dataclass(frozen=True, eq=False)
-class Chip:
+class DesignChip:
     """A target with its sensor, and the effects that act on it."""
 
     target: Target
@@ -43,7 +43,7 @@ class Chip:
     effects: Selection
 
     @classmethod
-    def of(cls, target: Target, sensor: Sensor) -> Chip:
+    def of(cls, target: Target, sensor: Sensor) -> DesignChip:
         """With every effect that there is."""
         return cls(target, sensor, everything())
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
-from nscc_training.design.chip import CURVES, Chip, Curve, hermite
+from nscc_training.design.chip import CURVES, Curve, DesignChip, hermite
 from nscc_training.design.scene import Histogram
 
 Values = NDArray[np.float64]
@@ -31,7 +31,7 @@ _MOST_KEPT = 128
 
 
 @dataclass(frozen=True)
-class Schedule:
+class LookSchedule:
     """Looks at boundaries `at`, from early to late, each with its level in steps of IN."""
 
     at: tuple[int, ...]
@@ -47,10 +47,10 @@ class Expected:
     closing: tuple[float, ...]
 
 
-class Model:
+class LookModel:
     """The expected error of schedules on a chip, in a frame of slots with these lengths."""
 
-    def __init__(self, chip: Chip, scene: Histogram, slot_us: Sequence[float]) -> None:
+    def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
         self.chip, self.scene, self._slot_us = chip, scene, slot_us
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
@@ -82,7 +82,7 @@ class Model:
             self._closed[at] = closing_share.astype(np.float32)
         return self._closed[at]
 
-    def expected(self, schedule: Schedule) -> Expected:
+    def expected(self, schedule: LookSchedule) -> Expected:
         """What a schedule does."""
         open_, closing = self._start, []
         errors = dict.fromkeys(CURVES, 0.0)
@@ -97,7 +97,7 @@ class Model:
             open_ = open_ - closing_pixels
         return Expected(errors, tuple(closing))
 
-    def best(self, looks: int, curve: Curve) -> Schedule:
+    def best(self, looks: int, curve: Curve) -> LookSchedule:
         """The schedule of so many looks with the least error on a curve that was found.
 
         From several geometric starts, one look after the other is moved and given the level that
@@ -114,12 +114,12 @@ class Model:
             return schedule
         for _ in range(_WEIGHINGS):
             by = 1 / np.maximum(self._by_scene(schedule, curve), 1e-12 * worth)
-            weighed = Model(self.chip, self.scene.weighed(by), self._slot_us)
+            weighed = LookModel(self.chip, self.scene.weighed(by), self._slot_us)
             weighed._exposure_errors, weighed._closed = self._exposure_errors, self._closed
             _, schedule = weighed._descended(schedule, curve)
         return schedule
 
-    def _descended(self, schedule: Schedule, curve: Curve) -> tuple[float, Schedule]:
+    def _descended(self, schedule: LookSchedule, curve: Curve) -> tuple[float, LookSchedule]:
         """The error and the schedule where rounds end."""
         worth = np.inf
         for _ in range(_ROUNDS):
@@ -129,7 +129,7 @@ class Model:
             worth = now
         return worth, schedule
 
-    def _by_scene(self, schedule: Schedule, curve: Curve) -> Values:
+    def _by_scene(self, schedule: LookSchedule, curve: Curve) -> Values:
         """The mean square error of every scene (scenes,)."""
         rows = self._rows(schedule)
         after = self._after(list(schedule.at), rows, -1, curve)
@@ -138,24 +138,24 @@ class Model:
             self.scene.scene, self.scene.weight
         )
 
-    def _rows(self, schedule: Schedule) -> list[int]:
+    def _rows(self, schedule: LookSchedule) -> list[int]:
         """The places of a schedule's levels among those of the chip."""
         return [int(np.abs(self.chip.levels - steps).argmin()) for steps in schedule.steps]
 
-    def _starts(self, looks: int) -> list[Schedule]:
+    def _starts(self, looks: int) -> list[LookSchedule]:
         """Geometric moments from several first ones, looking at half of what the next may hold."""
-        starts: dict[tuple[int, ...], Schedule] = {}
+        starts: dict[tuple[int, ...], LookSchedule] = {}
         first = 1
         while first == 1 or first * 4 <= self.slots:
             ratio = (self.slots / first) ** (1 / looks)
             at = _spread(first * ratio ** np.arange(looks), self.slots)
             full = self.chip.full_e / self.chip.target.electrons_per_step
             level = int(np.clip(round(0.9 * full / max(ratio, 2.0)), 1, self.chip.levels[-1]))
-            starts.setdefault(at, Schedule(at, (level,) * looks))
+            starts.setdefault(at, LookSchedule(at, (level,) * looks))
             first *= 4
         return list(starts.values())
 
-    def _round(self, schedule: Schedule, curve: Curve) -> tuple[Schedule, float]:
+    def _round(self, schedule: LookSchedule, curve: Curve) -> tuple[LookSchedule, float]:
         """Each look in turn, the last one first, and the error then."""
         at, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
@@ -174,7 +174,7 @@ class Model:
                 best = min(best, (open_error + float(costs[row]), moment, row))
             worth, at[k], rows[k] = best[0] + earlier, best[1], best[2]
         steps = tuple(int(self.chip.levels[row]) for row in rows)
-        return Schedule(tuple(at), steps), worth
+        return LookSchedule(tuple(at), steps), worth
 
     def _so_far(self, at: list[int], rows: list[int], k: int, curve: Curve) -> float:
         """The error of the pixels that close before look k."""

@@ -17,8 +17,8 @@ from nscc.pipeline import Compiled, Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_training.design.chip import CURVES, Chip, Curve
-from nscc_training.design.looking import Expected, Model, Schedule
+from nscc_training.design.chip import CURVES, Curve, DesignChip
+from nscc_training.design.looking import Expected, LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.stop_patterns import Pattern, Progress, cheapest, judged
 from nscc_training.design.text import level_text, looking_text, tile_text
@@ -42,10 +42,10 @@ class Frame:
     sensor: Sensor | None = None
     level: int = 2
 
-    def chip(self) -> Chip:
+    def chip(self) -> DesignChip:
         """The target with its sensor; Rejected for a target that is none."""
         target = load_target(self.target, Path())
-        return Chip.of(target, self.sensor or default_sensor(target))
+        return DesignChip.of(target, self.sensor or default_sensor(target))
 
     def compiled(self, name: str, text: str) -> Compiled:
         """The program, compiled and proved."""
@@ -77,7 +77,7 @@ class Design:
 class LookingDesign(Design):
     """One whose pixels look."""
 
-    schedule: Schedule
+    schedule: LookSchedule
     expected: Expected
 
 
@@ -108,7 +108,7 @@ def design_looks(
     frame = frame or Frame()
     chip = frame.chip()
     slot_us = [frame.slot_us] * frame.slots
-    model = Model(chip, histogram(scenes), slot_us)
+    model = LookModel(chip, histogram(scenes), slot_us)
     schedule = model.best(exposures - 1, curve)
     expected = model.expected(schedule)
     levels = [level_text(steps, chip.target) for steps in schedule.steps]

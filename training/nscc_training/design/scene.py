@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.design.chip import PERCENTILE, Chip, Curve
+from nscc_training.design.chip import PERCENTILE, Curve, DesignChip
 
 Values = NDArray[np.float64]
 
@@ -59,7 +59,7 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
     return Histogram(*(np.concatenate(arrays) for arrays in zip(*histograms, strict=True)))
 
 
-def best_stop(chip: Chip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
+def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
     """Return the slots that an ordinary camera opens all its pixels for: of half stops, from one
     slot to all, the one of least expected error on `curve` over the light's histogram.
 

@@ -20,7 +20,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.hdr import merged
-from nscc_training.design.chip import Chip
+from nscc_training.design.chip import DesignChip
 from nscc_training.design.scene import peak_of, stops_tried
 from nscc_training.metrics import mu_psnr, psnr
 
@@ -80,7 +80,7 @@ def patterns(slots: int) -> list[Pattern]:
 
 
 def judged(
-    chip: Chip, scenes: Sequence[Values], slots: int, slot_us: float,
+    chip: DesignChip, scenes: Sequence[Values], slots: int, slot_us: float,
     compiled: Callable[[int], Container], progress: Progress,
 ) -> list[Pattern]:  # fmt: skip
     """Return all patterns with what they reach by merging under every effect, the best first.
@@ -111,8 +111,8 @@ def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Patt
 
 
 def _frames(
-    chip: Chip, light_e: Values, slots: int, slot_us: float, compiled: Callable[[int], Container],
-    number: int,
+    chip: DesignChip, light_e: Values, slots: int, slot_us: float,
+    compiled: Callable[[int], Container], number: int,
 ) -> dict[int, tuple[Values, NDArray[np.bool_]]]:  # fmt: skip
     """Return exposures in electrons, and what is saturated of them, by stop."""
     seconds = np.full(slots, slot_us * 1e-6)
@@ -132,7 +132,10 @@ def _frames(
 
 
 def _merged(
-    chip: Chip, frames: dict[int, tuple[Values, NDArray[np.bool_]]], pattern: Pattern, slots: int
+    chip: DesignChip,
+    frames: dict[int, tuple[Values, NDArray[np.bool_]]],
+    pattern: Pattern,
+    slots: int,
 ) -> Values:
     """Return the light over the frame that merging makes of a pattern."""
     rows, cols = next(iter(frames.values()))[0].shape

@@ -9,14 +9,19 @@ from nscc.chips.target import Target
 from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.syntax.format import format_source
-from nscc_training.design.looking import Schedule
+from nscc_training.design.looking import LookSchedule
 
 SLOT_DECIMALS = 6
 """Of a slot's microseconds in a program's text: far below a chip's clock, and readable."""
 
 
 def looking_text(
-    schedule: Schedule, slots: int, slot_us: float, target: Target, chip: str | None, remark: str
+    schedule: LookSchedule,
+    slots: int,
+    slot_us: float,
+    target: Target,
+    chip: str | None,
+    remark: str,
 ) -> str:
     """The program whose pixels close at the first look that finds them above its level; `chip` is
     the target's name, None where the compiler's options say it."""

@@ -16,7 +16,7 @@ from itertools import combinations_with_replacement
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_training.design.chip import Chip, Curve, on_curve
+from nscc_training.design.chip import Curve, DesignChip, on_curve
 from nscc_training.design.scene import peak_of, stops_tried
 
 Values = NDArray[np.float64]
@@ -35,7 +35,7 @@ class Tile:
 
 
 def best_tile(
-    chip: Chip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
+    chip: DesignChip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
 ) -> tuple[Tile, int]:
     """The tile of least mean risk over the scenes, electrons over the frame (rows, cols); and how
     many were tried. Rejected (NS0824) for a scene without light."""
@@ -62,7 +62,7 @@ def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def _tables(
-    chip: Chip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
+    chip: DesignChip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """By tile of the scene: the error of each place's own light by stop (tiles, places, stops), and
     the square distance between the light of two places (tiles, places, places)."""

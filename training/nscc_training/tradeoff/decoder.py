@@ -47,7 +47,7 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 
 @dataclass(frozen=True)
-class Settings:
+class DecoderStudySettings:
     """`data`: a folder of scenes, made ones without; `size`: rows and cols of a scene;
     `budget_s`: repeats end when it is spent, but everything is measured once."""
 
@@ -85,7 +85,7 @@ Turn = tuple[Case, Way]
 Progress = Callable[[Sequence[Turn]], Iterable[Turn]]
 
 
-def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
+def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Case]:
     """Return the codes of the runs, those with the same code together; without runs random bits
     for clips and the 2 x 2 pattern for stills.
 
@@ -119,7 +119,10 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
 
 
 def measure(
-    todo: Sequence[Case], settings: Settings, progress: Progress = iter, rows: Rows | None = None
+    todo: Sequence[Case],
+    settings: DecoderStudySettings,
+    progress: Progress = iter,
+    rows: Rows | None = None,
 ) -> tuple[list[Point], int]:
     """Return two points for each decoder of each case, and how often everything was timed. A time
     is that of one scene, the mean over the scenes; the repeats go round all decoders. What `rows`
@@ -223,7 +226,7 @@ def names_of(folders: Sequence[RunFolder]) -> list[str]:
     ]
 
 
-def _fixed(kind: Kind, settings: Settings) -> Case:
+def _fixed(kind: Kind, settings: DecoderStudySettings) -> Case:
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
         name, spec, start = "clips, random bits", ShutterSpec("e", _FRAMES, (8, 8)), "random"
@@ -234,7 +237,7 @@ def _fixed(kind: Kind, settings: Settings) -> Case:
     return Case(name, frames, tuple(ways_of(kind)))
 
 
-def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
+def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings) -> Case:
     setup = runs[0].setup
     kind: Kind = "stills" if setup.still else "clips"
     protocol = protocol_of(kind, settings.size, setup.slots)
@@ -248,7 +251,7 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
 
 
 def _captures(
-    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: Settings
+    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
 ) -> tuple[CapturedScene, ...]:
     """Return the scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
     scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from nscc_training.tradeoff.joint import Joint
-    from nscc_training.tradeoff.sensor import Measured
+    from nscc_training.tradeoff.sensor import SensorStudyResult
 
 TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 """What the units of a decoder's points are called."""
@@ -36,7 +36,7 @@ def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figur
     )  # fmt: skip
 
 
-def sensor_diagram(measured: Measured, slot_us: float | None) -> Figure:
+def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure:
     """PSNR against the shortest slot, or against slots of `slot_us`: stills apart from clips."""
 
     def names(point: Point) -> tuple[str, str]:

@@ -27,8 +27,8 @@ from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.design.chip import Chip as DesignChip
-from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.chip import DesignChip
+from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -51,7 +51,7 @@ _TICK_US = 0.01
 
 
 @dataclass(frozen=True)
-class Settings:
+class SensorStudySettings:
     """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills, and for
     these pixels that look, with so many exposures (`looks`).
 
@@ -105,7 +105,7 @@ class Configuration:
 
 
 @dataclass(frozen=True)
-class Measured:
+class SensorStudyResult:
     """Points and what does not fit, in the order of the configurations."""
 
     points: tuple[Point, ...]
@@ -116,7 +116,7 @@ class Measured:
 Progress = Callable[[Sequence[Configuration]], Iterable[Configuration]]
 
 
-def configurations(settings: Settings) -> list[Configuration]:
+def configurations(settings: SensorStudySettings) -> list[Configuration]:
     """Return every class, number of slots, way to take codes, and lowering."""
     kinds = ("clips", "stills") if settings.data is None else kinds_in(settings.data)
     shapes: list[tuple[Kind, str, int]] = []
@@ -142,14 +142,16 @@ def configurations(settings: Settings) -> list[Configuration]:
     return all_configurations
 
 
-def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = None) -> Measured:
+def measure(
+    settings: SensorStudySettings, progress: Progress = iter, rows: Rows | None = None
+) -> SensorStudyResult:
     """Compile each configuration, and capture and decode the scenes with its words. The time of a
     point is the shortest slot. What `rows` knows is not measured again. Raises Rejected for data
     that does not serve, and for a target that does not exist."""
     target = load_target(settings.target, Path())
     todo = configurations(settings)
     benches = {
-        kind: Bench.of(kind, target, settings)
+        kind: SensorBench.of(kind, target, settings)
         for kind in {configuration.kind for configuration in todo}
     }
     points: list[Point] = []
@@ -162,10 +164,10 @@ def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = N
             refused.append(Refused(**row))
         else:
             points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
-    return Measured(tuple(points), tuple(refused), target.name)
+    return SensorStudyResult(tuple(points), tuple(refused), target.name)
 
 
-def _row(configuration: Configuration, bench: Bench) -> dict[str, Any]:
+def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
     """Return the fields of a configuration's Point, or of what Refused says of it."""
     setting = f"{configuration.slots} slots"
     shutters = (
@@ -197,7 +199,7 @@ def _row(configuration: Configuration, bench: Bench) -> dict[str, Any]:
 
 
 def compiled_for(
-    configuration: Configuration, shutters: Encoder | Schedule, bench: Bench
+    configuration: Configuration, shutters: Encoder | LookSchedule, bench: SensorBench
 ) -> Compiled | Diagnostic:
     """Return the configuration compiled for the slots that it is captured with, or why not. Words
     do not depend on the slot's length but for refresh, which shorter slots need less of."""
@@ -205,7 +207,7 @@ def compiled_for(
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:
         chip = Chip(settings.target, slot_us)
-        if isinstance(shutters, Schedule):
+        if isinstance(shutters, LookSchedule):
             named = chip.target if chip.file is None else None
             text = looking_text(shutters, SLOTS, slot_us, bench.target, named, "")
         else:
@@ -224,7 +226,7 @@ def compiled_for(
     )
 
 
-def _encoder(configuration: Configuration, settings: Settings) -> Encoder:
+def _encoder(configuration: Configuration, settings: SensorStudySettings) -> Encoder:
     """Return the codes that a configuration is captured with."""
     tile, start = ((2, 2), "quad") if configuration.kind == "stills" else ((8, 8), "random")
     length = settings.length or max(1, configuration.slots // 4)
@@ -237,18 +239,18 @@ def _encoder(configuration: Configuration, settings: Settings) -> Encoder:
 
 
 @dataclass(frozen=True, eq=False)
-class Bench:
+class SensorBench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
     scenes: tuple[ProtocolScene, ...]
     target: Target
     sensor: Sensor
     model: SensorModel
-    settings: Settings
+    settings: SensorStudySettings
     known: dict[bytes, float] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, kind: Kind, target: Target, settings: Settings) -> Bench:
+    def of(cls, kind: Kind, target: Target, settings: SensorStudySettings) -> SensorBench:
         """Return the scenes of a kind, as large as the target's array."""
         sensor = load_sensor(target, settings.sensor, settings.changes)
         size, frames = (
@@ -261,19 +263,19 @@ class Bench:
         )
         return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
-    def schedule(self, configuration: Configuration) -> Schedule:
+    def schedule(self, configuration: Configuration) -> LookSchedule:
         """Return where pixels look: a row of hdr-v1, or designed for the scenes' light."""
         assert configuration.exposures is not None
         if configuration.shutters == "looks":
             return row_of(configuration.method, self.target)
         chip = DesignChip.of(self.target, self.sensor)
         lights = histogram([scene.light_e for scene in self.scenes])
-        return Model(chip, lights, [1.0] * SLOTS).best(configuration.exposures - 1, "linear")
+        return LookModel(chip, lights, [1.0] * SLOTS).best(configuration.exposures - 1, "linear")
 
-    def psnr_db(self, container: Container, shutters: Encoder | Schedule) -> float:
+    def psnr_db(self, container: Container, shutters: Encoder | LookSchedule) -> float:
         """Return the mean over the scenes, by a decoder that needs no training."""
         seed = self.settings.seed
-        score = self._looked_db if isinstance(shutters, Schedule) else partial(
+        score = self._looked_db if isinstance(shutters, LookSchedule) else partial(
             self._decoded_db, shutters)  # fmt: skip
         return finite_mean(
             score(container, scene, (1000 * seed + k, seed)) for k, scene in enumerate(self.scenes)
