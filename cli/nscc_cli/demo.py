@@ -53,14 +53,18 @@ def command(
     folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     for name in (scene,) if scene else BUILTIN:
-        made = demo(Scene(name, fps=fps), folder, settings, listener)
-        say_done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
-        beside = "" if made.looked_db is None else f", by pixels that look {made.looked_db:.1f} dB"
+        result = demo(Scene(name, fps=fps), folder, settings, listener)
+        say_done("\n".join(f"wrote {path.as_posix()}" for path in result.files))
+        beside = (
+            "" if result.looked_db is None else f", by pixels that look {result.looked_db:.1f} dB"
+        )
         ordinary = "an ordinary camera with automatic exposure"
-        if made.looked_db is None:
-            beside = f" from {readouts_text(made.readouts)}"
+        if result.looked_db is None:
+            beside = f" from {readouts_text(result.readouts)}"
             ordinary = "a burst of as many ordinary frames"
-        if made.fair_db is not None:
-            beside += f", {ordinary} {made.fair_db:.1f} dB"
-        say_done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{beside}")
-        say_done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))
+        if result.fair_db is not None:
+            beside += f", {ordinary} {result.fair_db:.1f} dB"
+        say_done(
+            f"always open {result.open_db:.1f} dB, reconstructed {result.psnr_db:.1f} dB{beside}"
+        )
+        say_done("step by step:\n" + "\n".join(f"  {line}" for line in result.commands))

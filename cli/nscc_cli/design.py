@@ -113,25 +113,25 @@ def command(
 
         # What moves slow or fast needs no scene, and of one takes light and texture.
         moving = _moving(scenes, target, options) if scenes or motion == "scene" else []
-        made: Design = design_motion(motion, moving, frame, options["max_words"])
+        design: Design = design_motion(motion, moving, frame, options["max_words"])
     elif search:
-        seen = _seen(scenes, target, options)
-        made = design_pattern(seen, frame, lambda todo: progress(todo, "searching"))
+        scene_lights = _scene_lights(scenes, target, options)
+        design = design_pattern(scene_lights, frame, lambda todo: progress(todo, "searching"))
     elif looks is None:
-        made = design_tile(_seen(scenes, target, options), frame)
+        design = design_tile(_scene_lights(scenes, target, options), frame)
     else:
         curve = criterion or "mu"
-        seen = _seen(scenes, target, options)
-        made = design_looks(seen, looks, frame, curve)  # type: ignore[arg-type]  # Choice
-    say(made.compiled.diagnostics)
-    write_together({path: made.text.encode()})
+        scene_lights = _scene_lights(scenes, target, options)
+        design = design_looks(scene_lights, looks, frame, curve)  # type: ignore[arg-type]  # Choice
+    say(design.compiled.diagnostics)
+    write_together({path: design.text.encode()})
     click.echo(f"wrote {path.as_posix()}")
-    for label, text in made.lines:
+    for label, text in design.lines:
         click.echo(f"  {label:<9} {text}")
-    say_done(cost_text(made.compiled))
+    say_done(cost_text(design.compiled))
 
 
-def _seen(
+def _scene_lights(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
     """The light of each scene (rows, cols): electrons over the frame."""
@@ -143,7 +143,7 @@ def _moving(
 ) -> list[NDArray[np.float64]]:
     """The light of each scene (parts, rows, cols): electrons in each of some parts of the frame."""
     slots = options["slots"]
-    starts = [slots * part // _CLIP_PARTS for part in range(_CLIP_PARTS)]
+    starts = [slots * clip_part // _CLIP_PARTS for clip_part in range(_CLIP_PARTS)]
     starts = sorted(set(starts))
     return [
         laid.placement.cut(laid.light.joined(starts).dense())
@@ -158,5 +158,5 @@ def _laid(
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):
         scene = scene_of({**options, "scene": name}, "--scene is missing: a design needs a scene")
-        [laid] = scene.laid(slot_us, target, lambda told: say([told]), progress)
+        [laid] = scene.laid(slot_us, target, lambda diagnostic: say([diagnostic]), progress)
         yield laid

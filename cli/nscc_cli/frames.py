@@ -139,7 +139,7 @@ def write_frame(
 
     if out.suffix != ".npz":
         refuse_pictures(container, f"'{out.name}' cannot hold this frame", "write an .npz")
-    with timings.part("write_s"):
+    with timings.measure("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
         content = frame_content(

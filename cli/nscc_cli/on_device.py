@@ -31,14 +31,14 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     place, scene = options["place"], options["scene"]
     _refuse_simulation(place, scene, keep)
     timings = Timings()
-    with timings.part("compile_s"):
+    with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     check_adc(container.target)
     sensor = sensor_of(converter_of(container), options)
     light, messages_so_far = None, list(messages)
     if scene:
         messages_so_far.append(_scene_note(scene))
-        with timings.part("scene_s"):
+        with timings.measure("scene_s"):
             named = scene_of(options)
             light = named.light(
                 container.slot_us, container.target, messages_so_far.append, progress
@@ -46,7 +46,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     say(messages_so_far)
     out = frame_path(program, options)
     with (
-        timings.part("expose_s"),
+        timings.measure("expose_s"),
         SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
     ):
         chip = DeviceChip(link, sensor, progress)

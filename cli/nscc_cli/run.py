@@ -126,14 +126,14 @@ def _run_on_emulator(
     request, out = _request(options), frame_path(program, options)
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
-    with timings.part("compile_s"):
+    with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     if "shutter" in keep:
         refuse_looking(container)
     if of_run is not None:
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)
-    with timings.part("scene_s"):
+    with timings.measure("scene_s"):
         scene, messages_so_far = scene_of(options), list(messages)
         laid = scene.laid(container.slot_us, container.target, messages_so_far.append, progress)
         say(messages_so_far)

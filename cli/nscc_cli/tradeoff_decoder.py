@@ -41,12 +41,12 @@ def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run
-    from nscc_training.tradeoff.decoder import Settings, cases, measure, not_measured
+    from nscc_training.tradeoff.decoder import DecoderStudySettings, cases, measure, not_measured
     from nscc_training.tradeoff.diagrams import TITLES, decoder_diagram
 
     files = output_files(options)
     named = ("data", "scenes", "size", "repeats", "budget", "seed")
-    settings = Settings(*(options[name] for name in named))
+    settings = DecoderStudySettings(*(options[name] for name in named))
     folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
     todo = cases(folders, settings)
     say_compiling(denoise, "the loop of total variation")

@@ -48,7 +48,7 @@ def command(program: Path, **options: Any) -> int:
     sensor and decoder. With -o, --csv or --png every row is kept as it is measured: killed and
     started again, it goes on. Ends with status 1 where nothing could be measured.
     """
-    from nscc_training.tradeoff.bench import Asked
+    from nscc_training.tradeoff.bench import JointRequest
     from nscc_training.tradeoff.joint import joint_text, measure
 
     files = output_files(options)
@@ -57,7 +57,7 @@ def command(program: Path, **options: Any) -> int:
     captured = run_capture_of(run, options) if options["scene"] else None
     scene = scene_of(options)
     named = ("pixels", "sensor", "seed", "device_seed", "repeats", "trust_code")
-    request = Asked(
+    request = JointRequest(
         program if captured is None else captured.program, scene, options["target_error"],
         options["stages"], compile_options(options), tuple(map(int, options["levels"])),
         changes=options["sensor_set"], run=run, **{name: options[name] for name in named},

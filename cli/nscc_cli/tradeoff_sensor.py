@@ -106,12 +106,12 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.tradeoff.diagrams import sensor_diagram
-    from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
+    from nscc_training.tradeoff.sensor import SensorStudySettings, measure, refusals_text
 
     files = output_files(options)
     points: tuple[Point, ...] = ()
-    named = {field.name for field in fields(Settings)} & options.keys()
-    settings = Settings(**{name: options[name] for name in named})
+    named = {field.name for field in fields(SensorStudySettings)} & options.keys()
+    settings = SensorStudySettings(**{name: options[name] for name in named})
     say_compiling(denoise, "the loop of total variation")
     with kept_rows(files, options) as rows:
         measured = measure(settings, lambda todo: progress(todo, "capturing"), rows)

@@ -21,7 +21,7 @@ from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.frame_content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
 from nscc_runtime.light import Light
-from nscc_runtime.merge import Readout, light_estimate, readouts
+from nscc_runtime.merge import BucketReadout, light_estimate, readouts
 from nscc_runtime.pieces import Taken
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
@@ -87,12 +87,12 @@ class Capture(Frame):
     @property
     def images(self) -> dict[str, NDArray[np.float64]]:
         """The images that the program reads, electrons before the converter (rows, cols)."""
-        return self._told("image_", self._pictures_read)
+        return self._told_arrays("image_", self._pictures_read)
 
     @property
     def planes(self) -> dict[str, NDArray[np.bool_]]:
         """The planes that the program reads, bool (rows, cols)."""
-        return self._told("plane_", self._pictures_read)
+        return self._told_arrays("plane_", self._pictures_read)
 
     @property
     def margin(self) -> NDArray[np.bool_] | None:
@@ -107,25 +107,25 @@ class Capture(Frame):
         least column and row and the largest ones, or None where no bit is 1. With `repeat`, lists.
         """
         pictures = self.container.pictures
-        found: dict[str, Any] = {}
+        reports: dict[str, Any] = {}
         for report in pictures.reports if pictures is not None else ():
             key = f"report_{report.kind}_{report.plane}"
             values, counts = self.told[key], self.told.get(f"{key}_count")
             repeated = values.ndim > {"any": 0, "events": 2, "box": 1}[report.kind]
             frames = range(len(values)) if repeated else [...]
-            each = [
+            frame_values = [
                 _report(report.kind, values[n], None if counts is None else counts[n])
                 for n in frames
             ]
-            found[f"{report.kind} {report.plane}"] = each if repeated else each[0]
-        return found
+            reports[f"{report.kind} {report.plane}"] = frame_values if repeated else frame_values[0]
+        return reports
 
     @property
     def _pictures_read(self) -> tuple[str, ...]:
         pictures = self.container.pictures
         return () if pictures is None else pictures.reads
 
-    def _told(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
+    def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
         keys = {name: f"{prefix}{name}" for name in names}
         return {name: self.told[key] for name, key in keys.items() if key in self.told}
 
@@ -146,8 +146,8 @@ class Capture(Frame):
         array of float64
             Electrons a second, (buckets, rows, cols); NaN if no neighbour gives a value.
         """
-        told = (light_estimate(each) for each in self._readouts())
-        return np.stack([np.where(known, light, np.nan) for light, known in told])
+        estimates = (light_estimate(readout) for readout in self._readouts())
+        return np.stack([np.where(known, light, np.nan) for light, known in estimates])
 
     @property
     def meta(self) -> dict[str, Any]:
@@ -214,14 +214,14 @@ class Capture(Frame):
             for image, name in zip(shown, self.container.buckets_read, strict=True)
         )
         lines = html.plain("\n".join(frame_lines(self.container, self)))
-        told = html.Html()
+        plan_card = html.Html()
         if self.plan is not None:
-            asked = self.plan.tolerance if self.plan.allowed is None else self.plan.allowed
-            summary = f"what was simulated, to {asked}"
-            told = html.folded(summary, html.plain(plan_table(self.plan, self.audit)))
+            tolerance = self.plan.tolerance if self.plan.allowed is None else self.plan.allowed
+            summary = f"what was simulated, to {tolerance}"
+            plan_card = html.folded(summary, html.plain(plan_table(self.plan, self.audit)))
         effects = "by a plan" if self.plan is not None else f"fidelity {self._fidelity}"
         subtitle = f"{' x '.join(map(str, self.frame.shape))}, codes {self._codes()}, {effects}"
-        return html.card("capture", subtitle, pictures, lines, told)
+        return html.card("capture", subtitle, pictures, lines, plan_card)
 
     @property
     def _in_colours(self) -> bool:
@@ -231,7 +231,7 @@ class Capture(Frame):
     def _fidelity(self) -> str:
         return self.exposed.simulated.origin.fidelity
 
-    def _readouts(self) -> list[Readout]:
+    def _readouts(self) -> list[BucketReadout]:
         return readouts(self.container, self.first, self.response)
 
     def _codes(self) -> str:

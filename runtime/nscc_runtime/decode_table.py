@@ -41,7 +41,7 @@ _KNOWN: tuple[type[Part], ...] = (
 def with_table(file: FrameFile, container: Container) -> FrameFile:
     """The file with the arrays that decoders need, as its meta says that it was exposed."""
     arrays = decode_arrays(container, Sensor(file.meta["sensor"]), file.meta["plan"])
-    return replace(file, kept={**file.kept, **arrays})
+    return replace(file, kept_arrays={**file.kept_arrays, **arrays})
 
 
 def decode_arrays(

@@ -27,7 +27,14 @@ from nscc_runtime.captured import Capture
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
-from nscc_runtime.given import (
+from nscc_runtime.kept_plans import KeptPlans, Turn
+from nscc_runtime.pieces import simulate_scene
+from nscc_runtime.planless import planless
+from nscc_runtime.planning.audit import Audit
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
+from nscc_runtime.pool import THREADS, processors
+from nscc_runtime.python_arguments import (
     LightLike,
     ProgramLike,
     SensorLike,
@@ -37,13 +44,6 @@ from nscc_runtime.given import (
     number,
     sensor_of,
 )
-from nscc_runtime.kept_plans import KeptPlans, Turn
-from nscc_runtime.pieces import simulate_scene
-from nscc_runtime.planless import planless
-from nscc_runtime.planning.audit import Audit
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
-from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.load import FramesAre
 from nscc_runtime.scenes.placement import FITS, Fit

@@ -35,13 +35,13 @@ _MOST_FRAME_S = 1e8
 
 
 def read_frame_arrays(
-    path: Path, wanted: Callable[[str], bool] = lambda name: True
+    path: Path, is_needed: Callable[[str], bool] = lambda name: True
 ) -> tuple[Arrays, dict[str, Any]]:
-    """Read and check the `wanted` arrays of a frame file, `frame` and its meta.
+    """Read and check `frame`, the meta, and the arrays for which `is_needed(name)` of a frame file.
 
     Raises InvalidArrays for a file that is no sound frame file, OSError where it cannot be read.
     """
-    arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or wanted(name))
+    arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or is_needed(name))
     return arrays, checked_meta(arrays)
 
 
@@ -57,9 +57,9 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     pictured = "margin" in arrays or "images" in meta
     if not 3 <= len(shape) <= 5 or 0 in (shape[-2:] if pictured else shape):
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
-    for name, held in arrays.items():
-        if name != "meta" and held.dtype.kind not in "buif":
-            raise InvalidArrays(f"`{name}` is {held.dtype}, not real numbers")
+    for name, array in arrays.items():
+        if name != "meta" and array.dtype.kind not in "buif":
+            raise InvalidArrays(f"`{name}` is {array.dtype}, not real numbers")
     for name, (kinds, words) in _KINDS.items():
         values = arrays.get(name)
         if values is None:
@@ -126,5 +126,5 @@ def image_of(frame: Path) -> NDArray[np.float32]:
         ) from None
     if light.ndim == 3:
         light, deviation = light[None], deviation[None]
-    images = [merged_image(*each) for each in zip(light, deviation, strict=True)]
+    images = [merged_image(*pair) for pair in zip(light, deviation, strict=True)]
     return np.asarray(np.mean(images, axis=0) * frame_s, np.float32)

@@ -89,8 +89,8 @@ class Frame:
         arrays = (self.frame, self.exposure_e, self.valid, self.saturated_by)
         if self.frame.ndim == 3:
             return self
-        told = {key: values[0] for key, values in self.told.items()}
-        return Frame(*(each[0] for each in arrays), told=told)
+        first_told = {key: values[0] for key, values in self.told.items()}
+        return Frame(*(array[0] for array in arrays), told=first_told)
 
 
 def read_out(
@@ -110,8 +110,8 @@ def read_out(
     known = ~np.isnan(exposure.exposure_e)
     (codes,) = everything().at("codes")
     electrons = np.where(known, exposure.exposure_e, 0.0)
-    found = codes(sensor, electrons, noise_lsb, target.top_code)
-    frame = np.where(known, found, 0.0).astype(np.uint8)
+    rounded_codes = codes(sensor, electrons, noise_lsb, target.top_code)
+    frame = np.where(known, rounded_codes, 0.0).astype(np.uint8)
     saturated_by = last_codes(frame, target)
     if exposure.saturated_by is not None:
         saturated_by |= exposure.saturated_by
@@ -139,12 +139,13 @@ def converted(
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
     places = np.arange(shape[1] * shape[2], dtype=np.int64)
-    found = effects.acting("converter")
-    if found:
-        sigma_lsb = hypot(*(each(sensor) for _, each in found))
+    noise_effects = effects.acting("converter")
+    if noise_effects:
+        sigma_lsb = hypot(*(sigma(sensor) for _, sigma in noise_effects))
         # The first effect's stream is that of all: a sum of normal errors is one.
-        keys = (key(seeds[0], found[0][0].stream, frame=frame, group=k) for k in range(shape[0]))
-        noise = sigma_lsb * np.stack([normals(each, places) for each in keys]).reshape(shape)
+        stream = noise_effects[0][0].stream
+        keys = [key(seeds[0], stream, frame=frame, group=k) for k in range(shape[0])]
+        noise = sigma_lsb * np.reshape([normals(k, places) for k in keys], shape)
     return read_out(exposure, target, sensor, noise)
 
 
@@ -168,11 +169,11 @@ def stacked(frames: Sequence[Frame]) -> Frame:
 def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
     """A frame whose every array `join` makes of those of the frames."""
     return Frame(
-        join([each.frame for each in frames]),
-        join([each.exposure_e for each in frames]),
-        join([each.valid for each in frames]),
-        join([each.saturated_by for each in frames]),
-        told={key: join([each.told[key] for each in frames]) for key in frames[0].told},
+        join([frame.frame for frame in frames]),
+        join([frame.exposure_e for frame in frames]),
+        join([frame.valid for frame in frames]),
+        join([frame.saturated_by for frame in frames]),
+        told={key: join([frame.told[key] for frame in frames]) for key in frames[0].told},
     )
 
 
@@ -183,7 +184,7 @@ def repeated(frame: Frame, count: int) -> Frame:
         return np.broadcast_to(values, (count, *values.shape))
 
     arrays = (frame.frame, frame.exposure_e, frame.valid, frame.saturated_by)
-    return Frame(*(stack(each) for each in arrays))
+    return Frame(*(stack(array) for array in arrays))
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
@@ -205,28 +206,28 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
 
 def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
     """What a frame says of its images, planes and reports, a line each."""
-    told, lines = frame.told, []
+    told_arrays, lines = frame.told, []
     for name in pictures.reads:
-        if f"image_{name}" in told:
-            values, by = told[f"image_{name}"], told[f"image_saturated_by_{name}"]
+        if f"image_{name}" in told_arrays:
+            values, by = told_arrays[f"image_{name}"], told_arrays[f"image_saturated_by_{name}"]
             text = f"electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
             lines.append(f"image {name}  {np.count_nonzero(by)} of {by.size} pixels marked, {text}")
-        elif f"plane_{name}" in told:
-            bits = told[f"plane_{name}"]
+        elif f"plane_{name}" in told_arrays:
+            bits = told_arrays[f"plane_{name}"]
             lines.append(f"plane {name}  {np.count_nonzero(bits)} of {bits.size} pixels are 1")
     for report in pictures.reports:
         key = f"report_{report.kind}_{report.plane}"
-        value = told[key]
+        value = told_arrays[key]
         if report.kind == "any":
             text = "yes" if value else "no"
         elif report.kind == "box":
-            left, top, right, bottom = value.tolist()
-            text = "empty" if left < 0 else f"x {left} to {right}, y {top} to {bottom}"
+            least_x, top, right, bottom = value.tolist()
+            text = "empty" if least_x < 0 else f"x {least_x} to {right}, y {top} to {bottom}"
         else:
-            more = ", and there are more" if told[f"{key}_overflow"] else ""
-            text = f"{told[f'{key}_count']} coordinates{more}"
+            overflow_note = ", and there are more" if told_arrays[f"{key}_overflow"] else ""
+            text = f"{told_arrays[f'{key}_count']} coordinates{overflow_note}"
         lines.append(f"report {report.kind} {report.plane}  {text}")
-    margin = np.count_nonzero(told["margin"])
+    margin = np.count_nonzero(told_arrays["margin"])
     lines.append(f"margin  {margin} pixels depend on what is beyond the array")
     return lines
 
@@ -353,11 +354,11 @@ def open_us(container: Container) -> list[float] | None:
 
 @dataclass(frozen=True, eq=False)
 class FrameFile:
-    """Everything that goes into one file: `kept` arrays and `slots` of light, by key."""
+    """Everything that goes into one file: `kept_arrays` and `slots` of light, by key."""
 
     frame: Frame
     meta: Mapping[str, Any]
-    kept: Mapping[str, NDArray[Any]]
+    kept_arrays: Mapping[str, NDArray[Any]]
     slots: Mapping[str, Light]
     progress: Progress = unseen
 
@@ -376,47 +377,48 @@ class FrameFile:
 
         `shutters` as in `packed_shutters`, needed where `keep` names them.
         """
-        kept: dict[str, NDArray[Any]] = {}
+        kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:
             slots["light"] = light
         if light is not None and "truth" in keep:
             if light.kind == "still":
-                kept["truth_e"] = light.total_e()
+                kept_arrays["truth_e"] = light.total_e()
             else:
                 slots["truth_e"] = light
         if "shutter" in keep and shutters is not None:
-            kept["shutter"], kept["shutter_shape"] = packed_shutters(container, shutters)
+            packed, shape = packed_shutters(container, shutters)
+            kept_arrays |= {"shutter": packed, "shutter_shape": shape}
         if "codes" in keep:
-            kept |= fields_at_pixels(container)
-        return cls(frame, meta, kept, slots, progress)
+            kept_arrays |= fields_at_pixels(container)
+        return cls(frame, meta, kept_arrays, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
         """Write the archive; light goes slot by slot and repeats block by block, never whole."""
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
-                _put_array(archive, key, getattr(self.frame, key))
+                _write_array(archive, key, getattr(self.frame, key))
             marked = self.frame.saturated_by
-            blocks = (each != 0 for each in marked)  # of many repeats, never all at once
-            _put(archive, "saturated", marked.shape, np.dtype(np.bool_), blocks)
-            _put_array(archive, "saturated_by", marked)
+            blocks = (block != 0 for block in marked)  # of many repeats, never all at once
+            _write_entry(archive, "saturated", marked.shape, np.dtype(np.bool_), blocks)
+            _write_array(archive, "saturated_by", marked)
             for key, values in self.frame.told.items():
-                _put_array(archive, key, values)
-            _put_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
+                _write_array(archive, key, values)
+            _write_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
             for key, light in self.slots.items():
                 shape = (light.slots, *light.shape)
                 numbers = self.progress(range(light.slots), f"writing {key}", light.slots)
-                _put(archive, key, shape, np.dtype("<f4"), (light.slot(n) for n in numbers))
-            for key, values in self.kept.items():
-                _put_array(archive, key, values)
+                _write_entry(archive, key, shape, np.dtype("<f4"), (light.slot(n) for n in numbers))
+            for key, values in self.kept_arrays.items():
+                _write_array(archive, key, values)
 
 
-def _put_array(archive: zipfile.ZipFile, key: str, values: NDArray[Any]) -> None:
-    whole = values.ndim == 0 or values.nbytes <= _BLOCK_BYTES
-    _put(archive, key, values.shape, values.dtype, iter([values] if whole else values))
+def _write_array(archive: zipfile.ZipFile, key: str, values: NDArray[Any]) -> None:
+    one_block = values.ndim == 0 or values.nbytes <= _BLOCK_BYTES
+    _write_entry(archive, key, values.shape, values.dtype, iter([values] if one_block else values))
 
 
-def _put(
+def _write_entry(
     archive: zipfile.ZipFile,
     key: str,
     shape: tuple[int, ...],

@@ -21,8 +21,8 @@ from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.execution.program import Program, analysed
-from nscc_runtime.reference.marks import Marks
+from nscc_runtime.execution.program import AnalysedProgram, analysed
+from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.response import converter_e2, shutter_response
@@ -70,7 +70,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     }
 
 
-def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]:
+def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Values]:
     """The codes (buckets, lanes) by bit."""
     exposure, marked = _steady(program, lanes)
     noise_e = _SIGMAS * _noise_e(program)[lanes].T
@@ -91,14 +91,16 @@ def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]
     return codes_by_bit
 
 
-def _noise_e(program: Program) -> Values:
+def _noise_e(program: AnalysedProgram) -> Values:
     """The standard deviation (lanes, buckets) of a reading that no light disturbs."""
     sensor, effects = program.sensor, everything()
     response = shutter_response(program.container, sensor, effects)
     return np.asarray(np.sqrt(response.variance_e2 + converter_e2(sensor, effects)))
 
 
-def _steady(program: Program, lanes: NDArray[np.integer]) -> tuple[Values, NDArray[np.uint8]]:
+def _steady(
+    program: AnalysedProgram, lanes: NDArray[np.integer]
+) -> tuple[Values, NDArray[np.uint8]]:
     """The exposures (buckets, levels, lanes) of steady light in the mean, and their marks."""
     container, sensor, effects = program.container, program.sensor, everything()
     seen_s = program.slot_s @ program.tables.seen_slots()[:, lanes]
@@ -123,7 +125,7 @@ def _steady(program: Program, lanes: NDArray[np.integer]) -> tuple[Values, NDArr
 class _SteadyPixels:
     """Pixels in steady light, electrons a second `rate`, while words run; arrays are (pixels,)."""
 
-    def __init__(self, program: Program, rate: Values, lanes: NDArray[np.integer]) -> None:
+    def __init__(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> None:
         self.program, self.rate, self.lanes = program, rate, lanes
         self.sensor, self.effects = program.sensor, everything()
         self.start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))

@@ -28,7 +28,7 @@ from nscc_runtime.sizes_loop import (
     ROWS,
     SQUARE,
     STEPS,
-    Pixels,
+    ArraySize,
     sizes_of,
 )
 
@@ -116,7 +116,7 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
     """See `Statistics.sizes`."""
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
-        pixels=Pixels(rows=rows, cols=cols), total=total, open_fraction=open_part,
+        pixels=ArraySize(rows=rows, cols=cols), total=total, open_fraction=open_part,
         lit=np.empty(ROWS * cols), column_sums=columns,
     )  # fmt: skip
     sizes: Values = columns.sum(axis=1)

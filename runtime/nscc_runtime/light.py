@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.remembered import remembered
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
 
 _MOST_E = 1e36

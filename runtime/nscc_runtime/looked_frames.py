@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
@@ -22,7 +23,6 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.pool import threads_of
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.looks import LookingReference
 

@@ -48,7 +48,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime import machine_code
-from nscc_runtime.loop_given import WRITTEN, ArrayGroup, Parameter, numba_kinds, parameter_of
+from nscc_runtime.loop_given import WRITTEN, ArrayGroup, LoopParameter, numba_kinds, parameter_of
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -156,7 +156,7 @@ class Loop(Generic[_P]):
         object_file(self.module).linked  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def parameters(self) -> dict[str, Parameter | ArrayGroup]:
+    def parameters(self) -> dict[str, LoopParameter | ArrayGroup]:
         """What it is given, in order."""
         hints = get_type_hints(self.function, include_extras=True)
         parameters = [parameter_of(name, hints[name]) for name in hints if name != "return"]

@@ -18,7 +18,7 @@ what every object begins with. Other ways there take four times as long."""
 
 
 @dataclass(frozen=True)
-class Parameter:
+class LoopParameter:
     """What a loop is given under a name: a record, or an array of numbers or of records.
 
     `axes` are the name and the surplus of each axis, None where any shape will do: an axis is as
@@ -33,7 +33,7 @@ class Parameter:
     lengths: tuple[str, ...] = ()
 
     @classmethod
-    def of(cls, name: str, hint: Any) -> Parameter:
+    def of(cls, name: str, hint: Any) -> LoopParameter:
         """A parameter from its annotation."""
         hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
         if not get_origin(hint):
@@ -48,11 +48,11 @@ class Parameter:
         )
 
     @property
-    def arrays(self) -> tuple[Parameter, ...]:
+    def arrays(self) -> tuple[LoopParameter, ...]:
         """Itself: what has an address of its own."""
         return (self,)
 
-    def sized(self, axes: set[str]) -> Parameter:
+    def sized(self, axes: set[str]) -> LoopParameter:
         """The same; of its record's fields those that are named there are lengths of axes."""
         return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
 
@@ -99,14 +99,14 @@ class ArrayGroup:
 
     name: str
     kind: type[tuple[Any, ...]]
-    arrays: tuple[Parameter, ...]
+    arrays: tuple[LoopParameter, ...]
 
     def sized(self, _axes: set[str]) -> ArrayGroup:
-        """See `Parameter.sized`: arrays have no lengths to tell."""
+        """See `LoopParameter.sized`: arrays have no lengths to tell."""
         return self
 
     def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
-        """See `Parameter.addresses`."""
+        """See `LoopParameter.addresses`."""
         if type(value) is not self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
         return [
@@ -116,18 +116,18 @@ class ArrayGroup:
         ]
 
 
-def parameter_of(name: str, hint: Any) -> Parameter | ArrayGroup:
+def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
     """A parameter from its annotation."""
     if not (isinstance(hint, type) and issubclass(hint, tuple)):
-        return Parameter.of(name, hint)
+        return LoopParameter.of(name, hint)
     fields = get_type_hints(hint, include_extras=True).items()
     return ArrayGroup(
-        name, hint, tuple(Parameter.of(f"{name}.{n}", field_hint) for n, field_hint in fields)
+        name, hint, tuple(LoopParameter.of(f"{name}.{n}", field_hint) for n, field_hint in fields)
     )
 
 
 def numba_kinds(
-    parameter: Parameter | ArrayGroup,
+    parameter: LoopParameter | ArrayGroup,
 ) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
     """What numba is told of a parameter; see `nscc_runtime.loop_types.signature`."""
     together = parameter.kind if isinstance(parameter, ArrayGroup) else None

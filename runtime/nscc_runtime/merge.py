@@ -27,7 +27,7 @@ _LARGEST_TILE = 16
 
 
 @dataclass(frozen=True, eq=False)
-class Readout:
+class BucketReadout:
     """One bucket as it was read out; arrays are (rows, cols).
 
     `frame` uint8; `saturated` bool; `light_e`, the electrons that fell while each pixel was open,
@@ -44,7 +44,7 @@ class Readout:
     window: tuple[int, int]
 
 
-def readouts(container: Container, frame: Frame, response: Response) -> list[Readout]:
+def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
     """The buckets of one frame of a container with pixels."""
     refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
@@ -63,7 +63,9 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
         open_s = response.open_s
         light_e = response.electrons(frame.frame)
     return [
-        Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window)
+        BucketReadout(
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window
+        )
         for b, name in enumerate(container.buckets)
     ]
 
@@ -79,7 +81,7 @@ def _period(codes: NDArray[Any]) -> int:
     return next((p for p in range(1, rows) if np.array_equal(codes[p:], codes[:-p])), rows)
 
 
-def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
+def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
     """Electrons a second (rows, cols) from the unsaturated pixels around each pixel, and where any
     is.
 
@@ -88,10 +90,10 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     where no pixel asks its neighbours, the least that it can have seen itself.
     """
     opened = readout.open_s > 0
-    good = opened & ~readout.saturated
-    time = _box(np.where(good, readout.open_s, 0.0), readout)
-    known = _box(good, readout) > 0.5
-    light_e = _box(np.where(good, readout.light_e, 0.0), readout)
+    usable = opened & ~readout.saturated
+    time = _box(np.where(usable, readout.open_s, 0.0), readout)
+    known = _box(usable, readout) > 0.5
+    light_e = _box(np.where(usable, readout.light_e, 0.0), readout)
     # Noise may take a dark pixel below nothing.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
     if readout.window == (1, 1):
@@ -107,7 +109,7 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     return light, known
 
 
-def _box(values: NDArray[Any], readout: Readout) -> Field:
+def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
     """Sums over the window around every pixel."""
     total = np.asarray(values, np.float64)
     for axis, width in enumerate(readout.window):
@@ -120,7 +122,7 @@ def _box(values: NDArray[Any], readout: Readout) -> Field:
     return _spread(total, readout)
 
 
-def _spread(inside: Field, readout: Readout) -> Field:
+def _spread(inside: Field, readout: BucketReadout) -> Field:
     """What windows within the picture have, at the pixels: those at the edge share the nearest."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2

@@ -27,7 +27,7 @@ class Taken:
     """What became of a scene: frames of the picture's size, with those of colours on a leading
     axis; `container` has a code for every pixel of them, `light` is what the first of them saw.
 
-    `laid` belongs into the frame file's meta. `program` is the chip's, `where` how it sees the
+    `laid` belongs into the frame file's meta. `program` is the chip's, `placement` how it sees the
     picture, in so many `pieces`, colours each: the plan is that of the one it has most wrong with.
     """
 
@@ -36,16 +36,17 @@ class Taken:
     light: Light
     laid: dict[str, Any]
     program: Container
-    where: Placement
+    placement: Placement
     pieces: int
 
     def response(self, sensor: Sensor) -> Response:
         """What the chip makes of steady light, at every pixel of the picture."""
-        found = response_of(self.program, sensor, self.simulated.effects)
+        array_response = response_of(self.program, sensor, self.simulated.effects)
         open_s, gain, zero_e = (
-            self.where.repeated(values) for values in (found.open_s, found.gain, found.zero_e)
+            self.placement.repeated(values)
+            for values in (array_response.open_s, array_response.gain, array_response.zero_e)
         )
-        return replace(found, open_s=open_s, gain=gain, zero_e=zero_e)
+        return replace(array_response, open_s=open_s, gain=gain, zero_e=zero_e)
 
 
 def simulate_scene(
@@ -63,39 +64,56 @@ def simulate_scene(
     of the scene is of that of all.
     """
     listener = listener or Listener()
-    where = scene[0].placement
-    lights = [piece for laid in scene for piece in where.pieces(laid.light)]
+    placement = scene[0].placement
+    lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
-    one = listener
+    piece_listener = listener
     if len(lights) > 1:
         refuse_pictures(container, "this scene takes several exposures", "use --fit crop or scale")
         _refuse_once(request)
         request = _for_all(container, lights, sensor, request)
-        one = replace(listener, progress=unseen)
+        piece_listener = replace(listener, progress=unseen)
         numbered = listener.progress(numbered, "exposing pieces", len(lights))
-    made, plans = [], KeptPlans()
+    simulated_pieces, plans = [], KeptPlans()
     for number, light in numbered:
-        asked = request
+        piece_request = request
         if len(lights) > 1:
             # Pieces of a scene are seldom alike.
-            asked = replace(request, seed=request.seed + number, turn=Turn(plans, number, 1))
-        made.append(simulate(container, light, sensor, asked, one))
-    alone = len(made) == 1 and where.fits_one_array
-    simulated = made[0] if alone else _joined(made, where, len(scene))
+            piece_request = replace(
+                request, seed=request.seed + number, turn=Turn(plans, number, 1)
+            )
+        simulated_pieces.append(simulate(container, light, sensor, piece_request, piece_listener))
+    alone = len(simulated_pieces) == 1 and placement.fits_one_array
+    simulated = simulated_pieces[0] if alone else _joined(simulated_pieces, placement, len(scene))
     light = scene[0].light
-    light = light if where.fits_one_array else light.part(*(slice(0, side) for side in where.size))
-    about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
+    light = (
+        light
+        if placement.fits_one_array
+        else light.part(*(slice(0, side) for side in placement.size))
+    )
+    about: dict[str, Any] = {} if placement.fit == "crop" else {"laid": placement.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     about |= {"scene_notes": list(scene[0].notes)} if scene[0].notes else {}
-    return Taken(simulated, where.widened(container), light, about, container, where, len(made))
+    return Taken(
+        simulated,
+        placement.widened(container),
+        light,
+        about,
+        container,
+        placement,
+        len(simulated_pieces),
+    )
 
 
-def _joined(made: Sequence[Simulated], where: Placement, colours: int) -> Simulated:
+def _joined(pieces: Sequence[Simulated], placement: Placement, colours: int) -> Simulated:
     """What became of all pieces of so many colours."""
-    frames, each = [one.frame for one in made], len(made) // colours
-    frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
-    worst = max(made, key=lambda one: (one.plan.predicted_e or 0.0) if one.plan else 0.0)
-    broken = next((one.broken for one in made if one.broken), None)
+    frames, piece_count = [piece.frame for piece in pieces], len(pieces) // colours
+    frames = [
+        joined(frames[k : k + piece_count], placement.joined)
+        for k in range(0, len(pieces), piece_count)
+    ]
+    worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
+    broken = next((piece.broken for piece in pieces if piece.broken), None)
     return replace(worst, frame=frames[0] if colours == 1 else stacked(frames), broken=broken)
 
 
@@ -114,20 +132,27 @@ def _for_all(
     class All:
         """All the lights together."""
 
-        def each(self) -> Iterator[PlannedScene]:
+        def planned_scenes(self) -> Iterator[PlannedScene]:
             for light in lights:
                 check(container, light)
                 yield planning_of(container, sensor, light, request.device_seed)
 
         def signal_e(self) -> float:
-            return sum(one.signal_e() for one in self.each()) / len(lights)
+            return sum(planned_scene.signal_e() for planned_scene in self.planned_scenes()) / len(
+                lights
+            )
 
         def noise_e(self) -> float:
-            return math.sqrt(sum(one.noise_e() ** 2 for one in self.each()) / len(lights))
+            return math.sqrt(
+                sum(planned_scene.noise_e() ** 2 for planned_scene in self.planned_scenes())
+                / len(lights)
+            )
 
-    most, part = request.tolerance_max, noise_part(str(request.tolerance))
-    measured = part is None or most is not None or request.audit
-    if not measured and all(one.approximates(None, part) for one in All().each()):
+    most, noise_fraction = request.tolerance_max, noise_part(str(request.tolerance))
+    measured = noise_fraction is None or most is not None or request.audit
+    if not measured and all(
+        planned_scene.approximates(None, noise_fraction) for planned_scene in All().planned_scenes()
+    ):
         return request
     return replace(
         request,

@@ -21,13 +21,13 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import CountedDark, WordGain
 from nscc_runtime.effects.parts import Response as PixelGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.trace import analog_words, retention_us
-from nscc_runtime.reference.weights import Backward, Model, backward
+from nscc_runtime.reference.weights import Backward, WeightModel, backward
 
 Values = NDArray[np.float64]
 
@@ -73,7 +73,7 @@ class ShutterResponse:
 def _shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
     kept_us = retention_us(effects, sensor)
     words = () if container.target.streamed else analog_words(container, kept_us)
-    weights = backward(container, words, Model.of(effects, sensor))
+    weights = backward(container, words, WeightModel.of(effects, sensor))
     return ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
 
 

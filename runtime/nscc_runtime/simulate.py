@@ -17,15 +17,15 @@ from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc.words.legality import refuse_pictures
 from nscc_runtime import frame_file
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection, marks, selected
-from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
+from nscc_runtime.frame_series import gathered
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
 from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, ToleranceInput, check_tolerance
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
@@ -76,7 +76,7 @@ class Request:
         audit: bool = False,
         fidelity: Fidelity = "planned",
         mark: str = "",
-        **others: Any,
+        **options: Any,
     ) -> Request:
         """What a user asks for: no effects, or `auto` where a plan or a promise is wanted.
 
@@ -85,33 +85,38 @@ class Request:
         for effects that there are not.
         """
         tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
-        tolerances = {name: each for name, each in tolerances.items() if each is not None}
-        given = {"audit": audit, "plan": plan is not None}
-        asked = [*tolerances, *(name for name, is_given in given.items() if is_given)]
-        text = effects if effects is not None else "auto" if asked else "none"
+        tolerances = {name: value for name, value in tolerances.items() if value is not None}
+        given_options = {"audit": audit, "plan": plan is not None}
+        planning_options = [
+            *tolerances,
+            *(name for name, present in given_options.items() if present),
+        ]
+        text = effects if effects is not None else "auto" if planning_options else "none"
         chosen = selected(text) if isinstance(text, str) else text
         reference = fidelity == "reference"
-        if reference and (asked or chosen.auto):
-            named = ", ".join(_option(mark, name) for name in asked) or f"{mark}effects auto"
+        if reference and (planning_options or chosen.auto):
+            named = (
+                ", ".join(_option(mark, name) for name in planning_options) or f"{mark}effects auto"
+            )
             raise _contradiction(
                 f"{named} with {mark}fidelity reference",
                 "the reference simulates the selected effects without a plan",
                 f"leave {named} out, or {mark}fidelity reference",
             )
         file = plan if isinstance(plan, Path) else None
-        there = file.exists() if file is not None else plan is not None
-        if there and (effects is not None or tolerances):
+        plan_exists = file.exists() if file is not None else plan is not None
+        if plan_exists and (effects is not None or tolerances):
             first = next(iter(["effects"] if effects is not None else tolerances))
             named = _option(mark, first)
-            which = "a plan" if file is None else f"the plan '{file}'"
+            plan_name = "a plan" if file is None else f"the plan '{file}'"
             raise _contradiction(
-                f"{named} with {which}",
+                f"{named} with {plan_name}",
                 "an existing plan already fixes the effects and the tolerance",
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
-        planned = not reference and (bool(asked) or not chosen.noiseless)
-        others.update(tolerances)
-        return cls(chosen, planned=planned, plan=plan, audit=audit, **others)
+        planned = not reference and (bool(planning_options) or not chosen.noiseless)
+        options.update(tolerances)
+        return cls(chosen, planned=planned, plan=plan, audit=audit, **options)
 
 
 @dataclass(frozen=True)
@@ -123,7 +128,7 @@ class Listener:
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
     progress: Progress = unseen
     timings: Timings = field(default_factory=Timings)
-    said: set[str] = field(default_factory=set)
+    lines_said: set[str] = field(default_factory=set)
     """Lines that are said once."""
 
 
@@ -180,7 +185,7 @@ def _simulated(
         return _pictured(container, light, sensor, request, listener)
     if request.planned and not container.target.streamed:
         return _planned(container, light, sensor, request, listener)
-    with listener.timings.part("expose_s"):
+    with listener.timings.measure("expose_s"):
         frame = _exact(container, light, sensor, request, listener)
     fidelity = "planned" if request.effects.noiseless else "reference"
     digest = _digest(container)
@@ -199,13 +204,13 @@ def _streamed(
     _say_compiling(listener, fill_normals, "noise")
     absent = absent_effects(container, request.effects)
     effects = request.effects.without(*absent)
-    with listener.timings.part("expose_s"):
-        made = stream_frames(
+    with listener.timings.measure("expose_s"):
+        exposed = stream_frames(
             container, light, sensor, effects,
             seed=request.seed, device_seed=request.device_seed, count=request.repeat or 1,
             threads=request.threads,
         )  # fmt: skip
-        frame = _gathered(made, request.repeat, listener)
+        frame = _gathered(exposed, request.repeat, listener)
     digest = _digest(container)
     plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
     plan["slot_loop_reasons"] = ["light is sorted slot by slot, as planes of bits say"]
@@ -221,15 +226,17 @@ def _pictured(
     from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
     if request.plan is not None or request.audit:
-        asked = "--plan" if request.plan is not None else "--audit"
-        refuse_pictures(container, f"{asked} needs a plan", f"leave {asked} out: all is simulated")
+        option = "--plan" if request.plan is not None else "--audit"
+        refuse_pictures(
+            container, f"{option} needs a plan", f"leave {option} out: all is simulated"
+        )
     check(container, light)
     program = PicturedProgram(container, sensor, request.effects, request.threads)
     if request.effects.auto and listener.say is not None:
         listener.say("images and planes: all effects are simulated, slot by slot, without a plan")
-    with listener.timings.part("expose_s"):
-        made = program.frames(light, request.seed, request.device_seed, request.repeat or 1)
-        frame = _gathered(made, request.repeat, listener)
+    with listener.timings.measure("expose_s"):
+        exposed = program.frames(light, request.seed, request.device_seed, request.repeat or 1)
+        frame = _gathered(exposed, request.repeat, listener)
     digest = _digest(container)
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     plan["slot_loop_reasons"] = ["images and planes are computed of every pixel and its neighbours"]
@@ -258,12 +265,12 @@ def _exact(
     from nscc_runtime.reference import frames
 
     _say_compiling(listener, fill_normals, "noise")
-    made = frames(
+    exposed = frames(
         container, light, sensor, request.effects,
         seed=request.seed, device_seed=request.device_seed, count=repeat or 1,
         threads=request.threads,
     )  # fmt: skip
-    return _gathered(made, repeat, listener)
+    return _gathered(exposed, repeat, listener)
 
 
 def _looking(
@@ -302,36 +309,36 @@ def _planned(
     _say_compiling(listener, planning.loop, "planner")
     check(container, light)
     digest = _digest(container)
-    with timings.part("analyse_s"):
+    with timings.measure("analyse_s"):
         planning.ready()
     file = request.plan if isinstance(request.plan, Path) else None
-    given = file is not None and file.exists()
-    with timings.part("plan_s"):
-        if file is not None and given:
+    plan_given = file is not None and file.exists()
+    with timings.measure("plan_s"):
+        if file is not None and plan_given:
             plan = measured_again(planning, read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
-            plan = _made(planning, container, light, sensor, request)
+            plan = _make_plan(planning, container, light, sensor, request)
         else:
             plan = request.plan
-    if plan.breach is not None and (request.effects.auto or given):
-        listener.warn(_over(plan, plan.breach, given))
-    with timings.part("expose_s"):
-        made = planning.frames(plan, request.seed, request.repeat or 1)
-        frame = _gathered(made, request.repeat, listener)
+    if plan.breach is not None and (request.effects.auto or plan_given):
+        listener.warn(_over(plan, plan.breach, plan_given))
+    with timings.measure("expose_s"):
+        exposed = planning.frames(plan, request.seed, request.repeat or 1)
+        frame = _gathered(exposed, request.repeat, listener)
     report, broken = None, None
     if request.audit:
-        with timings.part("audit_s"):
+        with timings.measure("audit_s"):
             report = planning.audit(plan, request.seed, request.repeat or 1)
-        broken = None if report.holds else _broken(plan, report, given or plan is request.plan)
+        broken = None if report.holds else _broken(plan, report, plan_given or plan is request.plan)
     origin = Provenance(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
     )  # fmt: skip
-    text = plan_text(plan, digest, sensor) if file is not None and not given else None
+    text = plan_text(plan, digest, sensor) if file is not None and not plan_given else None
     return Simulated(frame, origin, plan.kept, plan, report, text, broken)
 
 
-def _made(
+def _make_plan(
     scene: PlannedScene, container: Container, light: Light, sensor: Sensor, request: Request
 ) -> Plan:
     """A plan made for this scene, or an earlier one that covers it. Who asks for a plan's file or
@@ -339,24 +346,24 @@ def _made(
     from nscc_runtime.planning.make import PlanRequest, make_plan
 
     turn, repeat = request.turn, request.repeat or 1
-    asked = PlanRequest(
+    plan_request = PlanRequest(
         request.effects, request.tolerance, request.tolerance_max, repeat,
         figures=request.audit or request.plan is not None,
     )  # fmt: skip
     if turn is None or not request.effects.auto:
-        return make_plan(scene, asked)
+        return make_plan(scene, plan_request)
 
     def make(frames: int) -> Plan:
-        return make_plan(scene, replace(asked, frames=frames * repeat))
+        return make_plan(scene, replace(plan_request, frames=frames * repeat))
 
-    one = container, sensor, request.device_seed, asked
+    plan_key = container, sensor, request.device_seed, plan_request
     statistics = Statistics.of(light, scene.open_part)
-    return turn.plans.plan(turn, one, statistics, make, scene.serves)
+    return turn.plans.plan(turn, plan_key, statistics, make, scene.serves)
 
 
-def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
+def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
     """The frame, or all of `repeat` with an axis in front."""
-    frames = listener.progress(made, "exposing", repeat or 1)
+    frames = listener.progress(frames_made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
     frame: Frame
@@ -371,10 +378,10 @@ def _eaten(frame: Frame) -> Diagnostic | None:
     count = int(np.count_nonzero(pixels))
     if not count:
         return None
-    many = "pixel reads less than it" if count == 1 else "pixels read less than they"
+    affected = "pixel reads less than it" if count == 1 else "pixels read less than they"
     return Diagnostic(
         "NS0793",
-        f"{count} {many} received, possibly 0: light had filled PIX before the reset level "
+        f"{count} {affected} received, possibly 0: light had filled PIX before the reset level "
         "was read",
         severity=Severity.WARNING,
         notes=(f"black suns are {count / pixels.size:.2%} of the pixels",),
@@ -383,16 +390,22 @@ def _eaten(frame: Frame) -> Diagnostic | None:
     )
 
 
-def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
+def _over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
     """The warning that what the user forced off, or the plan given, costs more than allowed."""
-    forced = [each.name for each in plan.decisions if each.forced and each.decision == "dropped"]
-    why = "the plan was made for another scene" if given else f"turned off: {', '.join(forced)}"
+    forced = [
+        decision.name
+        for decision in plan.decisions
+        if decision.forced and decision.decision == "dropped"
+    ]
+    why = (
+        "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
+    )
     return Diagnostic(
         "NS0749",
         breach,
         severity=Severity.WARNING,
         notes=(why,),
-        helps=(_instead(given),),
+        helps=(_instead(plan_given),),
         data={
             "predicted_e": plan.predicted_e,
             "tolerance_e": plan.tolerance_e,
@@ -401,16 +414,20 @@ def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
     )
 
 
-def _instead(given: bool) -> str:
-    return "make a new plan for this scene" if given else "let the planner decide on these effects"
+def _instead(plan_given: bool) -> str:
+    return (
+        "make a new plan for this scene"
+        if plan_given
+        else "let the planner decide on these effects"
+    )
 
 
-def _broken(plan: Plan, report: Audit, given: bool) -> Rejected:
+def _broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
     """The promise did not hold (status 1)."""
     if plan.breach is not None:
-        what = f"use --fidelity reference for this scene, or {_instead(given)}"
+        advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:
-        what = (
+        advice = (
             "use --fidelity reference for this scene; a plan that predicts an error within "
             "the tolerance should not fail: please report it"
         )
@@ -422,7 +439,7 @@ def _broken(plan: Plan, report: Audit, given: bool) -> Rejected:
             if plan.predicted_e is None
             else f"predicted were {plan.predicted_e:.3g} e",
         ),
-        helps=(what,),
+        helps=(advice,),
         data={
             "measured_rms_e": report.measured_rms_e,
             "tolerance_e": plan.tolerance_e,
@@ -445,15 +462,15 @@ def _option(mark: str, name: str) -> str:
     return mark + (name.replace("_", "-") if mark else name)
 
 
-def _contradiction(what: str, note: str, help_text: str) -> Rejected:
+def _contradiction(options: str, note: str, help_text: str) -> Rejected:
     return rejected(
-        "NS0739", f"{what}: these options exclude each other", notes=(note,), helps=(help_text,)
+        "NS0739", f"{options}: these options exclude each other", notes=(note,), helps=(help_text,)
     )
 
 
-def _say_compiling(listener: Listener, loop: Loop[Any], what: str) -> None:
+def _say_compiling(listener: Listener, loop: Loop[Any], subject: str) -> None:
     if listener.say is not None and not loop.is_compiled():
-        line = loop.compiling(f"the {what}'s loops")
-        if line not in listener.said:
-            listener.said.add(line)
+        line = loop.compiling(f"the {subject}'s loops")
+        if line not in listener.lines_said:
+            listener.lines_said.add(line)
             listener.say(line)

@@ -19,7 +19,7 @@ BLOCK = 2048
 
 
 @record
-class Pixels:
+class ArraySize:
     """The array."""
 
     rows: int
@@ -113,33 +113,23 @@ def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
     for col in range(cols):
         light_a, light_b, light_c, light_d = lit[col], lit[b + col], lit[c + col], lit[d + col]
         column_sums[at + MEAN * cols + col] += (light_a + light_b) + (light_c + light_d)
-        first, last = (
-            light_a if light_a > light_b else light_b,
-            light_c if light_c > light_d else light_d,
-        )
+        first = light_a if light_a > light_b else light_b
+        last = light_c if light_c > light_d else light_d
         most, last = column_sums[at + LARGEST * cols + col], first if first > last else last
         column_sums[at + LARGEST * cols + col] = last if last > most else most
-        light_a, light_b, light_c, light_d = (
-            light_a * light_a,
-            light_b * light_b,
-            light_c * light_c,
-            light_d * light_d,
-        )
+        light_a = light_a * light_a
+        light_b = light_b * light_b
+        light_c = light_c * light_c
+        light_d = light_d * light_d
         column_sums[at + SQUARE * cols + col] += (light_a + light_b) + (light_c + light_d)
-        light_a, light_b = (
-            light_a if light_a > _LEAST else _LEAST,
-            light_b if light_b > _LEAST else _LEAST,
-        )
-        light_c, light_d = (
-            light_c if light_c > _LEAST else _LEAST,
-            light_d if light_d > _LEAST else _LEAST,
-        )
-        light_a, light_b, light_c, light_d = (
-            light_a * light_a,
-            light_b * light_b,
-            light_c * light_c,
-            light_d * light_d,
-        )
+        light_a = light_a if light_a > _LEAST else _LEAST
+        light_b = light_b if light_b > _LEAST else _LEAST
+        light_c = light_c if light_c > _LEAST else _LEAST
+        light_d = light_d if light_d > _LEAST else _LEAST
+        light_a = light_a * light_a
+        light_b = light_b * light_b
+        light_c = light_c * light_c
+        light_d = light_d * light_d
         column_sums[at + EIGHTH * cols + col] += (light_a * light_a + light_b * light_b) + (
             light_c * light_c + light_d * light_d
         )
@@ -163,7 +153,7 @@ def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats
 
 @loop
 def sizes_of(
-    pixels: Pixels,
+    pixels: ArraySize,
     total: Annotated[Floats, "rows cols"],
     open_fraction: Annotated[Floats32, "rows cols"],
     lit: Written[Floats],

@@ -25,8 +25,8 @@ from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.hdr import merged
 from nscc_training.design import Frame, design_looks, design_pattern, design_tile
-from nscc_training.design.chip import Chip, Curve
-from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.chip import Curve, DesignChip
+from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import best_stop, histogram, stops_tried
 from nscc_training.design.stop_patterns import cheapest, patterns
 from nscc_training.design.text import level_text
@@ -72,9 +72,9 @@ def exposed(light: Values, at: list[int], levels_e: list[float], slots: int, see
 def test_expected_is_what_happens(curve: Curve) -> None:
     """On a chip that only counts, compares and converts, whatever the levels."""
     light = scene(128, 11)
-    chip = Chip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
-    model = Model(chip, histogram([light]), [125.0] * 16)
-    schedule = Schedule((1, 3, 7), (40, 70, 55))
+    chip = DesignChip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
+    model = LookModel(chip, histogram([light]), [125.0] * 16)
+    schedule = LookSchedule((1, 3, 7), (40, 70, 55))
     told = exposed(light, [1, 3, 7], [step * STEP_E for step in schedule.steps], 16, 5)
     peak = np.percentile(light, 99.9)
     on = mu_law if curve == "mu" else lambda part: np.clip(part, 0, 1)
@@ -83,18 +83,18 @@ def test_expected_is_what_happens(curve: Curve) -> None:
 
 
 def test_no_other_single_look_is_expected_to_be_better() -> None:
-    chip = Chip.of(TARGET, SENSOR)
-    model = Model(chip, histogram([scene(stops=9)]), [125.0] * 12)
+    chip = DesignChip.of(TARGET, SENSOR)
+    model = LookModel(chip, histogram([scene(stops=9)]), [125.0] * 12)
     found = model.expected(model.best(1, "mu")).errors["mu"]
     every = (
-        model.expected(Schedule((at,), (int(steps),))).errors["mu"]
+        model.expected(LookSchedule((at,), (int(steps),))).errors["mu"]
         for at, steps in product(range(1, 12), chip.levels)
     )
     assert found == pytest.approx(min(every), rel=1e-6)
 
 
 def test_more_looks_are_no_worse() -> None:
-    model = Model(Chip.of(TARGET, SENSOR), histogram([scene(stops=9)]), [125.0] * 64)
+    model = LookModel(DesignChip.of(TARGET, SENSOR), histogram([scene(stops=9)]), [125.0] * 64)
     errors = [model.expected(model.best(looks, "log")).errors["log"] for looks in (1, 2, 4)]
     assert errors == sorted(errors, reverse=True)
     assert errors[-1] < errors[0] / 2
@@ -118,7 +118,7 @@ def test_words_do_what_is_expected() -> None:
 
 def test_best_tile_is_the_best_of_all() -> None:
     """Beside a loop over tiles, pixels and their neighbours; noise by a fine sum over it."""
-    chip = Chip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
+    chip = DesignChip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
     light, slots = scene(8, 10, 2), 8
     peak = np.percentile(light, 99.9)
     grid = (np.arange(2000) + 0.5) / 2000 * 12 - 6
@@ -152,7 +152,7 @@ def test_best_tile_is_the_best_of_all() -> None:
 def test_levels_are_rounded_to_their_own_steps(step_e: float | str) -> None:
     step = STEP_E if step_e == "auto" else float(step_e)
     target = replace(TARGET, in_step_e=step)
-    for steps in Chip.of(target, default_sensor(target)).levels.tolist():
+    for steps in DesignChip.of(target, default_sensor(target)).levels.tolist():
         text = level_text(steps, target)
         assert level_steps(float(text.rstrip("%")), "%", target) == steps
 
@@ -215,7 +215,7 @@ def test_a_searched_pattern_does_what_the_search_says() -> None:
     response = response_of(container, SENSOR, everything())
     codes = np.maximum(response.electrons(frame.frame)[0], 0) / SENSOR.electrons_per_lsb
     share = response.open_s[0] / container.slot_s.sum()
-    noise_e = float(Chip.of(TARGET, SENSOR).exposed_sd_e(np.zeros(1))[0])
+    noise_e = float(DesignChip.of(TARGET, SENSOR).exposed_sd_e(np.zeros(1))[0])
     light = merged(codes, share, SENSOR.electrons_per_lsb, frame.saturated[0], noise_e)
     peak = float(np.percentile(light_e, 99.9))
     assert mu_psnr(light_e, light, peak) == pytest.approx(best.mu_db, abs=0.3)
@@ -232,7 +232,7 @@ def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
 
 def test_a_camera_meters_the_light() -> None:
     """It opens for less the more light there is, and for all of a frame that is dark."""
-    chip, light = Chip.of(TARGET, SENSOR), scene(stops=4.0) / 60
+    chip, light = DesignChip.of(TARGET, SENSOR), scene(stops=4.0) / 60
     stops = [best_stop(chip, light * factor, 256, "mu") for factor in (0.01, 1.0, 8.0, 64.0)]
     assert stops == sorted(stops, reverse=True)
     assert stops[0] == 256

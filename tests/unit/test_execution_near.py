@@ -11,7 +11,7 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.dark import current_e_per_s
 from nscc_runtime.effects.prnu import response
 from nscc_runtime.execution.near_saturation import near_saturation
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.light import Light
 
 SLOTS, DEVICE, SIGMAS = 8, 5, 6.0
@@ -37,7 +37,7 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
         prnu_fraction=0.2, dark_current_e_per_s=2e4, register_max_e=1e9, register_min_e=-1e9,
     )  # fmt: skip
     light = moving_light((SLOTS, *shape), 300.0)
-    program = Program.of(container, sensor)
+    program = AnalysedProgram.of(container, sensor)
     near = near_saturation(program, light, DEVICE, everything())
     places = np.arange(shape[0] * shape[1])
     scale = 1.1 * response(sensor, DEVICE, places).reshape(shape)
@@ -57,7 +57,7 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
 
 def test_without_what_saturates_no_pixel_is_near() -> None:
     container = case("a", SLOTS, rows=6, cols=6)
-    program = Program.of(container, sensor_of(container))
+    program = AnalysedProgram.of(container, sensor_of(container))
     light = Light.of_clip(np.full((SLOTS, 6, 6), 1e6, np.float32))
     wanted = everything().without("full_well", "register")
     assert not len(near_saturation(program, light, DEVICE, wanted).places)

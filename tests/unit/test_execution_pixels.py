@@ -12,7 +12,7 @@ from reference_programs import sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.execution.pixels import Running
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
@@ -29,7 +29,7 @@ def compared(
 ) -> tuple[np.ndarray, np.ndarray]:
     """What the loop and the reference give (buckets, places); what cut it off is the same."""
     chosen = selected(effects)
-    program = Program.of(container, sensor)
+    program = AnalysedProgram.of(container, sensor)
     exposed = expose(container, light, sensor, chosen, **SEEDS)  # type: ignore[arg-type]
     wired = program.wired(chosen, SEEDS["device_seed"])
     found, marked = Running(wired, light, places, 1).expose(SEEDS["seed"], SEEDS["frame"])
@@ -98,9 +98,9 @@ def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None
 def test_what_registers_held_before_the_frame_is_read(effects: str) -> None:
     container = case("b accumulate", rows=6, cols=9)
     container = replace(container, launches=container.launches[1:])
-    program = Program.of(container, sensor_near(container))
+    program = AnalysedProgram.of(container, sensor_near(container))
     assert program.pixels.stale
-    assert not Program.of(case("b accumulate", rows=6, cols=9), program.sensor).pixels.stale
+    assert not AnalysedProgram.of(case("b accumulate", rows=6, cols=9), program.sensor).pixels.stale
     light = moving_light((8, 6, 9), 500.0)
     found, full = compared(container, light, sensor_near(container), effects, np.arange(54))
     np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-7)
@@ -182,7 +182,7 @@ def test_order_and_threads_change_no_bit_and_nothing_is_asked_for_twice() -> Non
     container = case("d accumulate", rows=20, cols=30)
     light = moving_light((8, 20, 30), 500.0)
     sensor = sensor_near(container)
-    program = Program.of(container, sensor)
+    program = AnalysedProgram.of(container, sensor)
     places = np.arange(600)
     wired = program.wired(selected("all"), 5)
     once, _ = Running(wired, light, places, 1).expose(0, 0)

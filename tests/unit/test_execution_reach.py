@@ -10,16 +10,16 @@ from saturation_oracle import lost_e
 
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.selection import everything
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 
 SHAPE = (6, 8)
 
 
-def program_of(name: str, **values: float) -> Program:
+def program_of(name: str, **values: float) -> AnalysedProgram:
     container = case(name, rows=SHAPE[0], cols=SHAPE[1])
     quiet = {"reset_noise_e": 0.0, "read_noise_e": 0.0, "analog_noise_lsb": 0.0}
     offsets = {"analog_bias_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_gain": 1.0}
-    return Program.of(container, sensor_of(container, **{**quiet, **offsets, **values}))
+    return AnalysedProgram.of(container, sensor_of(container, **{**quiet, **offsets, **values}))
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -10,7 +10,7 @@ from reference_programs import sensor_of
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.leakage import leak_per_s
 from nscc_runtime.execution import sums
-from nscc_runtime.execution.chip import Chip
+from nscc_runtime.execution.chip import SimulatedChip
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
 
@@ -29,7 +29,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
     scales, weights = (scale, scale.astype(np.float32)), rng.uniform(-1, 1, (4, slots, 3))
     # Weights that are none, and the same for all lanes.
     weights[0, 1], weights[1, 2], weights[3, 0] = 0.0, 0.25, 0.5
-    found = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 2, fraction)
+    found = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 2, fraction)
     dense = light.dense().astype(np.float64) * scale.reshape(shape)
     flow = np.zeros_like(dense)
     for axis in (1, 2):
@@ -41,7 +41,9 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
         wanted = (weight[:, lanes] * slot.reshape(slots, -1)).sum(axis=0)
         np.testing.assert_allclose(each, wanted, rtol=1e-5, atol=1e-5)
     for threads in (2, 5):
-        again = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 2, fraction, threads)
+        again = sums.scene_sums(
+            light, lanes, scales, sums.SlotWeights(weights), 2, fraction, threads
+        )
         assert again.tobytes() == found.tobytes()
 
 
@@ -50,16 +52,16 @@ def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> Non
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
     scales, weights = (scale, scale.astype(np.float32)), rng.random((5, 6, 3))
-    whole = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 3, 0.02)
+    whole = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
     monkeypatch.setattr(sums, "_MOST_ENTRIES", 6 * 3 * 2)
-    parts = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 3, 0.02)
+    parts = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
     assert parts.tobytes() == whole.tobytes()
 
 
 def test_weights_are_those_of_the_light_that_is_asked_for() -> None:
     """Also where its matrix is what another's was, and has been written to since."""
     rng = np.random.default_rng(5)
-    weights, matrix = sums.Weights([rng.random((4, 3)), rng.random((4, 3))]), rng.random(4)
+    weights, matrix = sums.SlotWeights([rng.random((4, 3)), rng.random((4, 3))]), rng.random(4)
     frame = rng.random((2, 3), dtype=np.float32)
     for _ in range(3):
         light = Light.of_still(frame, matrix)
@@ -86,17 +88,17 @@ def test_slots_that_share_frames_and_frames_that_share_slots() -> None:
     )
     lanes, scale = rng.integers(0, 2, 10).astype(np.int32), np.ones(10)
     scales, weights = (scale, scale.astype(np.float32)), [rng.random((4, 2)) for _ in range(3)]
-    found = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 3, 0.0)
+    found = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.0)
     slots = light.dense().reshape(4, 10)
     expected = [(weight[:, lanes] * slots).sum(axis=0) for weight in weights]
     np.testing.assert_allclose(found, expected, rtol=1e-6)
     many = Light.of_clip(rng.random((12, 2, 5)).astype(np.float32))
     alike = [np.repeat(weight[:3], 4, axis=0) for weight in weights]
-    found = sums.scene_sums(many, lanes, scales, sums.Weights(alike), 1, 0.01)
-    assert sums.Weights(alike).of_frames(many).alike.tolist() == [4, 3, 2, 1] * 3
+    found = sums.scene_sums(many, lanes, scales, sums.SlotWeights(alike), 1, 0.01)
+    assert sums.SlotWeights(alike).of_frames(many).alike.tolist() == [4, 3, 2, 1] * 3
     parts = []
     for k in range(12):
-        single = sums.Weights([each * (np.arange(12) == k)[:, None] for each in alike])
+        single = sums.SlotWeights([each * (np.arange(12) == k)[:, None] for each in alike])
         parts.append(sums.scene_sums(many, lanes, scales, single, 1, 0.01))
     np.testing.assert_allclose(found, np.sum(parts, axis=0), rtol=1e-12)
 
@@ -104,7 +106,7 @@ def test_slots_that_share_frames_and_frames_that_share_slots() -> None:
 def test_a_lane_that_there_is_not_is_refused() -> None:
     """The loop itself would read beyond the table's end."""
     light = Light.of_clip(np.ones((2, 1, 3), np.float32))
-    scales, weights = (np.ones(3), np.ones(3, np.float32)), sums.Weights([np.ones((2, 2))])
+    scales, weights = (np.ones(3), np.ones(3, np.float32)), sums.SlotWeights([np.ones((2, 2))])
     for lane in (2, -1):
         with pytest.raises(ValueError, match="lane"):
             sums.scene_sums(light, np.full(3, lane, np.int32), scales, weights, 1, 0.0)
@@ -116,7 +118,9 @@ def test_between_two_rates_leakage_is_that_of_every_pixel(spread: float) -> None
     container = case("b edges", rows=40, cols=50)
     sensor = sensor_of(container, leakage_tau_s=1.0, leakage_spread_fraction=spread)
     every = everything()
-    chip = Chip(analysed(container, sensor), analysed(container, sensor).array, 3, every, every)
+    chip = SimulatedChip(
+        analysed(container, sensor), analysed(container, sensor).array, 3, every, every
+    )
     rates = np.array(chip.leak_rates)
     assert len(rates) == (1 if spread == 0.0 else 2)
     of_pixels = leak_per_s(sensor, 3, chip.array.places)

@@ -12,9 +12,9 @@ from reference_programs import program, sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import named, selected
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.execution.program import Program
-from nscc_runtime.execution.reach import reach_of
-from nscc_runtime.execution.tables import Model, Tables
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.register_reach import reach_of
+from nscc_runtime.execution.tables import Tables, WeightModel
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
 from nscc_runtime.reference.weights import ByName
@@ -46,32 +46,32 @@ def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
 @pytest.mark.parametrize(
     ("effects", "model"),
     [
-        ("none", Model()),
-        ("analog", Model(gain=0.996)),
-        ("leakage", Model(leak_per_s=50.0)),
-        ("dead_time", Model(dead_time=True)),
-        ("dead_time,black_sun", Model(dead_time=True, lit_level=True)),
-        ("decay", Model(decay=True)),
-        ("analog,leakage,dead_time,decay", Model(0.996, 50.0, True, True)),
-        ("analog,leakage,dead_time,black_sun", Model(0.996, 50.0, True, lit_level=True)),
+        ("none", WeightModel()),
+        ("analog", WeightModel(gain=0.996)),
+        ("leakage", WeightModel(leak_per_s=50.0)),
+        ("dead_time", WeightModel(dead_time=True)),
+        ("dead_time,black_sun", WeightModel(dead_time=True, lit_level=True)),
+        ("decay", WeightModel(decay=True)),
+        ("analog,leakage,dead_time,decay", WeightModel(0.996, 50.0, True, True)),
+        ("analog,leakage,dead_time,black_sun", WeightModel(0.996, 50.0, True, lit_level=True)),
     ],
 )
-def test_weights_are_those_of_the_words(name: str, effects: str, model: Model) -> None:
+def test_weights_are_those_of_the_words(name: str, effects: str, model: WeightModel) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     sensor = sensor_of(container, digital_retention_us=1600.0, **QUIET)
-    made = Program.of(container, sensor)
+    made = AnalysedProgram.of(container, sensor)
     weights = made.tables.weights(model).slots[:, made.lanes].transpose(0, 2, 1)
     np.testing.assert_allclose(weights, probed(container, sensor, effects), atol=1e-9)
 
 
 def test_weights_are_kept_and_decay_costs_nothing_where_nothing_decays() -> None:
     container = case("b edges", rows=ROWS, cols=COLS)
-    tables = Program.of(container, sensor_of(container)).tables
+    tables = AnalysedProgram.of(container, sensor_of(container)).tables
     assert not tables.decays
-    assert tables.weights(Model(decay=True)) is tables.weights(Model())
-    short = Program.of(container, sensor_of(container, digital_retention_us=600.0)).tables
+    assert tables.weights(WeightModel(decay=True)) is tables.weights(WeightModel())
+    short = AnalysedProgram.of(container, sensor_of(container, digital_retention_us=600.0)).tables
     assert short.decays
-    assert short.weights(Model(decay=True)) is not short.weights(Model())
+    assert short.weights(WeightModel(decay=True)) is not short.weights(WeightModel())
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -84,10 +84,10 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
     sensor = sensor_of(container, **quiet)
     (errors,) = named(effect).parts_of_kind(Errors)
     sigma = errors.sigma_e(sensor)
-    made = Program.of(container, sensor)
+    made = AnalysedProgram.of(container, sensor)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
     found = expose(container, dark, sensor, selected(effect)).exposure_e.reshape(-1, rows * cols)
-    factor, rest = made.tables.noise(errors.at, Model())
+    factor, rest = made.tables.noise(errors.at, WeightModel())
     variance = sigma**2 * ((factor**2).sum(axis=2) + rest)
     assert np.all(rest <= 1e-9 * variance.max() / sigma**2 + 1e-12)
     for lane in np.unique(made.lanes):
@@ -101,9 +101,9 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
 def test_noise_of_other_weights_than_the_draws_is_split_in_drawn_and_left_out() -> None:
     container = case("d accumulate", rows=ROWS, cols=COLS)
     sensor = sensor_of(container, **{**QUIET, "leakage_tau_s": 0.002})
-    tables = Program.of(container, sensor).tables
-    full = tables.weights(Model())
-    factor, rest = tables.noise("reads", Model())
+    tables = AnalysedProgram.of(container, sensor).tables
+    full = tables.weights(WeightModel())
+    factor, rest = tables.noise("reads", WeightModel())
     total = sum(weight**2 for weight in full.reads.values())
     np.testing.assert_allclose((factor**2).sum(axis=2) + rest, total, rtol=1e-12)
     assert rest.max() > 1e-3
@@ -112,7 +112,7 @@ def test_noise_of_other_weights_than_the_draws_is_split_in_drawn_and_left_out() 
 @pytest.mark.parametrize("name", CASES)
 def test_seen_slots_are_those_on_pix_at_a_read(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
-    tables = Program.of(container, sensor_of(container)).tables
+    tables = AnalysedProgram.of(container, sensor_of(container)).tables
     expected = [[brute_force(tables, lane, slot) > 0 for lane in range(len(container.encoding))]
                 for slot in range(container.slots)]  # fmt: skip
     np.testing.assert_array_equal(tables.seen_slots(), expected)
@@ -140,7 +140,7 @@ def brute_force(tables: Tables, lane: int, slot: int) -> float:
 @pytest.mark.parametrize("name", CASES)
 def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
-    made = Program.of(container, sensor_of(container))
+    made = AnalysedProgram.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
     most = [[brute_force(made.tables, lane, slot) for lane in lanes] for slot in slots]
     assert made.reach.held_weights is not None
@@ -153,7 +153,7 @@ def test_noise_and_offsets_alone_stay_within_their_reach(name: str, bias: float)
     rows, cols = 60, 128
     container = case(name, rows=rows, cols=cols)
     sensor = sensor_of(container, analog_bias_lsb=bias, dark_current_e_per_s=0.0)
-    made = Program.of(container, sensor)
+    made = AnalysedProgram.of(container, sensor)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
     names = selected("read,reset,analog")
     found = np.abs(expose(container, dark, sensor, names).exposure_e).max(axis=0).reshape(-1)
@@ -169,7 +169,7 @@ def test_noise_and_offsets_alone_stay_within_their_reach(name: str, bias: float)
 def test_many_lanes_share_the_reach_of_the_worst() -> None:
     text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
     container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
-    made = Program.of(container, sensor_of(container))
+    made = AnalysedProgram.of(container, sensor_of(container))
     assert made.reach.held_weights is None
     assert made.reach.least_e.shape[1] == len(container.encoding) > 64
     assert np.ptp(made.reach.least_e) == 0
@@ -177,17 +177,17 @@ def test_many_lanes_share_the_reach_of_the_worst() -> None:
 
 def test_a_program_made_ready_knows_its_groups() -> None:
     container = case("two buckets", rows=ROWS, cols=COLS)
-    made = Program.of(container, sensor_of(container))
+    made = AnalysedProgram.of(container, sensor_of(container))
     ids = made.group_ids.tolist()
     assert ids == [1, 2]
     total = sum(made.members(group) for group in ids)
     np.testing.assert_array_equal(total, np.ones_like(total))
-    means = made.mean_weights(Model())
+    means = made.mean_weights(WeightModel())
     np.testing.assert_allclose(means[1], np.broadcast_to([1.0, 0.0], means[1].shape), atol=1e-12)
     np.testing.assert_allclose(means[2], np.broadcast_to([0.0, 1.0], means[2].shape), atol=1e-12)
     assert made.words(selected("all")) is made.pixels
     short = made.sensor.changed(digital_retention_us=600.0)
-    other = Program.of(container, short)
+    other = AnalysedProgram.of(container, short)
     assert other.words(selected("all")) is other.pixels
     assert other.words(selected("all,-decay")) is not other.pixels
 

@@ -96,9 +96,9 @@ def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyP
                mu_db(name, folder, COMPARATORS, GOOD)]
         for name in DESIGNED
     }  # fmt: skip
-    chip_of = looks_rows.Chip.of
+    chip_of = looks_rows.DesignChip.of
     monkeypatch.setattr(
-        looks_rows.Chip, "of", lambda target, sensor: chip_of(
+        looks_rows.DesignChip, "of", lambda target, sensor: chip_of(
             target,
             sensor.changed(comparator_noise_fraction=0.04, comparator_offset_fraction=0.04),
         ),

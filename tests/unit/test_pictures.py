@@ -23,7 +23,7 @@ import nscc
 from nscc.chips.load import builtin_target
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
-from nscc_runtime.merge import Readout
+from nscc_runtime.merge import BucketReadout
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.frame_sheet import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
@@ -146,10 +146,10 @@ def looking_program(name: str) -> Container:
     return nscc.compile(path, level=0).container
 
 
-def readout(rows: int, cols: int, name: str = "frame") -> Readout:
+def readout(rows: int, cols: int, name: str = "frame") -> BucketReadout:
     frame = RNG.integers(0, 256, (rows, cols)).astype(np.uint8)
     light_e, open_s = 100.0 * frame, np.full((rows, cols), 1e-3)
-    return Readout(
+    return BucketReadout(
         name, frame, frame == 255, light_e, np.full_like(light_e, 25500.0), open_s, (2, 2)
     )
 

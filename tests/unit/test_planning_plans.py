@@ -137,7 +137,7 @@ def test_the_option_that_was_wrong_is_named(text: str) -> None:
     with pytest.raises(Rejected) as caught:
         tolerance_of(text, SENSOR, SceneOf(0.0), OPTION_MAX)
     [said] = caught.value.diagnostics
-    assert "--tolerance-max" in said.message or "nothing" in said.message
+    assert "--tolerance-max" in said.message or "of this scene is 0" in said.message
     assert "--tolerance-max 5e" in said.helps[0]
 
 

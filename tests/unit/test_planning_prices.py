@@ -10,7 +10,7 @@ from plan_cases import CASES, case
 from reference_programs import sensor_of
 
 from nscc_runtime.effects import everything
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.planning import measure_prices
 from nscc_runtime.planning.measure_prices import Price
 from nscc_runtime.planning.prices import Work
@@ -43,7 +43,7 @@ def test_measuring_finds_prices_of_every_way() -> None:
 @pytest.mark.parametrize("name", CASES)
 def test_what_words_leave_out_and_are_given_saves_time(name: str) -> None:
     container = case(name, rows=6, cols=9)
-    work, every = Work.of(Program.of(container, sensor_of(container))), everything()
+    work, every = Work.of(AnalysedProgram.of(container, sensor_of(container))), everything()
     assert 0 < work.boundaries <= work.words
     alone = work.words_ns(every, "nothing")
     assert work.words_ns(every, "sums") < work.words_ns(every, "all") < alone

@@ -13,7 +13,7 @@ from reference_programs import sensor_of
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.execution.frames import Execution, executed
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.planning import sample as module
 from nscc_runtime.planning.sample import Sample, chances, contrasts_of, drawn_by, sample_of
 from nscc_runtime.planning.sampled_exposures import SEED
@@ -176,7 +176,7 @@ def trial_of(name: str, electrons: float, shape: tuple[int, int] = (64, 80)) -> 
     sensor = sensor_of(container, register_max_e=9000.0, register_min_e=-9000.0)
     light = moving_light((8, *shape), electrons)
     light.frames[:, 20:23, 30] = 9000.0
-    return SummedTrial(frozenset(), Program.of(container, sensor), light, 5, 1)
+    return SummedTrial(frozenset(), AnalysedProgram.of(container, sensor), light, 5, 1)
 
 
 def tiles_of(sample: Sample) -> bool:

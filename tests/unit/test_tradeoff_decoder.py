@@ -27,9 +27,9 @@ from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocol_scenes.file_scenes import protocol_of, some_scenes  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder  # noqa: E402
-from nscc_training.tradeoff.decoder import Settings, cases, measure  # noqa: E402
+from nscc_training.tradeoff.decoder import DecoderStudySettings, cases, measure  # noqa: E402
 
-TINY = Settings(None, 2, 32, 2, 1e6, 0)
+TINY = DecoderStudySettings(None, 2, 32, 2, 1e6, 0)
 
 
 def trained(out: Path, name: str, protocol: str, slots: int) -> Path:

@@ -18,7 +18,7 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames as reference_frames
@@ -65,9 +65,9 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def program(folder: Path) -> Program:
+def program(folder: Path) -> AnalysedProgram:
     container = compile_source(Source("p.nsl", TEXT), folder, Options()).container
-    return Program.of(container, default_sensor(container.target))
+    return AnalysedProgram.of(container, default_sensor(container.target))
 
 
 def clip(scale: float = 400.0) -> Light:
@@ -86,7 +86,7 @@ def rms(away: np.ndarray) -> float:
     return float(np.sqrt(np.mean(away.astype(np.float64) ** 2)))
 
 
-def test_errors_are_those_of_the_frames(program: Program) -> None:
+def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
     light = clip()
     settings = StudySettings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
     turns = []
@@ -158,12 +158,12 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
 
 
 @pytest.mark.parametrize(("frames", "repeats"), [(1, 1), (2, 0)])
-def test_too_few_to_measure(program: Program, frames: int, repeats: int) -> None:
+def test_too_few_to_measure(program: AnalysedProgram, frames: int, repeats: int) -> None:
     with pytest.raises(ValueError, match=f"{frames} frames, {repeats} repeats"):
         measure(program, [], StudySettings(frames=frames, repeats=repeats), 1.0)
 
 
-def test_naive_ways(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_naive_ways(program: AnalysedProgram, monkeypatch: pytest.MonkeyPatch) -> None:
     light = clip(50.0)
     ready = Naive(program, light)
     summed, drawn = ready.summed(), ready.drawn(1)
@@ -186,13 +186,13 @@ def test_each_bucket_has_its_own_shutter(folder: Path) -> None:
     )
     container = compile_source(Source("p.nsl", text), folder, Options()).container
     light = clip()
-    found = Naive(Program.of(container, default_sensor(container.target)), light).summed()
+    found = Naive(AnalysedProgram.of(container, default_sensor(container.target)), light).summed()
     for bucket, here in (("early", opened()), ("late", ~opened())):
         values = found.exposure_e[container.buckets.index(bucket)]
         np.testing.assert_allclose(values, (light.frames * here).sum(axis=0), rtol=1e-5, atol=1e-3)
 
 
-def test_light_that_numpy_cannot_draw(program: Program) -> None:
+def test_light_that_numpy_cannot_draw(program: AnalysedProgram) -> None:
     settings = StudySettings((5.0,), repeats=1)
     [study] = measure(program, [NamedLight("bright", clip(1e25))], settings, 1.0)
     [(method, why)] = study.missing
@@ -233,7 +233,7 @@ def test_memory() -> None:
 
 
 @pytest.fixture
-def study(program: Program) -> Study:
+def study(program: AnalysedProgram) -> Study:
     [found] = measure(program, [NamedLight("s", clip())], StudySettings((5.0,), repeats=1), 1.0)
     return found
 

@@ -23,7 +23,7 @@ from nscc_runtime import capture
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pictures import sheet
 from nscc_runtime.scenes import Scene
-from nscc_training.tradeoff.bench import Asked, Bench, rms_percent, scaled_text
+from nscc_training.tradeoff.bench import Bench, JointRequest, rms_percent, scaled_text
 from nscc_training.tradeoff.diagrams import joint_diagram
 from nscc_training.tradeoff.joint import Joint, advised, measure, si_seconds
 
@@ -147,7 +147,7 @@ def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
 
 def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path) -> None:
     (folder / "p.nsl").write_text(TEXT.replace("8 slots", "6 slots").replace("[6, 8]", "[6, 6]"))
-    asked = Asked(
+    asked = JointRequest(
         folder / "p.nsl", Scene("builtin:flat:9000"), "2%", stages=("slots",), options=QUICK
     )
     joint = measure(asked)
@@ -158,7 +158,7 @@ def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path)
 
 
 def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: Path) -> None:
-    asked = Asked(
+    asked = JointRequest(
         folder / "p.nsl", Scene("builtin:flat:9000"), "2e-9e", stages=("effects",), options=QUICK
     )
     joint = measure(asked)
@@ -173,7 +173,9 @@ def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: 
 @pytest.mark.parametrize("scene", ["builtin:hdr", "builtin:motion", "builtin:flat:9000"])
 def test_less_light_falls_in_a_shorter_frame(folder: Path, scene: str) -> None:
     said: list[object] = []
-    bench = Bench(Asked(folder / "p.nsl", Scene(scene), "2%", options=QUICK), Rows(), said.append)
+    bench = Bench(
+        JointRequest(folder / "p.nsl", Scene(scene), "2%", options=QUICK), Rows(), said.append
+    )
     for part, slots in ((0.25, 8), (2.0, 8), (0.5, 2)):
         text = TEXT.replace("8 slots of 1ms", f"{slots} slots of 1ms")
         source = with_slot_us(Source("p.nsl", text), [part * 8000 / slots] * slots)
@@ -184,7 +186,7 @@ def test_less_light_falls_in_a_shorter_frame(folder: Path, scene: str) -> None:
 
 
 def test_errors_of_plans_are_those_of_their_frames(folder: Path) -> None:
-    asked = Asked(
+    asked = JointRequest(
         folder / "p.nsl",
         Scene("builtin:flat:9000"),
         "2%",
@@ -212,7 +214,7 @@ def test_errors_of_plans_are_those_of_their_frames(folder: Path) -> None:
 def test_errors_of_the_chip_are_those_of_its_frames(folder: Path) -> None:
     """A frame with every effect, what words are known to do taken off, beside the exact sums."""
     scene = "builtin:flat:20000"
-    asked = Asked(folder / "p.nsl", Scene(scene), "2%", stages=("lowering",), options=QUICK)
+    asked = JointRequest(folder / "p.nsl", Scene(scene), "2%", stages=("lowering",), options=QUICK)
     found = {p.method: p for p in measure(asked).points}
     for lowering in ("accumulate", "edges"):
         options = Options(level=0, lowering=lowering)

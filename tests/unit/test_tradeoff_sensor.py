@@ -16,7 +16,7 @@ from PIL import Image
 torch = pytest.importorskip("torch")
 
 from nscc_training.tradeoff.readouts import measure_readouts  # noqa: E402
-from nscc_training.tradeoff.sensor import Settings, configurations, measure  # noqa: E402
+from nscc_training.tradeoff.sensor import SensorStudySettings, configurations, measure  # noqa: E402
 
 SMALL: dict[str, Any] = {
     "classes": ("c",), "slots": (4, 8), "stop_slots": (8,), "looks": (), "codes": ("fixed",),
@@ -25,8 +25,8 @@ SMALL: dict[str, Any] = {
 }  # fmt: skip
 
 
-def settings(**changes: Any) -> Settings:
-    return Settings(**{**SMALL, **changes})
+def settings(**changes: Any) -> SensorStudySettings:
+    return SensorStudySettings(**{**SMALL, **changes})
 
 
 def test_every_configuration_once() -> None:

@@ -28,7 +28,7 @@ from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.shutter_program import ShutterProgram
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
-from nscc_runtime.given import SensorLike, sensor_of
+from nscc_runtime.python_arguments import SensorLike, sensor_of
 from nscc_training.encoders.base import Encoder
 from nscc_training.sensor_model import SensorModel, laid, read_out, shared_out
 

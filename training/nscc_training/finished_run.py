@@ -20,7 +20,7 @@ from nscc.shutter_program import ShutterProgram, compile
 from nscc_runtime import exposing
 from nscc_runtime.captured import Capture
 from nscc_runtime.frame_file import last_codes
-from nscc_runtime.given import LightLike
+from nscc_runtime.python_arguments import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart

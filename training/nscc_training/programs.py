@@ -21,7 +21,7 @@ from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.words.legality import refuse_pictures
 from nscc_training.codes_files import Codes, codes_bytes
-from nscc_training.design.looking import Schedule
+from nscc_training.design.looking import LookSchedule
 from nscc_training.design.text import frame_text, looking_text
 from nscc_training.shutter_spec import ShutterSpec
 
@@ -92,7 +92,7 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
     codes: dict[str, NDArray[np.int64]] = encoder.codes()
     if encoder.spec.kind == "looks":
         target = chip.table or load_target(chip.target, Path())
-        schedule = Schedule(*(tuple(codes[name][0].tolist()) for name in ("at", "level")))
+        schedule = LookSchedule(*(tuple(codes[name][0].tolist()) for name in ("at", "level")))
         named = chip.target if chip.file is None else None
         slots, slot_us = encoder.spec.slots, chip.slot_us
         text = looking_text(schedule, slots, slot_us, target, named, remark)

@@ -16,7 +16,7 @@ from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import Converter, Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.remembered import remembered
+from nscc_runtime.method_cache import remembered
 
 P = TypeVar("P", bound=Part)
 

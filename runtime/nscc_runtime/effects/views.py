@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.remembered import remembered
+from nscc_runtime.method_cache import remembered
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]

@@ -26,11 +26,11 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.soundness import faults
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.emulator.steps import Layout, Steps, steps_of
 from nscc_runtime.emulator.taps import sorted_light
 from nscc_runtime.interface import Exposure
 from nscc_runtime.pool import in_parts, threads_of
-from nscc_runtime.ready import OfContainer
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -59,7 +59,7 @@ def expose(
     check(container, light)
     if container.target.streamed:
         return sorted_light(container, light)
-    from nscc_runtime.emulator.loops import Block, expose_block
+    from nscc_runtime.emulator.loops import PixelBlock, expose_block
 
     words = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
@@ -95,7 +95,7 @@ def expose(
             "charge": np.empty(block, np.float32),
         }
         for first in range(begin, end, block):
-            sizes = Block(
+            sizes = PixelBlock(
                 slots=container.slots,
                 pixels=pixels,
                 first=first,

@@ -296,7 +296,7 @@ def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int)
 
 
 @record
-class Block:
+class PixelBlock:
     """A block of pixels, and how much there is of everything.
 
     `pixels` are those of the array, `first` (a multiple of 64) and `length` say which of them are
@@ -317,7 +317,7 @@ class Block:
 
 @loop
 def expose_block(
-    block: Block,
+    block: PixelBlock,
     steps: Annotated[Ints, "steps columns"],
     operands: Ints,
     kernel_start: Ints,

@@ -44,7 +44,7 @@ class Away(NamedTuple):
     from_mean: Floats
 
 
-class Counts(NamedTuple):
+class CountScratch(NamedTuple):
     """Scratch: the keys of a frame's counts, the drawn counts, the pixel of each count (-1 at
     first), and the places of a pixel and its neighbours."""
 
@@ -69,7 +69,7 @@ def _rate_between(sums: Floats, row: int, first: int, stop: int) -> float:
 
 @compiled
 def _split_node(
-    sizes: Sizes, counts: Counts, top: int, parent: int, sums: Floats, row: int,
+    sizes: Sizes, counts: CountScratch, top: int, parent: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
     """Split the count of a node between its two halves of slots."""
@@ -85,10 +85,8 @@ def _split_node(
     if count <= 0.0:
         drawn = 0.0
     elif middle < slots:
-        left_rate, right_rate = (
-            _rate_between(sums, row, start, middle),
-            _rate_between(sums, row, middle, end),
-        )
+        left_rate = _rate_between(sums, row, start, middle)
+        right_rate = _rate_between(sums, row, middle, end)
         drawn = halved(stream, place, parent, count, left_rate, right_rate)
     heap[top + 2 * parent] = drawn
     heap[top + 2 * parent + 1] = count - drawn
@@ -98,7 +96,7 @@ def _split_node(
 
 @compiled
 def _count_between(
-    sizes: Sizes, counts: Counts, top: int, first: int, stop: int, sums: Floats, row: int,
+    sizes: Sizes, counts: CountScratch, top: int, first: int, stop: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
     """Return the count of a group in the slots `first` .. `stop` - 1. `heap` holds from `top` on
@@ -130,7 +128,7 @@ def _count_between(
 @compiled
 def _charge_of_source(
     sizes: Sizes, numbers: Numbers, source: int, place: int, begin: int, stop: int,
-    sites: Sites, counts: Counts, heap_number: int,
+    sites: Sites, counts: CountScratch, heap_number: int,
 ) -> float:  # fmt: skip
     """Return the charge of one source (`LIT`, `DARK`) in the slots `begin` .. `stop` - 1 at a site.
 
@@ -142,10 +140,8 @@ def _charge_of_source(
     site, heap_number = 2 * sites.number[place] + source, heap_number + source
     scale, row = sites.scales[site], sites.rows[site]
     for group in range(count):
-        inside, group_rate = (
-            scale * _rate_between(sums, row, begin, stop),
-            scale * sums[row + slots],
-        )
+        inside = scale * _rate_between(sums, row, begin, stop)
+        group_rate = scale * sums[row + slots]
         if inside > 0.0 and not counted:
             total += inside
         elif inside > 0.0:
@@ -191,7 +187,7 @@ def _heaps_at(sizes: Sizes, place: int) -> int:
 @compiled
 def _charge_of_site(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
-    counts: Counts,
+    counts: CountScratch,
 ) -> float:  # fmt: skip
     """Return the charge of a site in the slots `begin` .. `stop` - 1."""
     heap_number = 2 * _heaps_at(sizes, place)
@@ -233,7 +229,7 @@ def _charge_spread_evenly(
 @compiled
 def charge(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
-    counts: Counts,
+    counts: CountScratch,
 ) -> float:  # fmt: skip
     """Return the charge of the pixel in the slots `begin` .. `stop` - 1, after crosstalk."""
     if begin >= stop:
@@ -257,7 +253,7 @@ def charge(
 @compiled
 def charge_evenly(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
-    counts: Counts,
+    counts: CountScratch,
 ) -> float:  # fmt: skip
     """Like `charge`, but also split the pixel's own counts in proportion to light."""
     own_e = _charge_spread_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)

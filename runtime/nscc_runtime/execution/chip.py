@@ -29,8 +29,8 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.views import Device
 from nscc_runtime.execution.overlap import weights_beside
 from nscc_runtime.execution.pixel_array import PixelArray
-from nscc_runtime.execution.program import Program
-from nscc_runtime.remembered import remembered
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.method_cache import remembered
 
 T = TypeVar("T")
 Values = NDArray[np.float64]
@@ -40,7 +40,7 @@ _LEAK_SIGMAS = 4.0
 
 
 @dataclass(frozen=True, eq=False)
-class Chip:
+class SimulatedChip:
     """A program on some pixels of one chip under the effects in `kept_effects`.
 
     Noise and patterns of words are weighted as under `requested_effects`, which also contain the
@@ -48,7 +48,7 @@ class Chip:
     demand and must not be written to.
     """
 
-    program: Program
+    program: AnalysedProgram
     array: PixelArray
     device_seed: int
     kept_effects: Selection
@@ -140,10 +140,8 @@ class Chip:
         """Mean dark charge in exposures (buckets, pixels), without saturation."""
         if self.kept_effects.find_part(CountedDark) is None:
             return None
-        exchange, model = (
-            self.kept_effects.find_part(Exchange),
-            self.program.model(self.kept_effects),
-        )
+        exchange = self.kept_effects.find_part(Exchange)
+        model = self.program.model(self.kept_effects)
 
         def make() -> Values:
             current = self.current
@@ -231,8 +229,8 @@ class Chip:
 
     @cached_property
     def saturation_e(self) -> Values:
-        """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: the charge
-        on PIX, then that of each kind of register content (`nscc_runtime.execution.reach`)."""
+        """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: on PIX, then
+        for each kind of register content (`nscc_runtime.execution.register_reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
         kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)
@@ -246,16 +244,19 @@ class Chip:
         return least_e
 
     @remembered
-    def compute_once(self, make: Callable[[Chip], T]) -> T:
+    def compute_once(self, make: Callable[[SimulatedChip], T]) -> T:
         """Return `make(self)`, computed once."""
         return make(self)
 
 
 def chip_of(
-    program: Program, device_seed: int, kept_effects: Selection, requested_effects: Selection
-) -> Chip:
+    program: AnalysedProgram,
+    device_seed: int,
+    kept_effects: Selection,
+    requested_effects: Selection,
+) -> SimulatedChip:
     """Return the whole chip with these effects, cached with the program."""
     return program.recent_chips.of(
-        (Chip, device_seed, kept_effects.on, requested_effects.on),
-        lambda: Chip(program, program.array, device_seed, kept_effects, requested_effects),
+        (SimulatedChip, device_seed, kept_effects.on, requested_effects.on),
+        lambda: SimulatedChip(program, program.array, device_seed, kept_effects, requested_effects),
     )

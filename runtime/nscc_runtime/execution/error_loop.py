@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from nscc_runtime.execution.charge_loop import stream_key
-from nscc_runtime.execution.layout import OfWords, Sizes, Word
+from nscc_runtime.execution.layout import LoopWord, OfWords, Sizes
 from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
@@ -31,7 +31,7 @@ class Lanes(NamedTuple):
     weights: Annotated[Floats, "listed draws buckets"]
 
 
-class Errors(NamedTuple):
+class ErrorScratch(NamedTuple):
     """Scratch: cached keys (0 at first), the missing part of the draws, the errors of the words of
     a lane; and for draws that are made together their targets, keys and values."""
 
@@ -57,7 +57,7 @@ def _stream_of(
 @compiled
 def draw_errors(
     sizes: Sizes, buckets: int, of_sum: np.uint64, of_part: np.uint64, place: int, lane: int,
-    lanes: Lanes, words: OfWords, kind: int, errors: Errors,
+    lanes: Lanes, words: OfWords, kind: int, errors: ErrorScratch,
 ) -> None:  # fmt: skip
     """Draw the unit normal errors of one kind for each word of a lane into `errors.drawn`.
 
@@ -99,7 +99,7 @@ def draw_errors(
 
 
 @compiled
-def _draws(word: Word, kind: int, draw: int) -> bool:
+def _draws(word: LoopWord, kind: int, draw: int) -> bool:
     """Whether a word has this draw of this kind of noise."""
     if kind == RESETS:
         return draw == 0 and word.resets == 1

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.execution.drawn import BLOCK, counted, drawn_normals, read_out
+from nscc_runtime.execution.block_draws import BLOCK, counted, drawn_normals, read_out
 from nscc_runtime.loop import (
     Bytes,
     Floats,

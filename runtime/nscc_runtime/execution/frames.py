@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Saturates
 from nscc_runtime.emulator.capture import check_size
-from nscc_runtime.execution.chip import Chip, chip_of
+from nscc_runtime.execution.chip import SimulatedChip, chip_of
 from nscc_runtime.execution.near_saturation import near_saturation
 from nscc_runtime.execution.pixels import KnownCounts, Running, Wired
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import LoopConverter, SummedScene
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
@@ -70,7 +70,7 @@ class ExecutedScene:
     None for the processor.
     """
 
-    program: Program
+    program: AnalysedProgram
     light: Light
     execution: Execution
     device_seed: int
@@ -78,7 +78,7 @@ class ExecutedScene:
     torch_device: str | None = None
 
     @cached_property
-    def chip(self) -> Chip:
+    def chip(self) -> SimulatedChip:
         """The chip under these effects."""
         execution = self.execution
         return chip_of(
@@ -190,7 +190,7 @@ class ExecutedScene:
 
 
 def near_pixels(
-    program: Program, light: Light, device_seed: int, execution: Execution
+    program: AnalysedProgram, light: Light, device_seed: int, execution: Execution
 ) -> NDArray[np.int64]:
     """Return the places of the pixels that run through their words on the path "sums"."""
     if execution.path != "sums" or not execution.kept_effects.names(Saturates):
@@ -207,7 +207,7 @@ def counts_agree(execution: Execution) -> bool:
 
 
 def executed(
-    program: Program,
+    program: AnalysedProgram,
     light: Light,
     execution: Execution,
     *,

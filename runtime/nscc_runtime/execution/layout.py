@@ -131,7 +131,7 @@ class Keys:
 
 
 @record
-class Word:
+class LoopWord:
     """An analog word."""
 
     resets: int
@@ -154,10 +154,10 @@ class Word:
     """What IN holds meanwhile."""
 
 
-OfWords = Annotated[NDArray[Any], Word]
+OfWords = Annotated[NDArray[Any], LoopWord]
 
 
-class Program(NamedTuple):
+class LoopProgram(NamedTuple):
     """Words and their `operands`; `signs` of the errors of what is written to each register."""
 
     words: OfWords
@@ -208,7 +208,7 @@ class RegisterContents(NamedTuple):
         )  # fmt: skip
 
 
-class Result(NamedTuple):
+class WordResult(NamedTuple):
     """The result of a word in each of the `pixels` of a block that run it: the sum of its sources,
     the electrons lost by saturation, and the marks `full`."""
 
@@ -218,7 +218,7 @@ class Result(NamedTuple):
     full: Written[Ints]
 
     @classmethod
-    def of(cls, block: int) -> Result:
+    def of(cls, block: int) -> WordResult:
         """Room for a block."""
         ints = np.empty(block, np.int64)
         return cls(np.zeros(block, np.int64), np.empty(block), np.empty(block), ints)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects.parts import Exchange, Moving, Saturates
 from nscc_runtime.effects.selection import Selection
-from nscc_runtime.execution.chip import Chip, chip_of
-from nscc_runtime.execution.program import Program
-from nscc_runtime.execution.sums import Weights
+from nscc_runtime.execution.chip import SimulatedChip, chip_of
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.sums import SlotWeights
 from nscc_runtime.light import Light
 
 Values = NDArray[np.float64]
@@ -54,7 +54,7 @@ NO_PIXELS = NearSaturation(
 
 
 def near_saturation(
-    program: Program, light: Light, device_seed: int, requested_effects: Selection
+    program: AnalysedProgram, light: Light, device_seed: int, requested_effects: Selection
 ) -> NearSaturation:
     """Return the pixels of a scene that may saturate under `requested_effects`; cached with the
     light."""
@@ -77,7 +77,7 @@ class _Search:
     """A search for pixels near saturation: a bound for all pixels, then the charge of
     candidates."""
 
-    chip: Chip
+    chip: SimulatedChip
     light: Light
 
     @property
@@ -94,7 +94,7 @@ class _Search:
         )
 
     @cached_property
-    def _of_lanes(self) -> tuple[Weights, Values, Values]:
+    def _of_lanes(self) -> tuple[SlotWeights, Values, Values]:
         return self.chip.compute_once(_of_lanes)
 
     @cached_property
@@ -149,14 +149,14 @@ def _neighbours(places: Places, rows: int, cols: int) -> Places:
     return beside
 
 
-def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
+def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:
     """Return the weights of slots (kinds, N, lanes) on PIX and in registers, the seconds of dark
     charge in these, and the smallest charge with which each lane may saturate."""
     program = chip.program
     held_weights = () if program.reach.held_weights is None else program.reach.held_weights
     weights = np.stack([program.tables.seen_slots(), *held_weights]).astype(np.float64)
     limit = _reached(_SLACK * chip.saturation_e.min(axis=0))
-    return Weights(weights), program.slot_s @ weights, limit
+    return SlotWeights(weights), program.slot_s @ weights, limit
 
 
 def _reaching(charge_e: Values) -> Values:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
-from nscc_runtime.remembered import Recent
+from nscc_runtime.method_cache import Recent
 
 Places = NDArray[np.int64]
 

@@ -14,7 +14,7 @@ from typing import Annotated
 from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.execution.charge_loop import (
     Away,
-    Counts,
+    CountScratch,
     Sites,
     charge,
     charge_evenly,
@@ -25,7 +25,7 @@ from nscc_runtime.execution.error_loop import (
     READS,
     RESETS,
     WORDS,
-    Errors,
+    ErrorScratch,
     Lanes,
     draw_errors,
 )
@@ -34,15 +34,15 @@ from nscc_runtime.execution.layout import (
     SEEN,
     Fixed,
     Keys,
+    LoopProgram,
+    LoopWord,
     Numbers,
     OnDevice,
-    Program,
     Readouts,
     RegisterContents,
-    Result,
     Sizes,
     Switches,
-    Word,
+    WordResult,
 )
 from nscc_runtime.execution.word_loop import (
     ADDED,
@@ -93,7 +93,7 @@ def _begin(
 
 @compiled
 def _of_slot(
-    sizes: Sizes, numbers: Numbers, n: int, sites: Sites, away: Away, counts: Counts
+    sizes: Sizes, numbers: Numbers, n: int, sites: Sites, away: Away, counts: CountScratch
 ) -> float:
     """Return the charge of slot n, which words divide."""
     if sizes.counts_known:
@@ -104,7 +104,7 @@ def _of_slot(
 @compiled
 def _fallen(
     switches: Switches, sizes: Sizes, numbers: Numbers, at: int, stop: int, gone: float,
-    of_slot: float, sites: Sites, away: Away, counts: Counts, pix_e: float,
+    of_slot: float, sites: Sites, away: Away, counts: CountScratch, pix_e: float,
 ) -> float:  # fmt: skip
     """Return the charge of the slots `at` .. `stop` - 1 minus the fraction `gone` of the first,
     whose charge is `of_slot`. If PIX, which holds `pix_e`, certainly becomes full, return a larger
@@ -126,8 +126,8 @@ def _fallen(
 
 @compiled
 def _execute(
-    switches: Switches, numbers: Numbers, word: Word, program: Program, fixed: Fixed, contents:
-    RegisterContents, result: Result, drawn: Floats, first: int,
+    switches: Switches, numbers: Numbers, word: LoopWord, program: LoopProgram, fixed: Fixed,
+    contents: RegisterContents, result: WordResult, drawn: Floats, first: int,
 ) -> None:  # fmt: skip
     """Run one word, whose errors are drawn[first] and following."""
     if word.resets:
@@ -140,8 +140,8 @@ def _execute(
 @compiled
 def _run(
     switches: Switches, sizes: Sizes, numbers: Numbers, lane: int, slot_us: Floats, lanes: Lanes,
-    program: Program, sites: Sites, away: Away, counts: Counts, drawn: Floats, fixed: Fixed,
-    contents: RegisterContents, result: Result,
+    program: LoopProgram, sites: Sites, away: Away, counts: CountScratch, drawn: Floats, fixed:
+    Fixed, contents: RegisterContents, result: WordResult,
 ) -> None:  # fmt: skip
     """Run a pixel through its words, and add the charge of the slots between them."""
     slots, pix, first = sizes.slots, switches.registers, lanes.start[lane]
@@ -191,15 +191,15 @@ def run_pixels(
     group_ids: Annotated[Words, "groups"],
     start_keys: Annotated[Words, "registers+1"],
     lanes: Lanes,
-    program: Program,
+    program: LoopProgram,
     readouts: Readouts,
     sites: Sites,
     away: Away,
-    counts: Counts,
-    errors: Errors,
+    counts: CountScratch,
+    errors: ErrorScratch,
     fixed: Fixed,
     contents: RegisterContents,
-    result: Result,
+    result: WordResult,
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:

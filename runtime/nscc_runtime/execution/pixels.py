@@ -1,7 +1,7 @@
 """Single pixels of a frame, each run through all of its words: exact, and slow.
 
-`Pixels` lays a program, a sensor and a choice of effects out as `nscc_runtime.execution.pixel_loop`
-takes them. With the same effects it gives what `nscc_runtime.reference` gives, to rounding.
+The classes prepare the arguments of `nscc_runtime.execution.pixel_loop`. With the same effects the
+results equal those of `nscc_runtime.reference`, except for rounding.
 """
 
 from __future__ import annotations
@@ -26,25 +26,25 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.parts import (
     Errors as SmallErrors,
 )
-from nscc_runtime.execution.charge_loop import SITES, Away, Counts, Sites
-from nscc_runtime.execution.entries import (
+from nscc_runtime.execution.charge_loop import SITES, Away, CountScratch, Sites
+from nscc_runtime.execution.error_loop import ERRORS, ErrorScratch, Lanes
+from nscc_runtime.execution.layout import (
+    Fixed,
+    Keys,
+    LoopProgram,
+    Numbers,
+    OnDevice,
+    RegisterContents,
+    Sizes,
+    WordResult,
+)
+from nscc_runtime.execution.loop_words import (
     Turns,
     device_of,
     numbers_of,
     program_of,
     readouts_of,
     switches_of,
-)
-from nscc_runtime.execution.error_loop import ERRORS, Errors, Lanes
-from nscc_runtime.execution.layout import (
-    Fixed,
-    Keys,
-    Numbers,
-    OnDevice,
-    Program,
-    RegisterContents,
-    Result,
-    Sizes,
 )
 from nscc_runtime.execution.pixel_loop import run_pixels
 from nscc_runtime.execution.site_loop import Laying
@@ -74,7 +74,7 @@ class LaneWords:
     `groups` (lanes, N) of its slots, and their numbers in random keys."""
 
     reference: Reference
-    program: Program
+    program: LoopProgram
     lanes: Lanes
     groups: NDArray[np.int32]
     group_ids: NDArray[np.uint64]
@@ -251,13 +251,13 @@ class Wired:
         buckets = len(container.buckets)
         most = self.words.most_words * sizes.draws
         return {
-            "counts": Counts(
+            "counts": CountScratch(
                 streams=np.empty(4 * groups, np.uint64),
                 heap=np.empty(2 * sites * room),
                 stamps=np.full(2 * sites * room, -1, np.int64),
                 places=np.empty(SITES, np.int64),
             ),
-            "errors": Errors(
+            "errors": ErrorScratch(
                 streams=np.zeros(ERRORS * (buckets + sizes.words * sizes.numbered), np.uint64),
                 missing=np.empty(buckets),
                 drawn=np.empty(most),
@@ -267,7 +267,7 @@ class Wired:
             ),
             "fixed": Fixed.of(1),
             "contents": RegisterContents.of(len(container.target.analog_registers), 1),
-            "result": Result.of(1),
+            "result": WordResult.of(1),
         }
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
@@ -16,14 +17,13 @@ from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.overlap import Overlap
 from nscc_runtime.execution.pixel_array import PixelArray
 from nscc_runtime.execution.pixels import LaneWords, Wired
-from nscc_runtime.execution.reach import Reach, reach_of
-from nscc_runtime.execution.sums import Weights
+from nscc_runtime.execution.register_reach import RegisterReach, reach_of
+from nscc_runtime.execution.sums import SlotWeights
 from nscc_runtime.execution.tables import Tables
-from nscc_runtime.ready import OfContainer
+from nscc_runtime.method_cache import Recent, remembered
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.charge import Groups
-from nscc_runtime.reference.weights import Model
-from nscc_runtime.remembered import Recent, remembered
+from nscc_runtime.reference.weights import WeightModel
 
 Values = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ _MUCH = 1 << 20
 
 
 @dataclass(frozen=True, eq=False)
-class Program:
+class AnalysedProgram:
     """A compiled program on a sensor, analysed once for any number of scenes."""
 
     container: Container
@@ -44,7 +44,7 @@ class Program:
     slot_s: Values
 
     @classmethod
-    def of(cls, container: Container, sensor: Sensor) -> Program:
+    def of(cls, container: Container, sensor: Sensor) -> AnalysedProgram:
         """Analyse a program. Raises Rejected where its words open no shutters (NS0442)."""
         check_program(container)
         reference = Reference.of(container, sensor, everything())
@@ -61,14 +61,14 @@ class Program:
         return self.array.flat_lanes
 
     @cached_property
-    def full(self) -> Model:
+    def full(self) -> WeightModel:
         """The model of weights with every effect on."""
         return self.model(everything())
 
     @remembered
-    def model(self, kept_effects: Selection) -> Model:
+    def model(self, kept_effects: Selection) -> WeightModel:
         """Return the model of weights under some effects, at the mean leakage."""
-        return Model.of(kept_effects, self.sensor)
+        return WeightModel.of(kept_effects, self.sensor)
 
     @cached_property
     def pixels(self) -> LaneWords:
@@ -98,7 +98,7 @@ class Program:
         return self.pixels if faded else self._fresh_pixels
 
     @cached_property
-    def reach(self) -> Reach:
+    def reach(self) -> RegisterReach:
         """The reach of the registers with every effect on."""
         all_effects = everything()
         return reach_of(
@@ -133,12 +133,12 @@ class Program:
         return np.asarray(self.slot_s @ self.members(group))
 
     @remembered
-    def open_seconds(self, model: Model) -> Values:
+    def open_seconds(self, model: WeightModel) -> Values:
         """Return the open seconds (buckets, lanes), weighted by a model."""
         return np.asarray(np.einsum("n,nlb->bl", self.slot_s, self.tables.weights(model).slots))
 
     @remembered
-    def mean_weights(self, model: Model) -> dict[int, Values]:
+    def mean_weights(self, model: WeightModel) -> dict[int, Values]:
         """Return the mean weight (lanes, buckets) over the time of each group's slots."""
         weights = self.tables.weights(model).slots
         means = {}
@@ -152,7 +152,7 @@ class Program:
         return means
 
     @remembered
-    def uneven_seconds(self, model: Model) -> tuple[Values, Values]:
+    def uneven_seconds(self, model: WeightModel) -> tuple[Values, Values]:
         """Return time integrals (buckets, lanes) of squared weights, minus their group means and as
         they are. Multiplied by the light per second, they are the variance of counts that one count
         per group omits, and the whole variance of counts."""
@@ -165,26 +165,26 @@ class Program:
         return uneven, square
 
     def sum_weights(
-        self, model: Model, leak_rates: tuple[float, ...], groups: tuple[int, ...]
-    ) -> Weights:
+        self, model: WeightModel, leak_rates: tuple[float, ...], groups: tuple[int, ...]
+    ) -> SlotWeights:
         """Return the slots of each group, then the weights of slots in each bucket for each leakage
         rate."""
-        key = Weights, model, leak_rates, groups
+        key = SlotWeights, model, leak_rates, groups
 
-        def make() -> Weights:
+        def make() -> SlotWeights:
             slots = [
                 self.tables.weights(replace(model, leak_per_s=rate)).slots for rate in leak_rates
             ]
             buckets = range(len(self.container.buckets))
             counted = [self.members(group) for group in groups]
-            return Weights(
+            return SlotWeights(
                 counted
                 + [slot_weights[:, :, bucket] for bucket in buckets for slot_weights in slots]
             )
 
         return self.recent.of(key, make)
 
-    def overlaps(self, model: Model) -> list[Overlap]:
+    def overlaps(self, model: WeightModel) -> list[Overlap]:
         """Return for each open group the weights of a neighbour's counts in a pixel's exposures."""
 
         def make() -> list[Overlap]:
@@ -212,5 +212,5 @@ class Program:
         return Recent(_RECENT_CHIPS)
 
 
-analysed = OfContainer(Program.of)
+analysed = OfContainer(AnalysedProgram.of)
 """The analysis of a container on a sensor, made once for each pair."""

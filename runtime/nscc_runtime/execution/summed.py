@@ -23,8 +23,8 @@ from nscc_runtime.effects.parts import (
     Response,
     WordGain,
 )
-from nscc_runtime.execution.chip import Chip
-from nscc_runtime.execution.drawn import BLOCK, ROOM
+from nscc_runtime.execution.block_draws import BLOCK, ROOM
+from nscc_runtime.execution.chip import SimulatedChip
 from nscc_runtime.execution.frame_loop import (
     Adding,
     Counting,
@@ -40,7 +40,7 @@ from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
-from nscc_runtime.reference.weights import Model
+from nscc_runtime.reference.weights import WeightModel
 
 Values = NDArray[np.float64]
 
@@ -61,7 +61,7 @@ class SummedScene:
     `known` caches sums of the light: planning tries sets of effects that share them.
     """
 
-    chip: Chip
+    chip: SimulatedChip
     light: Light
     threads: int
     known: dict[Hashable, tuple[Values, Values]] = field(default_factory=dict)
@@ -86,7 +86,7 @@ class SummedScene:
             self.known[key] = self._added_up(lit, model)
         return self.known[key]
 
-    def _added_up(self, lit: int, model: Model) -> tuple[Values, Values]:
+    def _added_up(self, lit: int, model: WeightModel) -> tuple[Values, Values]:
         chip = self.chip
         groups = chip.counted if lit else ()
         weights = chip.program.sum_weights(model, chip.leak_rates, groups)
@@ -180,7 +180,7 @@ class SummedScene:
         ]
 
 
-def _adding(chip: Chip) -> Bound:
+def _adding(chip: SimulatedChip) -> Bound:
     """Return the loop that adds up, bound to the arguments that do not depend on the scene."""
     return add_up.bound(
         lanes=chip.array.flat_lanes,
@@ -202,7 +202,7 @@ class LoopConverter:
     places: NDArray[np.int64]
 
     @classmethod
-    def of(cls, chip: Chip) -> LoopConverter | None:
+    def of(cls, chip: SimulatedChip) -> LoopConverter | None:
         """Return the converter of a chip; None if other effects act after the exposure."""
         kept_effects, sensor = chip.kept_effects, chip.program.sensor
         target = chip.program.container.target

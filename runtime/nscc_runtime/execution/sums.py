@@ -59,7 +59,7 @@ class FrameWeights:
         return np.asarray(fractions.max(axis=(0, 1)))
 
 
-class Weights:
+class SlotWeights:
     """One or more weights (N, lanes) of slots.
 
     The weights of the last light's frames are cached: series of frames have the same timing.
@@ -98,7 +98,7 @@ def scene_sums(
     light: Light,
     lanes: NDArray[np.int32],
     scale: tuple[NDArray[np.float64], NDArray[np.float32]],
-    weights: Weights,
+    weights: SlotWeights,
     smeared: int,
     fraction: float,
     threads: int = 1,

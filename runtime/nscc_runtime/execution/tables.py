@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, ByName, Model, backward
-from nscc_runtime.remembered import remembered
+from nscc_runtime.reference.weights import Backward, ByName, WeightModel, backward
 
 Weights = NDArray[np.float64]
 
@@ -51,26 +51,26 @@ class Tables:
         """Whether decay of digital registers changes where a word acts."""
         return self.decayed is not self.fresh
 
-    def same(self, model: Model) -> Model:
+    def same(self, model: WeightModel) -> WeightModel:
         """Return a representative of all models with the same weights."""
         decay, lit_level = model.decay and self.decays, model.lit_level and model.dead_time
         return replace(model, decay=decay, lit_level=lit_level)
 
-    def weights(self, model: Model) -> Backward:
+    def weights(self, model: WeightModel) -> Backward:
         """Return the weights under a model, cached."""
         return self._backward(self.same(model))
 
     @remembered
-    def _backward(self, model: Model) -> Backward:
+    def _backward(self, model: WeightModel) -> Backward:
         words = self.decayed if model.decay else self.fresh
         return backward(self.container, words, model)
 
-    def numbered(self, at: str, model: Model) -> ByName[int]:
+    def numbered(self, at: str, model: WeightModel) -> ByName[int]:
         """Return the coefficients (lanes, buckets) of small errors, keyed by draw number."""
         return numbered_errors(self.container.target, self.weights(model))[at]
 
     @remembered
-    def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
+    def noise(self, at: str, full: WeightModel) -> tuple[Weights, Weights]:
         """Return the coefficients L (lanes, buckets, draws) of the keyed draws of small errors at
         `reads`, `resets` or `words`, and the remaining variance (lanes, buckets), for unit errors.
         """
@@ -86,7 +86,7 @@ class Tables:
         return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
 
     @remembered
-    def pattern(self, full: Model) -> Weights:
+    def pattern(self, full: WeightModel) -> Weights:
         """Return the sum (lanes, buckets) of the signed coefficients of analog words' errors."""
         return self.weights(full).error_sum
 

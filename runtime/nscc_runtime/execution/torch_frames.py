@@ -61,10 +61,8 @@ class OnTorch:
                 count_key(seed, stream, source, frame, group)
                 for frame in frames for group in groups
             ]  # fmt: skip
-            stream_keys, rate = (
-                key_tensor(keys, self.device).reshape(shape[:2]),
-                self._tensor(rates),
-            )
+            stream_keys = key_tensor(keys, self.device).reshape(shape[:2])
+            rate = self._tensor(rates)
             away += poisson(stream_keys, self._places, rate, RATE_CAP) - rate
         own_weights, (rows, cols) = self.summed.chip.own_weights, self.summed.chip.array.shape
         deviation = away.reshape(*away.shape[:2], 1, rows, cols)

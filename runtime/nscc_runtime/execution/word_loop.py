@@ -15,13 +15,13 @@ import numpy as np
 from nscc_runtime.effects.registry import in_loop
 from nscc_runtime.execution.layout import (
     Fixed,
+    LoopProgram,
+    LoopWord,
     Numbers,
-    Program,
     Readouts,
     RegisterContents,
-    Result,
     Switches,
-    Word,
+    WordResult,
 )
 from nscc_runtime.loop import Bytes, Floats, inlined
 
@@ -60,8 +60,8 @@ def fill(
 
 @inlined
 def reset(
-    switches: Switches, numbers: Numbers, word: Word, block: int, count: int, contents:
-    RegisterContents, result: Result, normals: Floats, first: int,
+    switches: Switches, numbers: Numbers, word: LoopWord, block: int, count: int, contents:
+    RegisterContents, result: WordResult, normals: Floats, first: int,
 ) -> None:  # fmt: skip
     """Reset PIX; its error is normals[first + j]."""
     for j in range(count):
@@ -75,8 +75,9 @@ def reset(
 
 @inlined
 def add(
-    switches: Switches, numbers: Numbers, word: Word, block: int, count: int, program: Program,
-    fixed: Fixed, contents: RegisterContents, result: Result, normals: Floats, first: int,
+    switches: Switches, numbers: Numbers, word: LoopWord, block: int, count: int, program:
+    LoopProgram, fixed: Fixed, contents: RegisterContents, result: WordResult, normals: Floats,
+    first: int,
 ) -> None:  # fmt: skip
     """Set `result` to the sum of a word's sources, their losses and their marks; the error of a
     read is normals[first + j]."""
@@ -115,7 +116,7 @@ def add(
 
 @inlined
 def compare(
-    switches: Switches, numbers: Numbers, block: int, count: int, fixed: Fixed, result: Result,
+    switches: Switches, numbers: Numbers, block: int, count: int, fixed: Fixed, result: WordResult,
     normals: Floats, first: int,
 ) -> None:  # fmt: skip
     """Add the comparator's errors to result.total; its noise is normals[first + j]."""
@@ -129,9 +130,9 @@ def compare(
 
 @inlined
 def write(
-    switches: Switches, numbers: Numbers, word: Word, block: int, count: int, program: Program,
-    fixed: Fixed, contents: RegisterContents, result: Result, normals: Floats, first: int, step:
-    int,
+    switches: Switches, numbers: Numbers, word: LoopWord, block: int, count: int, program:
+    LoopProgram, fixed: Fixed, contents: RegisterContents, result: WordResult, normals: Floats,
+    first: int, step: int,
 ) -> None:  # fmt: skip
     """Write the result of a bus word to its destinations; the error of destination d is
     normals[first + d * step + j]."""

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.looking.paths import Paths, paths_of, start_bits
-from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.trace import AnalogWord, retention_us
-from nscc_runtime.reference.weights import Model, backward
+from nscc_runtime.reference.weights import WeightModel, backward
 from nscc_runtime.response import ShutterResponse
 
 
@@ -36,7 +36,7 @@ def _looked_response(
     if isinstance(paths, str):
         return None
     ends = ends_of(container, paths)
-    weights = backward(container, ends.words, Model.of(effects, sensor))
+    weights = backward(container, ends.words, WeightModel.of(effects, sensor))
     return ends, ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
 
 

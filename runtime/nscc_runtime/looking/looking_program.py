@@ -19,14 +19,14 @@ from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import draws_keys
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.execution.entries import (
+from nscc_runtime.execution.layout import Fixed, LoopProgram, RegisterContents, WordResult
+from nscc_runtime.execution.loop_words import (
     device_of,
     numbers_of,
     program_of,
     readouts_of,
     switches_of,
 )
-from nscc_runtime.execution.layout import Fixed, Program, RegisterContents, Result
 from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.looking.path_loop import (
     BLOCK,
@@ -39,13 +39,13 @@ from nscc_runtime.looking.path_loop import (
     run_paths,
 )
 from nscc_runtime.looking.paths import Paths, paths_of
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import most_destinations
-from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 
@@ -133,7 +133,7 @@ class LookingProgram:
         return paths_of(self.container, retention_us(effects, self.sensor))
 
     @remembered
-    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> Program:
+    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> LoopProgram:
         """The words, where intervals begin with these slots."""
         return program_of(self.container, paths.words, starts)
 
@@ -168,10 +168,8 @@ class _LookingFrame:
         def fill(first: int, stop: int) -> None:
             for top in range(first, stop, step):
                 part_rows = rows[top : min(top + step, stop)]
-                out_rows, of_array = (
-                    slice(top, top + len(part_rows)),
-                    slice(part_rows.start, part_rows.stop),
-                )
+                out_rows = slice(top, top + len(part_rows))
+                of_array = slice(part_rows.start, part_rows.stop)
                 fallen = fall(part_rows)
                 results = self._loop(
                     bound, fallen.charge, pace(of_array, fallen.light), begins[of_array], part_rows
@@ -240,7 +238,7 @@ class _LookingFrame:
                 reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
                 normals=np.empty((1 + sizes.numbered) * BLOCK),
             ),
-            fixed=Fixed.of(BLOCK), result=Result.of(BLOCK),
+            fixed=Fixed.of(BLOCK), result=WordResult.of(BLOCK),
             contents=RegisterContents.of(len(container.target.analog_registers), BLOCK),
         )  # fmt: skip
         shape = (len(out), *begins.shape)

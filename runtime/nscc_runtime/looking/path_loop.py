@@ -15,14 +15,14 @@ import numpy as np
 from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.execution.layout import (
     Fixed,
+    LoopProgram,
+    LoopWord,
     Numbers,
     OnDevice,
-    Program,
     Readouts,
     RegisterContents,
-    Result,
     Switches,
-    Word,
+    WordResult,
 )
 from nscc_runtime.execution.word_loop import (
     add,
@@ -155,8 +155,8 @@ def _begin(
 
 @compiled
 def _fall(
-    switches: Switches, sizes: PathSizes, numbers: Numbers, word: Word, first: int, running: Ints,
-    count: int, charge: Charge, contents: RegisterContents, block: BlockScratch,
+    switches: Switches, sizes: PathSizes, numbers: Numbers, word: LoopWord, first: int, running:
+    Ints, count: int, charge: Charge, contents: RegisterContents, block: BlockScratch,
 ) -> None:  # fmt: skip
     """PIX gets the charge that has fallen when a word ends."""
     pixels, last = sizes.pixels, sizes.intervals - 1
@@ -201,7 +201,7 @@ def _name(sizes: PathSizes, keys: PathKeys, of_word: WordKeys) -> None:
 
 @compiled
 def _draw(
-    switches: Switches, sizes: PathSizes, word: Word, w: int, of_word: WordKeys, place: int,
+    switches: Switches, sizes: PathSizes, word: LoopWord, w: int, of_word: WordKeys, place: int,
     running: Ints, count: int, normals: Floats,
 ) -> None:  # fmt: skip
     """The normal numbers of a word: of what it reads or resets, then of what it answers or
@@ -219,9 +219,9 @@ def _draw(
 
 @compiled
 def _along(
-    switches: Switches, sizes: PathSizes, numbers: Numbers, segment: int, first: int,
-    program: Program, segments: Segments, charge: Charge, of_word: WordKeys, block: BlockScratch,
-    fixed: Fixed, contents: RegisterContents, result: Result, ends: Ints32,
+    switches: Switches, sizes: PathSizes, numbers: Numbers, segment: int, first: int, program:
+    LoopProgram, segments: Segments, charge: Charge, of_word: WordKeys, block: BlockScratch, fixed:
+    Fixed, contents: RegisterContents, result: WordResult, ends: Ints32,
 ) -> None:  # fmt: skip
     """The pixels of a block that wait before a segment run its words, and are handed on."""
     count, i, place, running = 0, block.head[segment], sizes.first_place + first, result.pixels
@@ -261,7 +261,7 @@ def run_paths(
     numbers: Numbers,
     device: OnDevice,
     keys: PathKeys,
-    program: Program,
+    program: LoopProgram,
     segments: Segments,
     readouts: Readouts,
     begins: Annotated[Ints, "pixels"],
@@ -270,7 +270,7 @@ def run_paths(
     block: BlockScratch,
     fixed: Fixed,
     contents: RegisterContents,
-    result: Result,
+    result: WordResult,
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
     ends: Written[Annotated[Ints32, "pixels"]],

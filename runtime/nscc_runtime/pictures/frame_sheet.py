@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.merge import Readout, light_estimate
+from nscc_runtime.merge import BucketReadout, light_estimate
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.scenes.shapes import Field
 
@@ -32,7 +32,7 @@ def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
     return grey_levels
 
 
-def frame_sheet(readouts: Sequence[Readout], title: str) -> Figure:
+def frame_sheet(readouts: Sequence[BucketReadout], title: str) -> Figure:
     """Draw, for every bucket, the frame as read out and the tone-mapped light."""
     rows = []
     for readout in readouts:

@@ -18,14 +18,14 @@ _COLUMNS = 2
 
 def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
     """Images between their 0.5th and 99.5th percentiles, planes in black and white, and events."""
-    told, shown = frame.told, []
+    arrays, shown = frame.told, []
     for name in pictures.reads:
-        if f"plane_{name}" in told:
-            bits = told[f"plane_{name}"]
+        if f"plane_{name}" in arrays:
+            bits = arrays[f"plane_{name}"]
             text = f"plane, {np.count_nonzero(bits) / bits.size:.1%} are 1"
             shown.append(Image((bits * 255).astype(np.uint8), name, text))
-        elif f"image_{name}" in told:
-            values = told[f"image_{name}"]
+        elif f"image_{name}" in arrays:
+            values = arrays[f"image_{name}"]
             low, high = float(values.min()), float(values.max())
             low, high = (float(value) for value in np.percentile(values, (0.5, 99.5)))
             share = np.clip((values - low) / max(high - low, 1e-30), 0.0, 1.0)
@@ -36,9 +36,9 @@ def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
             shown.append(Image(frame.frame[index], name, "bucket, as read out"))
     for report in pictures.reports:
         if report.kind == "events":
-            points = told[f"report_events_{report.plane}"]
+            points = arrays[f"report_events_{report.plane}"]
             points = points[points[:, 0] >= 0]
-            grey = np.zeros(told["margin"].shape, np.uint8)
+            grey = np.zeros(arrays["margin"].shape, np.uint8)
             grey[points[:, 1], points[:, 0]] = 255
             shown.append(Image(grey, report.plane, f"{len(points)} events reported"))
     rows = [shown[k : k + _COLUMNS] for k in range(0, len(shown), _COLUMNS)]

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.courses import Courses, courses, thresholds
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.shutter_sheet import (
@@ -19,6 +18,7 @@ from nscc_runtime.pictures.shutter_sheet import (
     subtitle,
     unit,
 )
+from nscc_runtime.steady_light import Courses, courses, thresholds
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

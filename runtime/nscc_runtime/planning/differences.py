@@ -56,7 +56,7 @@ class WeightedPixels:
 
 
 @dataclass(frozen=True, eq=False)
-class Errors:
+class ExposureErrors:
     """Differences between exposures and the truth.
 
     `size_e` (outputs, pixels): electrons; an output is a bucket of one frame. `compared` (outputs,
@@ -69,7 +69,7 @@ class Errors:
     states: bool = False
 
     @classmethod
-    def of(cls, exposure_e: Values, truth_e: Values) -> Errors:
+    def of(cls, exposure_e: Values, truth_e: Values) -> ExposureErrors:
         """Return the errors of exposures (outputs, pixels) of a program without states."""
         compared = np.isfinite(truth_e)
         with np.errstate(invalid="ignore"):
@@ -81,7 +81,7 @@ class Errors:
 class Difference:
     """Statistics of the errors of sampled pixels, as estimates for the whole scene."""
 
-    errors: Errors
+    errors: ExposureErrors
     sample: WeightedPixels
 
     @cached_property

@@ -25,7 +25,8 @@ from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import next_planes
 from nscc_runtime.looking.looking_program import BEFORE_WORDS, LookingProgram
-from nscc_runtime.planning.differences import Difference, Errors
+from nscc_runtime.method_cache import remembered
+from nscc_runtime.planning.differences import Difference, ExposureErrors
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.sample import Sample, sample_of
 from nscc_runtime.planning.trial import NONE, Move, Names, Setting, Trial
@@ -33,7 +34,6 @@ from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
-from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 Values = NDArray[np.float64]
@@ -165,7 +165,7 @@ class LookTrial(Trial):
             for number, (loaded, full) in enumerate(self._film)
         ]  # fmt: skip
 
-    def _between(self, dropped: Names, other_dropped: Names) -> Errors:
+    def _between(self, dropped: Names, other_dropped: Names) -> ExposureErrors:
         """Return exposures without `dropped` minus exposures without `other_dropped` effects, for
         pixels that end in the same states in both."""
         size_e, compared, inner = [], [], self.sample.inner
@@ -173,7 +173,7 @@ class LookTrial(Trial):
             turns = [_difference(*pair) for pair in zip(mine, theirs, strict=True)]
             size_e.append(np.concatenate([away[:, inner] for away, _ in turns], axis=1))
             compared.append(np.concatenate([same[:, inner] for _, same in turns], axis=1))
-        return Errors(np.concatenate(size_e), np.concatenate(compared), states=True)
+        return ExposureErrors(np.concatenate(size_e), np.concatenate(compared), states=True)
 
     # -- What planning asks -------------------------------------------------------------------
 
@@ -182,12 +182,12 @@ class LookTrial(Trial):
         kept_effects = self.requested_effects.without(*setting.dropped)
         return "reference" if self.program.lacks(kept_effects) else "words"
 
-    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """See `Trial`."""
         other_dropped = self.forced_off - {effect.name}
         return self._between(other_dropped | {effect.name}, other_dropped)
 
-    def together(self, setting: Setting) -> Errors:
+    def together(self, setting: Setting) -> ExposureErrors:
         """See `Trial`."""
         return self._between(self.forced_off | setting.dropped, NONE)
 
@@ -210,7 +210,7 @@ class LookTrial(Trial):
             np.concatenate([pixel_array[:, inner] for pixel_array in both], axis=1)
             for both in zip(*pairs, strict=True)
         )
-        difference = Difference(Errors(away, same), self.sample)
+        difference = Difference(ExposureErrors(away, same), self.sample)
         return float(np.sqrt(difference.square_e2.mean() / 2))
 
     # -- Prices -------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ import nscc
 from nscc_runtime.effects import CannotHave, Effect, Selection, everything, selected
 from nscc_runtime.execution.frames import Execution, executed
 from nscc_runtime.execution.pixels import Running
-from nscc_runtime.execution.program import Program, analysed
+from nscc_runtime.execution.program import AnalysedProgram, analysed
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import PlanRequest, make_plan
 from nscc_runtime.planning.plan import Plan
@@ -82,7 +82,7 @@ def measure_prices() -> list[Price]:
     ]  # fmt: skip
 
 
-def _of_effects(program: Program, still: Light) -> list[Price]:
+def _of_effects(program: AnalysedProgram, still: Light) -> list[Price]:
     """Measure the time saved by dropping each effect from sums: per still, and per frame of
     light."""
     all_effects = everything()
@@ -108,7 +108,9 @@ def _of_effects(program: Program, still: Light) -> list[Price]:
     return prices
 
 
-def _saved_ns(program: Program, light: Light, all_effects: Selection, effect: Effect) -> float:
+def _saved_ns(
+    program: AnalysedProgram, light: Light, all_effects: Selection, effect: Effect
+) -> float:
     """Return the nanoseconds per pixel that a frame without the effect saves."""
     executions = [
         Execution("sums", kept_effects, kept_effects, all_effects)
@@ -122,7 +124,7 @@ def _saved_ns(program: Program, light: Light, all_effects: Selection, effect: Ef
     return max(0.0, 1e9 * (seconds[0] - seconds[1]) / program.array.lanes.size)
 
 
-def _frame(program: Program, light: Light, execution: Execution) -> None:
+def _frame(program: AnalysedProgram, light: Light, execution: Execution) -> None:
     """Expose one frame of a copy of the light without cached properties, on one core."""
     executed(program, replace(light), execution, threads=1).frame(0, 0)
 

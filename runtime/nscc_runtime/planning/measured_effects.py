@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import registered
-from nscc_runtime.planning.differences import Difference, Errors
+from nscc_runtime.planning.differences import Difference, ExposureErrors
 from nscc_runtime.planning.trial import Names, Trial
 
 Values = NDArray[np.float64]
@@ -63,7 +63,7 @@ def measure_effects(
 ) -> MeasuredEffects:
     """Measure the error of dropping each of the effects, except absent ones. `near_saturation`:
     also on pixels near saturation, if dropping the effect there saves time."""
-    errors: dict[str, Errors] = {}
+    errors: dict[str, ExposureErrors] = {}
     for effect in registered():
         if effect.name in effects and effect.name not in trial.absent and effect.kind != "after":
             errors[effect.name] = trial.alone(effect, near_saturation)

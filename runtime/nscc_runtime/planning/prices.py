@@ -15,8 +15,8 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.execution.charge_loop import SITES
 from nscc_runtime.execution.layout import ACTS
-from nscc_runtime.execution.program import Program
-from nscc_runtime.remembered import remembered
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.method_cache import remembered
 
 Beside = Literal["sums", "all", "nothing"]
 """The simulation of the other pixels while one pixel runs through its words."""
@@ -76,12 +76,12 @@ class Work:
     slots: int
 
     @classmethod
-    def of(cls, program: Program) -> Work:
+    def of(cls, program: AnalysedProgram) -> Work:
         """Return the work of a program, computed once."""
         return program.recent.of("work", lambda: cls._of(program))
 
     @classmethod
-    def _of(cls, program: Program) -> Work:
+    def _of(cls, program: AnalysedProgram) -> Work:
         pixels, slots = program.pixels, program.container.slots
         listed, begins = pixels.lanes, pixels.program.words["begins"]
         acting, lanes = listed.flags & ACTS > 0, len(listed.start) - 1

@@ -203,10 +203,8 @@ def _near_sample(
             (near_pixels.places[near_pixels.spilt], near_pixels.most_e[near_pixels.spilt]),
         )
     )
-    places, weight = (
-        [near_pixels.places[~near_pixels.spilt][sure]],
-        [np.ones(np.count_nonzero(sure))],
-    )
+    places = [near_pixels.places[~near_pixels.spilt][sure]]
+    weight = [np.ones(np.count_nonzero(sure))]
     for ordered, count in ((by_light, own_count - len(places[0])), (spilt, _SPILT)):
         drawn, stand_for = _some_of(ordered, chance, count)
         places.append(drawn)

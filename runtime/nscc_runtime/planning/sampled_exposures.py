@@ -16,16 +16,16 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Echo, Moving, Response, Saturates
-from nscc_runtime.execution.chip import Chip
+from nscc_runtime.execution.chip import SimulatedChip
 from nscc_runtime.execution.frames import Execution, counts_agree
 from nscc_runtime.execution.pixel_array import PixelArray, light_at, tile_places
 from nscc_runtime.execution.pixels import KnownCounts, Running
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.light import Light
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.sample import Sample
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
@@ -39,7 +39,7 @@ _SIDE = 3
 class SampledExposures:
     """Exposures (buckets, pixels) of the sampled pixels of a scene; results are cached."""
 
-    program: Program
+    program: AnalysedProgram
     light: Light
     sample: Sample
     device_seed: int
@@ -153,7 +153,7 @@ class SampledExposures:
         self, kept_effects: Selection, requested_effects: Selection, region: str
     ) -> SummedScene:
         array, light, _ = self._arrays[region]
-        chip = Chip(self.program, array, self.device_seed, kept_effects, requested_effects)
+        chip = SimulatedChip(self.program, array, self.device_seed, kept_effects, requested_effects)
         return SummedScene(chip, light, 1, self._sums)
 
     def _away(self, summed: SummedScene, frame: int) -> Values:

@@ -19,7 +19,7 @@ from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.chip import chip_of
 from nscc_runtime.execution.frames import ExecutedScene, Path, executed
 from nscc_runtime.execution.pixel_loop import run_pixels
-from nscc_runtime.execution.program import Program, analysed
+from nscc_runtime.execution.program import AnalysedProgram, analysed
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -27,6 +27,7 @@ from nscc_runtime.looked_frames import Planes, exposer, frames, looking_program_
 from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.looking.path_loop import run_paths
 from nscc_runtime.loop import Loop
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.audit import Audit, Compared, audit
 from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
 from nscc_runtime.planning.make import still_fits
@@ -45,7 +46,6 @@ from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
-from nscc_runtime.remembered import remembered
 
 _SURELY = 0.4
 """Where nothing is measured, the variance of counts that sums leave out may make this part of the
@@ -68,7 +68,7 @@ class FixedShutters(PlannedScene):
         self.program  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def program(self) -> Program:
+    def program(self) -> AnalysedProgram:
         """The analysed program."""
         return analysed(self.container, self.sensor)
 

@@ -26,15 +26,15 @@ from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.frames import Execution, Path, counts_agree
 from nscc_runtime.execution.near_saturation import NearSaturation, near_saturation
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import APPROXIMATIONS
 from nscc_runtime.light import Light
-from nscc_runtime.planning.differences import Difference, Errors, WeightedPixels
+from nscc_runtime.method_cache import remembered
+from nscc_runtime.planning.differences import Difference, ExposureErrors, WeightedPixels
 from nscc_runtime.planning.prices import SHIPPED, Work
 from nscc_runtime.planning.sample import TILES, Sample, near_sampled, sample_of
 from nscc_runtime.planning.sampled_exposures import SampledExposures
 from nscc_runtime.planning.trial import NONE, NOTHING, Move, Names, Setting, Trial
-from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
@@ -48,7 +48,7 @@ _UNSEEN = 3.0
 class SummedTrial(Trial):
     """A program with fixed shutters on a scene."""
 
-    program: Program
+    program: AnalysedProgram
     light: Light
     device_seed: int
     threads: int
@@ -133,10 +133,8 @@ class SummedTrial(Trial):
     @remembered
     def execution(self, setting: Setting) -> Execution:
         """Return the execution of a setting."""
-        kept_effects, near_effects = (
-            self._requested_fast_effects.without(*setting.dropped),
-            self._requested_fast_effects.without(*setting.near_dropped),
-        )
+        kept_effects = self._requested_fast_effects.without(*setting.dropped)
+        near_effects = self._requested_fast_effects.without(*setting.near_dropped)
         return Execution("sums", kept_effects, near_effects, self.requested_effects, setting.exact)
 
     @cached_property
@@ -149,11 +147,11 @@ class SummedTrial(Trial):
 
     # -- What is measured ---------------------------------------------------------------------
 
-    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """See `Trial`: by sums far from saturation; effects that saturate, by words near it."""
         by, name = self.exposures, effect.name
         if name in self.slow:
-            return Errors.of(
+            return ExposureErrors.of(
                 by.by_reference(everything().without(name)), by.by_reference(everything())
             )
         requested_effects = everything().without(*(self.forced_off - {name}))
@@ -169,7 +167,7 @@ class SummedTrial(Trial):
         if near_saturation or name in self.saturation:
             exposed[:, self.sample.near_pixels] = by.by_words(without, self.sample.near_pixels)
             truth[:, self.sample.near_pixels] = self._near_by_words(fast_effects)
-        return Errors.of(exposed, truth)
+        return ExposureErrors.of(exposed, truth)
 
     @remembered
     def _near_by_words(self, effects: Selection, frame: int = 0) -> Values:
@@ -191,25 +189,27 @@ class SummedTrial(Trial):
             sample.weight[one_per_tile], np.arange(len(one_per_tile)), sample.scene_pixels
         )
         far_fraction_root = math.sqrt(max(0.0, 1.0 - sample.near_part))
-        return Difference(Errors.of(far_fraction_root * by_sums, far_fraction_root * truth), pixels)
+        return Difference(
+            ExposureErrors.of(far_fraction_root * by_sums, far_fraction_root * truth), pixels
+        )
 
-    def forced(self) -> Errors:
+    def forced(self) -> ExposureErrors:
         """See `Trial`; by the reference if only it supports one of the effects."""
         by, nothing = self.exposures, np.zeros(self._shape)
         if not self.forced_off:
-            return Errors.of(nothing, nothing)
+            return ExposureErrors.of(nothing, nothing)
         if self.slow & self.forced_off:
-            return Errors.of(by.by_reference(self.requested_effects), by.by_reference(everything()))
+            return ExposureErrors.of(
+                by.by_reference(self.requested_effects), by.by_reference(everything())
+            )
         return self.together(Setting(NONE, exact=True))
 
-    def together(self, setting: Setting) -> Errors:
+    def together(self, setting: Setting) -> ExposureErrors:
         """See `Trial`: compared with sums far from saturation, with the truth near it. If all
         saturating effects are dropped, noise dominates the error: several frames are outputs."""
-        execution, by, near_pixels = (
-            self.execution(setting),
-            self.exposures,
-            self.sample.near_pixels,
-        )
+        execution = self.execution(setting)
+        by = self.exposures
+        near_pixels = self.sample.near_pixels
         full_far_e = by.by_sums(self._fast_effects, everything(), "far", 0)
         exposed = [by.expose(execution, 0) + self._lacked_e]
         truth = [np.append(full_far_e, self._near_by_words(self._fast_effects), axis=1)]
@@ -223,7 +223,7 @@ class SummedTrial(Trial):
                 truth.append(
                     np.append(full_far_e, self._near_by_words(self._fast_effects, frame), axis=1)
                 )
-        return Errors.of(np.concatenate(exposed), np.concatenate(truth))
+        return ExposureErrors.of(np.concatenate(exposed), np.concatenate(truth))
 
     @remembered
     def square_e2(self, names: Names) -> float:
@@ -234,7 +234,7 @@ class SummedTrial(Trial):
             kept_effects, self.requested_effects, "near", 0
         )
         truth[:, self.sample.near_pixels] = self._near_by_words(self._fast_effects)
-        return Difference(Errors.of(exposed, truth), self.sample).likely_e2(0.0)
+        return Difference(ExposureErrors.of(exposed, truth), self.sample).likely_e2(0.0)
 
     def unseen_e2(self, setting: Setting) -> float:
         """See `Trial`: pixels near saturation that differ from all sampled ones may be so few that

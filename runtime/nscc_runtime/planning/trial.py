@@ -11,7 +11,7 @@ from typing import ClassVar
 from nscc_runtime.effects import CannotHave, Effect, Selection, everything, registered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.frames import Path
-from nscc_runtime.planning.differences import Difference, Errors
+from nscc_runtime.planning.differences import Difference, ExposureErrors
 from nscc_runtime.planning.sample import Sample
 
 Names = frozenset[str]
@@ -96,15 +96,15 @@ class Trial(ABC):
         return False
 
     @abstractmethod
-    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """What leaving out one effect changes, every other wanted effect being there;
         `near_saturation`: in pixels near saturation, too, where that saves time."""
 
     @abstractmethod
-    def together(self, setting: Setting) -> Errors:
+    def together(self, setting: Setting) -> ExposureErrors:
         """Return the error of exposures under a setting."""
 
-    def forced(self) -> Errors:
+    def forced(self) -> ExposureErrors:
         """Return the error of the effects that the user forced off."""
         return self.together(Setting(NONE, exact=True))
 

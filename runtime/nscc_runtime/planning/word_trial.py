@@ -10,10 +10,10 @@ import numpy as np
 
 from nscc_runtime.effects import Effect, everything
 from nscc_runtime.execution.frames import Execution
-from nscc_runtime.planning.differences import Difference, Errors
+from nscc_runtime.method_cache import remembered
+from nscc_runtime.planning.differences import Difference, ExposureErrors
 from nscc_runtime.planning.summed_trial import SummedTrial
 from nscc_runtime.planning.trial import NONE, Move, Names, Setting, slow_reason
-from nscc_runtime.remembered import remembered
 
 APPROXIMATE = (
     "counts would have to be spread over the slots of most pixels: the weights of a code's slots "
@@ -35,7 +35,7 @@ class WordTrial(SummedTrial):
         kept_effects = self._requested_fast_effects.without(*setting.dropped)
         return Execution("words", kept_effects, kept_effects, self.requested_effects)
 
-    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """See `Trial`: by words, or by sums if these show an error above the limit."""
         by_sums = super().alone(effect, False)
         if effect.name in self.slow or Difference(by_sums, self.sample).rms_e > self.limit_e:
@@ -45,20 +45,20 @@ class WordTrial(SummedTrial):
             self.exposures.expose(Execution("words", effects, effects, everything()), 0)
             for effects in (fast_effects.without(effect.name), fast_effects)
         )
-        return Errors.of(*exposed)
+        return ExposureErrors.of(*exposed)
 
     def approximated(self) -> Difference | None:
         """See `Trial`: words do not approximate."""
         return None
 
-    def together(self, setting: Setting) -> Errors:
+    def together(self, setting: Setting) -> ExposureErrors:
         """See `Trial`: compared with words with every effect."""
         full_execution = Execution("words", self._fast_effects, self._fast_effects, everything())
         exposed, truth = (
             self.exposures.expose(execution, 0)
             for execution in (self.execution(setting), full_execution)
         )
-        return Errors.of(exposed + self._lacked_e, truth)
+        return ExposureErrors.of(exposed + self._lacked_e, truth)
 
     def moves(self, free: Names) -> Sequence[Move]:
         """See `Trial`: single effects, except those that saturate."""
@@ -104,12 +104,14 @@ class ReferenceTrial(WordTrial):
             "reference", self.requested_effects, self.requested_effects, self.requested_effects
         )
 
-    def together(self, setting: Setting) -> Errors:
+    def together(self, setting: Setting) -> ExposureErrors:
         """See `Trial`: only the effects that are forced off."""
         by = self.exposures
-        return Errors.of(by.by_reference(self.requested_effects), by.by_reference(everything()))
+        return ExposureErrors.of(
+            by.by_reference(self.requested_effects), by.by_reference(everything())
+        )
 
-    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """See `Trial`: by sums, or by the reference if only it supports the effect."""
         return SummedTrial.alone(self, effect, False)
 

@@ -28,7 +28,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.reference.charge import Fallen, Groups, charge_of_rows
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
-from nscc_runtime.reference.weights import Backward, ByName, Model, backward, orthonormal
+from nscc_runtime.reference.weights import Backward, ByName, WeightModel, backward, orthonormal
 from nscc_runtime.reference.words import (
     Marked,
     WordPixels,
@@ -66,7 +66,7 @@ class Reference:
         words = fresh if kept_us == inf else analog_words(container, kept_us)
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
         gain, leak = everything().require_part(WordGain), everything().require_part(Leak)
-        model = Model(gain.gain(sensor), 1.0 / leak.tau_s(sensor))
+        model = WeightModel(gain.gain(sensor), 1.0 / leak.tau_s(sensor))
         weights = backward(container, fresh, model)
         errors = numbered_errors(container.target, weights)
         draws = {at: orthonormal(error_weights) for at, error_weights in errors.items()}

@@ -13,9 +13,9 @@ from nscc_runtime.effects.counts import count_key, thinning_key
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import OnDevice, Scene, Slots
 from nscc_runtime.light import Light
+from nscc_runtime.method_cache import remembered
 from nscc_runtime.noise import RATE_CAP, poisson, thin
 from nscc_runtime.reference.light_loop import LitSizes, add_light
-from nscc_runtime.remembered import remembered
 
 Charge = NDArray[np.float64]
 

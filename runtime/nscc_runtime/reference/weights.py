@@ -66,7 +66,7 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 
 
 @dataclass(frozen=True)
-class Model:
+class WeightModel:
     """What weights depend on: the gain of a word, the rate at which registers leak, whether light
     falls while words run, whether digital registers fade, and whether the level of a reset is read
     with the light that fell since.
@@ -79,7 +79,7 @@ class Model:
     lit_level: bool = False
 
     @classmethod
-    def of(cls, effects: Selection, sensor: Sensor) -> Model:
+    def of(cls, effects: Selection, sensor: Sensor) -> WeightModel:
         """Of some effects, at the mean leakage."""
         gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
@@ -130,7 +130,9 @@ class Backward:
         return is_open
 
 
-def backward(container: Container, words: Sequence[AnalogWord], model: Model = Model()) -> Backward:
+def backward(
+    container: Container, words: Sequence[AnalogWord], model: WeightModel = WeightModel()
+) -> Backward:
     """The weights of `words`, each of which multiplies its result with the model's gain; `decay`
     is in the words already. Lanes are those of the words.
 

@@ -21,8 +21,8 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen
-from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.resets import Resets
+from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import RunningWord
 from nscc_runtime.reference.weights import error_sign
 
@@ -69,12 +69,12 @@ def in_rows(
     saturated_by = np.empty(exposure.shape, np.uint8)
     valid = np.empty((len(rows), cols), np.bool_)
 
-    def fill(part: range) -> None:
-        fallen = fall(part)
-        found, marked = run(part, fallen)
-        chunk = slice(part.start - rows.start, part.stop - rows.start)
-        exposure[:, chunk] = found.reshape(-1, len(part), cols)
-        saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
+    def fill(strip: range) -> None:
+        fallen = fall(strip)
+        strip_exposure, marked = run(strip, fallen)
+        chunk = slice(strip.start - rows.start, strip.stop - rows.start)
+        exposure[:, chunk] = strip_exposure.reshape(-1, len(strip), cols)
+        saturated_by[:, chunk] = marked.reshape(-1, len(strip), cols)
         valid[chunk] = fallen.valid
 
     in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
@@ -115,7 +115,9 @@ class WordPixels(Pixels):
         """Looks up what does not depend on pixels."""
         self.at, self.target = self.effects.at, self.container.target
         self.most = most_destinations(self.target)
-        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
+        self.errors_at = {
+            effect.name: error_part.at for effect, error_part in self.effects.having(Errors)
+        }
 
     def arbitrary(self, group: int) -> Values:
         """Uniform numbers, fixed by the device, of which a register's first value is made."""
@@ -137,15 +139,15 @@ class WordPixels(Pixels):
 
     def hold(self, seconds: float) -> None:
         """Registers hold their values for so long."""
-        for held in self.at("hold"):
-            kept = held(self, seconds)
-            self.register = {name: value * kept for name, value in self.register.items()}
+        for decay in self.at("hold"):
+            remaining = decay(self, seconds)
+            self.register = {name: value * remaining for name, value in self.register.items()}
 
-    def reset(self, word: RunningWord, here: Bits) -> None:
+    def reset(self, word: RunningWord, acting: Bits) -> None:
         """PIX is emptied there."""
-        self.charge = np.where(here, 0.0, self.charge)
-        self.marks.empty(here)
-        self.resets.reset(self, here, word, word.boundary)
+        self.charge = np.where(acting, 0.0, self.charge)
+        self.marks.empty(acting)
+        self.resets.reset(self, acting, word, word.boundary)
 
     def total(self, word: RunningWord) -> Values:
         """The sum of a word's sources."""
@@ -155,8 +157,8 @@ class WordPixels(Pixels):
                 total += word.in_e
             elif name == "PIX":
                 level = self.resets.read_level(self, self.charge, word, word.boundary)
-                for found in self.at("reads"):
-                    level = found(self, level, word)
+                for read in self.at("reads"):
+                    level = read(self, level, word)
                 total += level
             else:
                 total += self.source(name)
@@ -166,17 +168,17 @@ class WordPixels(Pixels):
         """What a word reads of an analog register."""
         return self.register[name]
 
-    def bus(self, word: RunningWord, here: Bits) -> None:
+    def bus(self, word: RunningWord, acting: Bits) -> None:
         """The destinations of a word get the sum of its sources there."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
-        full, lost = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
+        full, lost_e = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            value, lost_here = self.marks.clip_register(self, value, lost)
-            self.register[name] = np.where(here, value, self.register[name])
-            self.marks.write(name, here, full, lost_here)
+            value, lost_in_register_e = self.marks.clip_register(self, value, lost_e)
+            self.register[name] = np.where(acting, value, self.register[name])
+            self.marks.write(name, acting, full, lost_in_register_e)
 
     def read_out(self) -> Marked:
         """The exposures of the frame, and what cut them off."""
@@ -185,8 +187,8 @@ class WordPixels(Pixels):
         stays = self.container.pictures is not None  # images are made of it before readout
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
-            for held in () if stays else self.at("hold"):
-                value = value * held(self, order * self.target.readout_us * 1e-6)
+            for decay in () if stays else self.at("hold"):
+                value = value * decay(self, order * self.target.readout_us * 1e-6)
             bucket = self.container.buckets.index(readout.bucket)
             for leaves in () if stays else self.at("readout"):
                 value = leaves(self, value, bucket)

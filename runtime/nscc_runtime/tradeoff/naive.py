@@ -10,7 +10,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -26,7 +26,7 @@ _COPIES = 25
 class Naive:
     """A scene and the shutters of a program's pixels; both ways end in a noiseless ADC."""
 
-    program: Program
+    program: AnalysedProgram
     light: Light
 
     def summed(self) -> Frame:

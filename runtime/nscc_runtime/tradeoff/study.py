@@ -15,7 +15,7 @@ from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
-from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import PlanRequest, allowed_on, make_plan
@@ -112,7 +112,7 @@ Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
 
 
 def measure(
-    program: Program,
+    program: AnalysedProgram,
     scenes: Sequence[NamedLight],
     settings: StudySettings,
     gb_per_s: float,
@@ -148,7 +148,7 @@ _Key = tuple[str, str]
 class _Bench:
     """The measurement of one scene; results are keyed by (method, setting)."""
 
-    program: Program
+    program: AnalysedProgram
     scene: NamedLight
     settings: StudySettings
     rows: Rows

@@ -26,15 +26,15 @@ def shipped(kind: str) -> ClipDenoiser:
     from safetensors.torch import load_file
 
     with as_file(files(__package__) / WEIGHTS) as path:
-        every = load_file(path)
+        weights = load_file(path)
     state = {
-        name.removeprefix(f"{kind}."): part.float()
-        for name, part in every.items()
+        name.removeprefix(f"{kind}."): weight.float()
+        for name, weight in weights.items()
         if name.startswith(f"{kind}.")
     }
-    made = ClipDenoiser()
-    made.load_state_dict(state)
-    return made.eval().requires_grad_(False)
+    denoiser = ClipDenoiser()
+    denoiser.load_state_dict(state)
+    return denoiser.eval().requires_grad_(False)
 
 
 def write_shipped(clip: Path, still: Path, out: Path) -> None:
@@ -111,6 +111,6 @@ def white(measured: Measured[Tensor]) -> Tensor:
     place = closed + _BRIGHT * (count - 1).clamp(min=0)
     below = place.floor().long().clamp(max=ordered.shape[1] - 1)
     above = (below + 1).clamp(max=ordered.shape[1] - 1)
-    low, high = (ordered.gather(1, each[:, None])[:, 0] for each in (below, above))
+    low, high = (ordered.gather(1, index[:, None])[:, 0] for index in (below, above))
     level = torch.where(count > 0, low + (high - low) * (place - below).to(low), 1.0)
     return level.clamp(min=1e-6)

@@ -53,7 +53,7 @@ class CodedFrame:
         codes for light, not for motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
-    def part(self, rows: slice, cols: slice) -> CodedFrame:
+    def crop(self, rows: slice, cols: slice) -> CodedFrame:
         """A rectangle of its pixels."""
         return replace(
             self,
@@ -79,7 +79,7 @@ class CodedFrame:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
         arrays = (self.value_e, mask, self.variance_e2, self.saturated)
-        return Measured(*(part[None] for part in arrays))
+        return Measured(*(array[None] for array in arrays))
 
 
 def read_coded_frames(
@@ -100,10 +100,11 @@ def read_coded_frames(
         raise nocoded_frame(path, why_no_arrays(error)) from error
     if program is not None:
         table = _table_of(path, program, meta)
-        pixels, own = (each[name].shape[-2:] for each, name in
+        pixels, frame_pixels = (source[name].shape[-2:] for source, name in
                        ((table, "decode_row"), (arrays, "frame")))  # fmt: skip
-        if pixels != own:
-            sizes = f"{own[0]} x {own[1]} pixels, but '{program}' has {pixels[0]} x {pixels[1]}"
+        if pixels != frame_pixels:
+            rows, cols = frame_pixels
+            sizes = f"{rows} x {cols} pixels, but '{program}' has {pixels[0]} x {pixels[1]}"
             raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed the frame")
         if not _is_exposed_by(program, arrays, meta, table):
             reason = f"it was exposed with other shutters than those of '{program}'"
@@ -118,10 +119,12 @@ def read_coded_frames(
     try:
         if "colours" not in meta:
             return (coded_frame(arrays, meta, offset),)
-        told = ("frame", "saturated")
+        colour_keys = ("frame", "saturated")
         return tuple(
             coded_frame(
-                arrays | {name: arrays[name][k] for name in told if name in arrays}, meta, offset
+                arrays | {name: arrays[name][k] for name in colour_keys if name in arrays},
+                meta,
+                offset,
             )
             for k in range(len(arrays["frame"]))
         )
@@ -138,19 +141,23 @@ def _dark_of(
     """What an array (B, rows, cols) reads without light, for a frame with these arrays: of as many
     buckets and pixels, or laid of such arrays. Rejected (NS0819) for another, or for one of another
     program, or with light."""
-    found = read_dark(path, arrays["decode_shutter"].shape[-2])
-    own, dark = arrays["frame"].shape[-2:], found.offset.shape[-2:]
+    dark_frame = read_dark(path, arrays["decode_shutter"].shape[-2])
+    frame_pixels, dark = arrays["frame"].shape[-2:], dark_frame.offset.shape[-2:]
     # A picture that was laid on arrays may end within the last of them.
     laid = meta.get("laid")
-    needed = [-(-most // side) for most, side in zip(own, dark, strict=True)]
+    needed = [-(-most // side) for most, side in zip(frame_pixels, dark, strict=True)]
     fits = isinstance(laid, dict) and needed == laid.get("arrays")
-    if not fits and any(most < side or most % side for most, side in zip(own, dark, strict=True)):
-        sizes = f"{dark[0]} x {dark[1]} pixels, but the frame has {own[0]} x {own[1]}"
+    if not fits and any(
+        most < side or most % side for most, side in zip(frame_pixels, dark, strict=True)
+    ):
+        sizes = (
+            f"{dark[0]} x {dark[1]} pixels, but the frame has {frame_pixels[0]} x {frame_pixels[1]}"
+        )
         raise nocoded_frame(path, f"the dark frame has {sizes}",
                              "expose the dark frame with the same program")  # fmt: skip
-    for doubt in found.checked(meta, dark):
+    for doubt in dark_frame.checked(meta, dark):
         warn(doubt)
-    return found.offset.reshape(-1, *dark)
+    return dark_frame.offset.reshape(-1, *dark)
 
 
 def coded_frame(
@@ -173,7 +180,7 @@ def coded_frame(
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
     responses = [arrays[f"decode_{name}"] for name in ("gain", "bias_e", "variance_e2")]
-    if any(each.shape != opened.shape[:2] or each.dtype.kind != "f" for each in responses):
+    if any(values.shape != opened.shape[:2] or values.dtype.kind != "f" for values in responses):
         raise ValueError(f"responses of other shapes than the shutters, {opened.shape[:2]}")
     gain, bias_e, variance_e2 = (response[row].transpose(2, 0, 1) for response in responses)
     # A variance may be infinite: such a code says nothing about the light.
@@ -212,17 +219,17 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
     container = with_pixels(load_container(program)[0], program)
     values = meta.get("sensor", default_sensor(container.target).values)
     try:
-        found = decode_arrays(container, Sensor(values), meta.get("plan"))
+        table = decode_arrays(container, Sensor(values), meta.get("plan"))
     except (KeyError, TypeError, AttributeError) as error:
         raise nocoded_frame(path, f"its meta is damaged: {one_line(error)}") from error
-    if not found:
+    if not table:
         raise rejected(
             "NS0819",
             f"the codes of '{program}' do not determine the shutters of its pixels",
             notes=("its shutters depend on the light, or its words do not implement shutters",),
             helps=("name the program that exposed the frame",),
         )
-    return found
+    return table
 
 
 def _is_exposed_by(
@@ -233,8 +240,10 @@ def _is_exposed_by(
     the frame holds, else by its digest of the program, compiled at any level."""
     if "decode_row" in arrays:
         same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
-        opened, wanted = (each["decode_shutter"][each["decode_row"]] for each in (arrays, table))
-        return same_slots and np.array_equal(opened, wanted)
+        opened, table_shutters = (
+            source["decode_shutter"][source["decode_row"]] for source in (arrays, table)
+        )
+        return same_slots and np.array_equal(opened, table_shutters)
     digest = meta.get("program_sha256")
     levels = (2,) if is_compiled(program) else (2, 1, 0, 3)
     containers = (load_container(program, Options(level=level))[0] for level in levels)

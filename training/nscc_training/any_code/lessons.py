@@ -62,7 +62,9 @@ class LessonSet(Dataset[Lesson]):
         kind, size, batch = settings.decoder.lessons, settings.data.patch, settings.train.batch
         if kind == "stills":
             drawn = [_still_drawn(self.pictures, generator, size) for _ in range(batch)]  # type: ignore[arg-type]
-            light, mask = (torch.from_numpy(np.stack(part)) for part in zip(*drawn, strict=True))
+            light, mask = (
+                torch.from_numpy(np.stack(arrays)) for arrays in zip(*drawn, strict=True)
+            )
             return Lesson(light[:, None], mask[:, None], False, False, (kind,))
         filmed = kind == "codes" and generator.random() < settings.decoder.films
         exact = kind == "denoise" or (not filmed and generator.random() < settings.decoder.exact)
@@ -72,7 +74,7 @@ class LessonSet(Dataset[Lesson]):
         clips = [moving(self.pictures, generator, frames, size) for _ in range(count)]  # type: ignore[arg-type]
         draw = _film_mask if filmed else mask_drawn
         masks = [draw(generator, frames, size) for _ in range(count)]
-        light, mask = (torch.from_numpy(np.stack(part)) for part in (clips, masks))
+        light, mask = (torch.from_numpy(np.stack(arrays)) for arrays in (clips, masks))
         return Lesson(light, mask, exact, filmed, (kind,))
 
 
@@ -127,9 +129,9 @@ def _light_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
     picture = pictures[int(generator.integers(len(pictures)))]
     step = int(generator.integers(1, 3))
     row, col = (int(generator.integers(side - step * size + 1)) for side in picture.shape)
-    part = picture[row : row + step * size, col : col + step * size]
-    part = part.reshape(size, step, size, step).mean(axis=(1, 3))
-    turned = np.rot90(part, int(generator.integers(4)))[:, :: int(generator.choice((1, -1)))]
+    crop = picture[row : row + step * size, col : col + step * size]
+    crop = crop.reshape(size, step, size, step).mean(axis=(1, 3))
+    turned = np.rot90(crop, int(generator.integers(4)))[:, :: int(generator.choice((1, -1)))]
     return np.asarray(np.maximum(turned, 1e-7) ** generator.uniform(0.8, 1.3), np.float32)
 
 
@@ -154,26 +156,26 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     slot = np.arange(frames)[:, None, None]
     places = (tile, tile)
     if kind == "bits":
-        made = generator.random((frames, *places)) < generator.uniform(0.25, 0.75)
+        opened = generator.random((frames, *places)) < generator.uniform(0.25, 0.75)
     elif kind == "bump":
         length = int(generator.integers(1, frames))
         begin = generator.integers(0, frames - length + 1, places)
         if generator.random() < 0.3:
             # Around the end of the frame, as a cyclic code has it.
             begin = generator.integers(0, frames, places)
-        made = (slot - begin) % frames < length
+        opened = (slot - begin) % frames < length
     elif kind == "bumps":
         ends = np.sort(generator.integers(0, frames + 1, (2, *places)), axis=0)
-        made = (slot >= ends[0]) & (slot < ends[1])
+        opened = (slot >= ends[0]) & (slot < ends[1])
     elif kind == "book":
         rows = generator.random((frames, int(generator.integers(2, 17)))) < 0.5
-        made = rows[:, generator.integers(0, rows.shape[1], places)]
+        opened = rows[:, generator.integers(0, rows.shape[1], places)]
     else:
-        made = slot < generator.integers(1, frames + 1, places)
-    closed = ~made.any(axis=0)
-    made[int(generator.integers(frames))] |= closed
-    whole = np.tile(made, (1, -(-size // tile), -(-size // tile)))[:, :size, :size]
-    return np.ascontiguousarray(whole, np.float32)
+        opened = slot < generator.integers(1, frames + 1, places)
+    closed = ~opened.any(axis=0)
+    opened[int(generator.integers(frames))] |= closed
+    mask = np.tile(opened, (1, -(-size // tile), -(-size // tile)))[:, :size, :size]
+    return np.ascontiguousarray(mask, np.float32)
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
@@ -191,9 +193,9 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
     if kind == 0:
         side, begin = 2, begin[:4]
     places = generator.permutation(begin).reshape(side, side)
-    made = (np.arange(frames)[:, None, None] - places) % frames < length
-    whole = np.tile(made, (1, -(-size // side), -(-size // side)))[:, :size, :size]
-    return np.ascontiguousarray(whole, np.float32)
+    opened = (np.arange(frames)[:, None, None] - places) % frames < length
+    mask = np.tile(opened, (1, -(-size // side), -(-size // side)))[:, :size, :size]
+    return np.ascontiguousarray(mask, np.float32)
 
 
 def _read_out(

@@ -49,9 +49,9 @@ class ClipDenoiser(nn.Module):
             # Denoising is learned first, without a measurement to look at.
             self.first.weight[:, planes:-1] = 0
 
-    def forward(self, clip: Tensor, seen: Tensor, sigma: Tensor) -> Tensor:
+    def forward(self, clip: Tensor, measured_planes: Tensor, sigma: Tensor) -> Tensor:
         batch, frames, rows, cols = clip.shape
-        x = torch.cat([clip.unsqueeze(1), seen], dim=1)
+        x = torch.cat([clip.unsqueeze(1), measured_planes], dim=1)
         multiple = _FOLD * 2 ** len(self.down)
         margins = (0, -cols % multiple, 0, -rows % multiple)
         x = x.transpose(1, 2).reshape(batch * frames, 1 + SEEN, rows, cols)
@@ -62,28 +62,28 @@ class ClipDenoiser(nn.Module):
         x = torch.cat([x, level.reshape(batch * frames, 1, *x.shape[2:])], dim=1)
         x = x.contiguous(memory_format=torch.channels_last)
         x = self._through(self.first(x), frames)
-        found = functional.pixel_shuffle(x.float(), _FOLD)[..., :rows, :cols]
+        residual = functional.pixel_shuffle(x.float(), _FOLD)[..., :rows, :cols]
         # In units of sigma, so that every level of noise teaches alike.
-        return clip + found.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
+        return clip + residual.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
 
     def _through(self, x: Tensor, frames: int) -> Tensor:
-        kept = []
+        skips = []
         for blocks, shrink in zip(self.down, self.shrink, strict=True):
             for block in blocks:  # type: ignore[attr-defined]
                 x = block(x, frames)
-            kept.append(x)
+            skips.append(x)
             x = shrink(x)
         for block in self.deep:
             x = block(x, frames)
         for k in reversed(range(len(self.up))):
-            x = kept[k] + self.grow[k](x)
+            x = skips[k] + self.grow[k](x)
             for block in self.up[k]:  # type: ignore[attr-defined]
                 x = block(x, frames)
-        found: Tensor = self.last(x)
-        return found
+        output: Tensor = self.last(x)
+        return output
 
 
-class Block(nn.Module):
+class FrameExchangeBlock(nn.Module):
     """Two convolutions that add to what they see, after channels went to the frames beside."""
 
     def __init__(self, width: int) -> None:
@@ -93,15 +93,15 @@ class Block(nn.Module):
 
     def forward(self, x: Tensor, frames: int) -> Tensor:
         inner = functional.relu(self.one(exchanged(x, frames)), inplace=True)
-        found: Tensor = x + self.two(inner)
-        return found
+        output: Tensor = x + self.two(inner)
+        return output
 
 
 def exchanged(x: Tensor, frames: int) -> Tensor:
     """(batch * T, channels, rows, cols) where a quarter of the channels is the frame before's and a
     quarter the frame after's; the first and the last frame stand in for those that are missing."""
-    found: Tensor = _Exchanged.apply(x, frames)  # type: ignore[no-untyped-call]
-    return found
+    output: Tensor = _Exchanged.apply(x, frames)  # type: ignore[no-untyped-call]
+    return output
 
 
 class _Exchanged(torch.autograd.Function):
@@ -110,17 +110,17 @@ class _Exchanged(torch.autograd.Function):
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
         ctx.frames = frames
-        found = x.clone(memory_format=torch.channels_last)
-        old, new = (part.view(-1, frames, *x.shape[1:]) for part in (x, found))
+        output = x.clone(memory_format=torch.channels_last)
+        old, new = (values.view(-1, frames, *x.shape[1:]) for values in (x, output))
         count = x.shape[1] // 4
         new[:, 1:, :count] = old[:, :-1, :count]
         new[:, :-1, count : 2 * count] = old[:, 1:, count : 2 * count]
-        return found
+        return output
 
     @staticmethod
     def backward(ctx: Any, slope: Tensor) -> tuple[Tensor, None]:
-        found = slope.clone(memory_format=torch.channels_last)
-        old, new = (part.view(-1, ctx.frames, *slope.shape[1:]) for part in (slope, found))
+        x_slope = slope.clone(memory_format=torch.channels_last)
+        old, new = (values.view(-1, ctx.frames, *slope.shape[1:]) for values in (slope, x_slope))
         count = slope.shape[1] // 4
         if ctx.frames > 1:
             new[:, :-1, :count] = old[:, 1:, :count]
@@ -130,11 +130,11 @@ class _Exchanged(torch.autograd.Function):
             new[:, 1:, after] = old[:, :-1, after]
             new[:, -1, after] += old[:, -1, after]
             new[:, 0, after] = 0
-        return found, None
+        return x_slope, None
 
 
 def _pair(width: int) -> nn.ModuleList:
-    return nn.ModuleList([Block(width), Block(width)])
+    return nn.ModuleList([FrameExchangeBlock(width), FrameExchangeBlock(width)])
 
 
 def bf16_where_multiplied() -> AbstractContextManager[object]:

@@ -37,12 +37,12 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
     precision = mask.square() / measured.variance.clamp(min=1e-20)
     precision = torch.where(opened & ~measured.saturated, precision, 0.0)
     total = precision.sum(dim=1)
-    own = (precision * alone).sum(dim=1) / total.clamp(min=1e-20)
+    pixel_light = (precision * alone).sum(dim=1) / total.clamp(min=1e-20)
     # Relative to the frame's own scale, so that a measurement counts more than wide surroundings.
     scale = measured.value.abs().amax(dim=(1, 2, 3)).clamp(min=1e-9).square().reshape(-1, 1, 1)
-    found = averaged(own.unsqueeze(1), (total * scale).unsqueeze(1)).squeeze(1)
+    light = averaged(pixel_light.unsqueeze(1), (total * scale).unsqueeze(1)).squeeze(1)
     least = torch.where(opened & measured.saturated, alone, 0.0).amax(dim=1)
-    return torch.maximum(found, least)
+    return torch.maximum(light, least)
 
 
 def still_schedule(count: int) -> list[float]:
@@ -57,15 +57,15 @@ def still_stage(
     denoised. The unit is such that a well is filled by light of about 1."""
     spread = sigma * _SPAN * (light + _FLOOR)
     mask = measured.mask[:, :, 0]
-    told = mask.square() / measured.variance.clamp(min=1e-12)
+    data_precision = mask.square() / measured.variance.clamp(min=1e-12)
     gap = measured.missing(mask * light.unsqueeze(1), measured.value)
     # What saturated pixels have anyhow tells nothing more.
-    told = torch.where(measured.saturated & (gap <= 0), 0.0, told)
-    step = (told * gap / mask.clamp(min=1e-9)).sum(dim=1)
-    light = (light + step / (spread.pow(-2) + told.sum(dim=1))).clamp(min=0)
+    data_precision = torch.where(measured.saturated & (gap <= 0), 0.0, data_precision)
+    step = (data_precision * gap / mask.clamp(min=1e-9)).sum(dim=1)
+    light = (light + step / (spread.pow(-2) + data_precision.sum(dim=1))).clamp(min=0)
     level = light.new_full((len(light),), sigma)
-    made = denoiser(coded_light(light).unsqueeze(1), _planes(measured), level)[:, 0]
-    return light_of(made)
+    denoised = denoiser(coded_light(light).unsqueeze(1), _planes(measured), level)[:, 0]
+    return light_of(denoised)
 
 
 def coded_light(light: Tensor) -> Tensor:
@@ -88,5 +88,5 @@ def _planes(measured: Measured[Tensor]) -> Tensor:
     noise = torch.where(opened & ~measured.saturated, noise.clamp(max=0.5), 1.0)
     noise, best = noise.min(dim=1, keepdim=True)
     share = torch.log2(mask.clamp(min=2.0**-12)).expand_as(alone) / 12 + 1
-    parts = [share.gather(1, best), coded_light(alone.gather(1, best)), noise]
-    return torch.stack(parts, dim=1)
+    planes = [share.gather(1, best), coded_light(alone.gather(1, best)), noise]
+    return torch.stack(planes, dim=1)

@@ -28,7 +28,7 @@ from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.demo.subject import Subject
-from nscc_training.design.chip import Chip, Curve
+from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
 from nscc_training.design.text import frame_text
 from nscc_training.run_files import RunCapture, run_capture
@@ -81,8 +81,8 @@ class Looked:
 @dataclass(frozen=True, eq=False)
 class Exposed:
     """What was exposed, and how: `scene` with its exposure on the arrays (`laid`, one for each
-    colour), the coded frame (`taken`) and that of always open pixels (`usual`), each with its
-    frames without light; `seconds` that the coded frame took; `looked`, a still as pixels that
+    colour), the coded frame (`coded_capture`) and that of always open pixels (`usual`), each with
+    its frames without light; `seconds` that the coded frame took; `looked`, a still as pixels that
     look have it; `fair`, what an ordinary camera does at its best, and that without light: a still
     at the one stop that suits its light, a clip in a burst of as many frames as `program` has
     readouts, if these are several. `run` is a still's, None for a clip.
@@ -94,7 +94,7 @@ class Exposed:
     laid: tuple[PlacedLight, ...]
     container: Container
     sensor: Sensor
-    taken: Taken
+    coded_capture: Taken
     dark: Taken
     usual: Taken
     usual_dark: Taken
@@ -110,8 +110,8 @@ class Exposed:
     def truth(self) -> NDArray[Any]:
         """Electrons over the frame (rows, cols), or a slot (T, rows, cols); colours last."""
         cut = [
-            one.placement.cut(one.light.total_e() if self.still else one.light.dense())
-            for one in self.laid
+            placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
+            for placed in self.laid
         ]
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
@@ -125,49 +125,49 @@ class Exposed:
         """How many readouts the coded frame has."""
         return len(self.container.table.shutters[0])
 
-    def codes(self, taken: Taken, readout: int = 0) -> NDArray[np.uint8]:
+    def codes(self, capture: Taken, readout: int = 0) -> NDArray[np.uint8]:
         """A readout's codes (rows, cols), or (rows, cols, 3) in colours."""
-        codes = taken.simulated.frame.frame[..., readout, :, :]
+        codes = capture.simulated.frame.frame[..., readout, :, :]
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
     def files(self) -> tuple[FrameFile, FrameFile]:
         """The coded frame, with its truth if it has one colour, and its frames without light."""
         keep = ("truth",) if len(self.laid) == 1 else ()
-        return _frame_file(self.taken, keep), _frame_file(self.dark)
+        return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 
 
-def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
+def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
     """A still through its run, a clip through the program with the asked for readouts, under the
     default sensor, with the effects that it calls for. Raises Rejected for a scene that is dark or
     cannot be read."""
-    like = run_capture(RUNS[found.still])
-    program = like.program if found.still else settings.program
+    like = run_capture(RUNS[subject.still])
+    program = like.program if subject.still else settings.program
     compiled = compile_file(program, Options()).container
     assert compiled is not None  # what comes with nscc has compiled before
     sensor = load_sensor(converter_of(compiled), like.sensor)
-    laid, scene = _laid(found, like, compiled, settings, listener)
+    laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
     begin = working_s()
-    taken = simulate_scene(compiled, laid, sensor, request, listener)
+    coded_capture = simulate_scene(compiled, laid, sensor, request, listener)
     seconds = working_s() - begin
     target = None if like.target is None else str(like.target)
     usual_camera = camera(like.slots, like.slot_us, target)
     usual = simulate_scene(usual_camera, laid, sensor, request, listener)
     dark, usual_dark = (
-        _dark(each, sensor, settings, listener) for each in (compiled, usual_camera)
+        _dark(container, sensor, settings, listener) for container in (compiled, usual_camera)
     )
-    looked = _looked(scene, sensor, request, listener) if found.still else None
+    looked = _looked(scene, sensor, request, listener) if subject.still else None
     count, stop = len(compiled.table.shutters[0]), like.slots
-    if found.still:
-        stop = _metered(laid, compiled, sensor, "linear" if found.transfer == "srgb" else "mu")
+    if subject.still:
+        stop = _metered(laid, compiled, sensor, "linear" if subject.transfer == "srgb" else "mu")
     fair = None
-    if found.still or count > 1:
+    if subject.still or count > 1:
         ordinary = camera(like.slots, like.slot_us, target, count, stop)
         fair = (simulate_scene(ordinary, laid, sensor, request, listener),
                 _dark(ordinary, sensor, settings, listener))  # fmt: skip
     return Exposed(
-        RUNS[True] if found.still else None, program, scene, laid, compiled, sensor, taken, dark,
-        usual, usual_dark, seconds, looked, fair,
+        RUNS[True] if subject.still else None, program, scene, laid, compiled, sensor,
+        coded_capture, dark, usual, usual_dark, seconds, looked, fair,
     )  # fmt: skip
 
 
@@ -177,12 +177,15 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
     assert container is not None  # an example has compiled before
     begin = working_s()
     laid = scene.laid(container.slot_us, container.target, progress=listener.progress)
-    told = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
+    frame_arrays = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
     # The buckets are the last but two axes; of colours there is one more.
-    kept = (told[key].reshape(-1, *told[key].shape[-3:]) for key in (LIGHT, DEVIATION, OPEN))
+    look_arrays = (
+        frame_arrays[key].reshape(-1, *frame_arrays[key].shape[-3:])
+        for key in (LIGHT, DEVIATION, OPEN)
+    )
     images = [
         (merged_image(light, deviation) * container.slot_s.sum(), slots[0])
-        for light, deviation, slots in zip(*kept, strict=True)
+        for light, deviation, slots in zip(*look_arrays, strict=True)
     ]
     light = np.stack([image for image, _ in images], axis=-1)
     open_us = np.mean([np.cumsum([0, *container.slot_us])[n] for _, n in images], axis=0)
@@ -191,21 +194,21 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 
 
 def _laid(
-    found: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
+    subject: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
 ) -> tuple[tuple[PlacedLight, ...], Scene]:
     """The scene's light, and the scene with the exposure that it was given."""
-    scene = replace(found.scene, fit=settings.fit, color=settings.color)
+    scene = replace(subject.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")
-    asked = (settings.exposure,) if settings.exposure else (
+    exposures = (settings.exposure,) if settings.exposure else (
         like.exposure, *(electrons + brighter for brighter in _BRIGHTER))  # fmt: skip
-    for exposure in asked:
-        exposed = scene if found.in_electrons else replace(scene, exposure=exposure)
+    for exposure in exposures:
+        exposed = scene if subject.in_electrons else replace(scene, exposure=exposure)
         try:
             laid = exposed.laid(
                 container.slot_us, container.target, listener.warn, listener.progress
             )
         except Rejected as rejected:
-            if exposure == asked[-1] or rejected.diagnostics[0].code != "NS0738":
+            if exposure == exposures[-1] or rejected.diagnostics[0].code != "NS0738":
                 raise
             continue
         return laid, exposed
@@ -217,7 +220,7 @@ def _metered(
 ) -> int:
     """Return the slots for which a camera with automatic exposure opens."""
     light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
-    return best_stop(Chip.of(container.target, sensor), light_e, container.slots, curve)
+    return best_stop(DesignChip.of(container.target, sensor), light_e, container.slots, curve)
 
 
 def camera(
@@ -231,9 +234,9 @@ def camera(
         rules = "".join(f"bucket frame{k + 1} open when {ends[k]} <= n < {ends[k + 1]}\n"
                         for k in range(frames))  # fmt: skip
     text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
-    made = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
-    assert made.container is not None  # one shutter fits wherever any does
-    return made.container
+    compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
+    assert compiled.container is not None  # one shutter fits wherever any does
+    return compiled.container
 
 
 def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
@@ -244,8 +247,8 @@ def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Li
     return simulate_scene(container, night, sensor, request, listener)
 
 
-def _frame_file(taken: Taken, keep: Sequence[str] = ()) -> FrameFile:
-    simulated, light = taken.simulated, taken.light
-    about = meta(taken.container, light, simulated.frame, simulated.origin) | taken.laid
-    file = FrameFile.of(taken.container, light, simulated.frame, about, keep)
-    return with_table(file, taken.container)
+def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
+    simulated, light = capture.simulated, capture.light
+    about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
+    file = FrameFile.of(capture.container, light, simulated.frame, about, keep)
+    return with_table(file, capture.container)

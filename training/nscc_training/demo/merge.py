@@ -24,19 +24,19 @@ def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[
     side by side."""
     size = codes.shape[:2]
     times = [-(-side // most) for side, most in zip(size, offset.shape, strict=True)]
-    found = np.tile(offset, times)[: size[0], : size[1]]
-    return found if codes.ndim == 2 else found[..., None]
+    tiled = np.tile(offset, times)[: size[0], : size[1]]
+    return tiled if codes.ndim == 2 else tiled[..., None]
 
 
 def merged_light(
-    taken: Taken, offset: NDArray[np.float64], sensor: Sensor
+    capture: Taken, offset: NDArray[np.float64], sensor: Sensor
 ) -> tuple[NDArray[np.float32], str]:
     """The light of a frame of one bucket: electrons over the frame (rows, cols) of a still, a slot
     (T, rows, cols) of a clip, with colours last; and by what it was found.
 
     `offset` is what the array reads without light, in codes.
     """
-    frame, container = taken.simulated.frame, taken.container
+    frame, container = capture.simulated.frame, capture.container
     assert container.pixel_codes is not None  # it has been exposed
     lanes = container.table.shutter_of_code[container.pixel_codes]
     codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
@@ -45,18 +45,18 @@ def merged_light(
 
     def of_colour(codes: NDArray[Any], full: NDArray[Any]) -> NDArray[np.floating]:
         seen_lsb = codes - laid_like(offset, codes)
-        if taken.light.kind == "still":
+        if capture.light.kind == "still":
             share = shutters @ (np.array(container.slot_us) / sum(container.slot_us))
             noise_e = everything().converter_lsb(sensor) * lsb_e
             return merged(seen_lsb, share[lanes].astype(np.float64), lsb_e, full, noise_e)
         white_e = sensor.full_well_e / container.slots
         mask = np.moveaxis(shutters.astype(np.float32)[lanes], -1, 0)
-        seen = np.maximum(seen_lsb, 0.0) * (lsb_e / white_e)
-        found = gap_tv(seen.astype(np.float32), np.ascontiguousarray(mask))
-        return np.maximum(found, 0) * np.float32(white_e)
+        relative_light = np.maximum(seen_lsb, 0.0) * (lsb_e / white_e)
+        clip = gap_tv(relative_light.astype(np.float32), np.ascontiguousarray(mask))
+        return np.maximum(clip, 0) * np.float32(white_e)
 
-    made = [of_colour(*each) for each in zip(codes.reshape(-1, *size),
+    colour_lights = [of_colour(*colour_arrays) for colour_arrays in zip(codes.reshape(-1, *size),
             saturated.reshape(-1, *size), strict=True)]  # fmt: skip
-    light = made[0] if codes.ndim == 2 else np.stack(made, axis=-1)
-    how = "neighbours merged" if taken.light.kind == "still" else "total variation (GAP-TV)"
+    light = colour_lights[0] if codes.ndim == 2 else np.stack(colour_lights, axis=-1)
+    how = "neighbours merged" if capture.light.kind == "still" else "total variation (GAP-TV)"
     return np.asarray(light, np.float32), how

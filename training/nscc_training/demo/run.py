@@ -53,67 +53,90 @@ def demo(
     """
     settings, listener = settings or Settings(), listener or Listener()
     clips = run_capture(Path("clip"))
-    found = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
-    if found.chosen and listener.say is not None:
-        listener.say(f"{Path(scene.name).name}: {found.chosen}")
-    made = exposed(found, settings, listener)
-    name = "picture" if made.still else "clip"
+    scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
+    if scene_subject.chosen and listener.say is not None:
+        listener.say(f"{Path(scene.name).name}: {scene_subject.chosen}")
+    exposed_scene = exposed(scene_subject, settings, listener)
+    name = "picture" if exposed_scene.still else "clip"
     out.mkdir(parents=True, exist_ok=True)
     frames = (out / f"{name}_frame.npz", out / f"{name}_dark.npz")
-    write_together({path: file.write for path, file in zip(frames, made.files(), strict=True)})
-    light, decode_s, how = _reconstructed(made, frames, settings)
-    shown = Shown(made, found.transfer == "srgb", settings.tone, light, how, decode_s)
+    write_together(
+        {path: file.write for path, file in zip(frames, exposed_scene.files(), strict=True)}
+    )
+    light, decode_s, how = _reconstructed(exposed_scene, frames, settings)
+    shown = Shown(
+        exposed_scene, scene_subject.transfer == "srgb", settings.tone, light, how, decode_s
+    )
     content = Content(
-        {"image" if made.still else "video": light}, light, not made.still, len(made.laid) > 1,
-        tone=shown.curve, white=shown.fitted.white,
+        {"image" if exposed_scene.still else "video": light}, light, not exposed_scene.still,
+        len(exposed_scene.laid) > 1, tone=shown.curve, white=shown.fitted.white,
     )  # fmt: skip
-    paths = [out / (name + end) for end in ((".hdr", ".png") if made.still else (".mp4", ".gif"))]
+    paths = [
+        out / (name + end)
+        for end in ((".hdr", ".png") if exposed_scene.still else (".mp4", ".gif"))
+    ]
     products: dict[Path, Product] = {out / f"{name}_sheet.png": png_of(demo_sheet, shown)}
     products |= {path: file_of(path, content, "it") for path in paths}
-    if made.run is None:
-        products[out / f"{name}.nsl"] = made.program.read_bytes()
+    if exposed_scene.run is None:
+        products[out / f"{name}.nsl"] = exposed_scene.program.read_bytes()
     write_together(products)
     files = (*products, *frames)
     return Demo(
-        files, shown.open_db, shown.psnr_db, shown.looked_db, shown.fair_db, made.readouts,
-        _commands(made, settings, files),
+        files, shown.open_db, shown.psnr_db, shown.looked_db, shown.fair_db, exposed_scene.readouts,
+        _commands(exposed_scene, settings, files),
     )  # fmt: skip
 
 
 def _reconstructed(
-    made: Exposed, frames: tuple[Path, Path], settings: Settings
+    exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
     """The light, in the shape of the truth; the seconds that it took; by what."""
-    if settings.learned and made.run is not None:
+    if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 
-        found = reconstruct(made.run, frames[0], force=False, dark=frames[1])
-        return found.light, found.decode_s, f"U-Net of run {made.run.name}"
+        reconstruction = reconstruct(exposed_scene.run, frames[0], force=False, dark=frames[1])
+        return (
+            reconstruction.light,
+            reconstruction.decode_s,
+            f"U-Net of run {exposed_scene.run.name}",
+        )
     if settings.learned:
         from nscc_training.reconstruct_any import reconstruct_any
 
-        found = reconstruct_any(frames[0], kind="video", dark=frames[1])
-        return found.light, found.decode_s, f"{readouts_text(made.readouts)}, decoder for any code"
+        reconstruction = reconstruct_any(frames[0], kind="video", dark=frames[1])
+        return (
+            reconstruction.light,
+            reconstruction.decode_s,
+            f"{readouts_text(exposed_scene.readouts)}, decoder for any code",
+        )
     begin = working_s()
-    light, how = merged_light(made.taken, dark_codes(made.dark), made.sensor)
+    light, how = merged_light(
+        exposed_scene.coded_capture, dark_codes(exposed_scene.dark), exposed_scene.sensor
+    )
     return light, working_s() - begin, how
 
 
-def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tuple[str, ...]:
+def _commands(
+    exposed_scene: Exposed, settings: Settings, files: tuple[Path, ...]
+) -> tuple[str, ...]:
     """What does the same step by step."""
-    scene = made.scene
-    program = quote(files[3].as_posix()) if made.run is None else f"--like {made.run}"
+    scene = exposed_scene.scene
+    program = (
+        quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"
+    )
     options = {
         "--scene": scene.name, "--exposure": scene.exposure, "--fit": scene.fit,
         "--fps": scene.fps, "--first": scene.first or None, "--transfer": scene.transfer,
         "--seed": settings.seed or None, "--effects": "auto",
     }  # fmt: skip
-    said = [f"{name} {quote(str(value))}" for name, value in options.items() if value is not None]
-    said += ["--color"] * scene.color + ["--still"] * scene.single
+    scene_options = [
+        f"{name} {quote(str(value))}" for name, value in options.items() if value is not None
+    ]
+    scene_options += ["--color"] * scene.color + ["--still"] * scene.single
     product, frame, dark = (quote(files[k].as_posix()) for k in (1, -2, -1))
     seed = settings.seed + DARK_SEED
     night = f"--scene builtin:dark --effects auto --repeat {DARK_FRAMES} --seed {seed}"
-    expose = f"nscc run {program} {' '.join(said)} -o {frame}"
+    expose = f"nscc run {program} {' '.join(scene_options)} -o {frame}"
     darkness = f"nscc run {program} {night} -o {dark}"
-    decode = f"nscc reconstruct {made.run or 'any'} {frame} --dark {dark} -o {product}"
+    decode = f"nscc reconstruct {exposed_scene.run or 'any'} {frame} --dark {dark} -o {product}"
     return (expose, darkness, decode) if settings.learned else (expose, darkness)

@@ -35,12 +35,12 @@ _PEAK_PERCENTILE = 99.9
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """What a sheet shows: `made` of a scene, and `light`, its reconstruction in the shape of the
+    """What a sheet shows: `exposed_scene`, and `light`, its reconstruction in the shape of the
     truth; `how` names what found it, in so many seconds (`decode_s`). `display` says that the scene
     was made for screens, `tone` names a curve.
     """
 
-    made: Exposed
+    exposed_scene: Exposed
     display: bool
     tone: str | None
     light: NDArray[Any]
@@ -50,17 +50,17 @@ class Shown:
     @property
     def still(self) -> bool:
         """Whether it is a still."""
-        return self.made.still
+        return self.exposed_scene.still
 
     @cached_property
     def truth(self) -> NDArray[Any]:
         """Electrons over the frame, or a slot."""
-        return self.made.truth()
+        return self.exposed_scene.truth()
 
     @property
     def white_e(self) -> float | None:
         """What a screen shows as white, of what was made for screens."""
-        return self.made.white_e() if self.display else None
+        return self.exposed_scene.white_e() if self.display else None
 
     @property
     def curve(self) -> str:
@@ -75,9 +75,9 @@ class Shown:
     @cached_property
     def usual_light(self) -> NDArray[np.float64]:
         """The light that always open pixels tell of, in the shape of the truth."""
-        usual = self.made.codes(self.made.usual)
-        dark = laid_like(dark_codes(self.made.usual_dark), usual)
-        light = (usual - dark) * self.made.sensor.electrons_per_lsb
+        usual = self.exposed_scene.codes(self.exposed_scene.usual)
+        dark = laid_like(dark_codes(self.exposed_scene.usual_dark), usual)
+        light = (usual - dark) * self.exposed_scene.sensor.electrons_per_lsb
         if self.still:
             return light
         return np.broadcast_to(light / len(self.truth), self.truth.shape)
@@ -86,16 +86,16 @@ class Shown:
     def fair_light(self) -> NDArray[np.float64] | None:
         """The light that an ordinary camera at its best tells of, in the shape of the truth; the
         frames of a burst are shown for as long as they were open. None if that is `usual_light`."""
-        if self.made.fair is None:
+        if self.exposed_scene.fair is None:
             return None
-        taken, dark = self.made.fair
-        shutters = taken.container.table.shutters[0]
+        capture, dark = self.exposed_scene.fair
+        shutters = capture.container.table.shutters[0]
         dark_codes = dark.simulated.frame.frame.mean(axis=0)
         frames = []
         for k, open_slots in enumerate(shutters.sum(axis=-1)):
-            codes = self.made.codes(taken, k)
+            codes = self.exposed_scene.codes(capture, k)
             light = (codes - laid_like(dark_codes[k], codes)) / open_slots
-            frames += [light * self.made.sensor.electrons_per_lsb] * int(open_slots)
+            frames += [light * self.exposed_scene.sensor.electrons_per_lsb] * int(open_slots)
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
     @property
@@ -116,7 +116,7 @@ class Shown:
     @property
     def looked_db(self) -> float | None:
         """Of the light that pixels tell that look; None of a clip."""
-        looked = self.made.looked
+        looked = self.exposed_scene.looked
         return None if looked is None else self.decibels(looked.light)
 
     @property
@@ -133,14 +133,20 @@ class Shown:
             return mu_psnr(truth, np.asarray(light, np.float64), peak)
         screen = fitted("srgb", truth, self.white_e)
         white = screen.white or 1.0
-        there, here = (screen.curve(np.clip(x / white, 0, 1)) for x in (truth, light))
-        pairs = [(there, here)] if self.still else zip(there, here, strict=True)
+        truth_on_screen, light_on_screen = (
+            screen.curve(np.clip(x / white, 0, 1)) for x in (truth, light)
+        )
+        pairs = (
+            [(truth_on_screen, light_on_screen)]
+            if self.still
+            else zip(truth_on_screen, light_on_screen, strict=True)
+        )
         return finite_mean(psnr(a, b, 1.0) for a, b in pairs)
 
 
 def demo_sheet(shown: Shown) -> Figure:
     """The sheet; its headline is the best picture on it, beside that of an ordinary camera."""
-    name = shown.made.scene.name
+    name = shown.exposed_scene.scene.name
     results = [(shown.psnr_db, shown.how)]
     if shown.looked_db is not None:
         results.append((shown.looked_db, "pixels that look"))
@@ -156,14 +162,14 @@ def demo_sheet(shown: Shown) -> Figure:
 
 def _readout(shown: Shown) -> Image:
     """The coded readout, of several the last."""
-    made, last = shown.made, shown.made.readouts - 1
-    codes = fitted("srgb", np.array([0.0]), float(made.container.target.top_code))
-    title = "readout" if last == 0 else f"the last of {readouts_text(made.readouts)}"
-    note = f"one exposure through the shutters, emulated in {_time(made.seconds)}"
-    return Image(_fit(codes(made.codes(made.taken, last))), title, note)
+    exposed_scene, last = shown.exposed_scene, shown.exposed_scene.readouts - 1
+    codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
+    title = "readout" if last == 0 else f"the last of {readouts_text(exposed_scene.readouts)}"
+    note = f"one exposure through the shutters, emulated in {_time(exposed_scene.seconds)}"
+    return Image(_fit(codes(exposed_scene.codes(exposed_scene.coded_capture, last))), title, note)
 
 
-def _told(shown: Shown) -> str:
+def _decoder_text(shown: Shown) -> str:
     return f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB, in {_time(shown.decode_s)}"
 
 
@@ -175,18 +181,18 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
     """Truth and an ordinary camera; pixels that look; the shutters of the run."""
     truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
     rows = [
-        [Image(_fit(light), "reconstruction", _told(shown)), _error(truth, light),
+        [Image(_fit(light), "reconstruction", _decoder_text(shown)), _error(truth, light),
          _shutters(shown), _readout(shown)]
     ]  # fmt: skip
-    if shown.made.looked is not None:
-        rows.insert(0, _of_looks(shown, shown.made.looked, truth))
+    if shown.exposed_scene.looked is not None:
+        rows.insert(0, _of_looks(shown, shown.exposed_scene.looked, truth))
     first = [Image(_fit(truth), "truth", _tone(shown))]
-    if shown.made.fair is not None and shown.fair_light is not None:
-        container = shown.made.fair[0].container
-        part = float(container.table.shutters[0, 0].mean())
+    if shown.exposed_scene.fair is not None and shown.fair_light is not None:
+        container = shown.exposed_scene.fair[0].container
+        open_ms = sum(container.slot_us) * float(container.table.shutters[0, 0].mean()) * 1e-3
         usual = shown.fitted(np.maximum(shown.fair_light, 0))
         note = (
-            f"automatic exposure, {sum(container.slot_us) * part * 1e-3:.3g} ms for all pixels: "
+            f"automatic exposure, {open_ms:.3g} ms for all pixels: "
             f"{shown.measure} {shown.fair_db:.1f} dB; always open {shown.open_db:.1f} dB"
         )
         first += [Image(_fit(usual), "an ordinary camera", note), _error(truth, usual)]
@@ -195,21 +201,21 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
 
 def _clip_rows(shown: Shown) -> list[list[Image]]:
     """An ordinary camera, readout and shutters; moments of truth, reconstruction and burst."""
-    made = shown.made
+    exposed_scene = shown.exposed_scene
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
-    codes = fitted("srgb", np.array([0.0]), float(made.container.target.top_code))
-    usual = Image(_fit(codes(made.codes(made.usual))), "always open",
+    codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
+    usual = Image(_fit(codes(exposed_scene.codes(exposed_scene.usual))), "always open",
                   f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB")  # fmt: skip
     rows = [
         [usual, _readout(shown), _shutters(shown)],
         _row(truth, [f"truth, frame {k + 1} of {len(shown.truth)}" for k in moments], _tone(shown)),
-        _row(light, ["reconstruction", *[""] * (_MOMENTS - 1)], _told(shown)),
+        _row(light, ["reconstruction", *[""] * (_MOMENTS - 1)], _decoder_text(shown)),
         [_error(a, b, k > 0) for k, (a, b) in enumerate(zip(truth, light, strict=True))],
     ]
     if shown.fair_light is not None:
         note = f"as many readouts, nothing coded: {shown.measure} {shown.fair_db:.1f} dB"
-        titles = [f"a burst of {made.readouts} ordinary frames", *[""] * (_MOMENTS - 1)]
+        titles = [f"a burst of {exposed_scene.readouts} ordinary frames", *[""] * (_MOMENTS - 1)]
         burst = np.maximum(shown.fair_light[moments], 0)
         rows.append(_row(shown.fitted(burst), titles, note))
     return rows
@@ -262,7 +268,10 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 def _shutters(shown: Shown) -> Image:
     """How long, or when, pixels of the corner are open: of a picture's shape, as the others are."""
-    container, size = shown.made.container, shown.made.codes(shown.made.taken).shape[:2]
+    container, size = (
+        shown.exposed_scene.container,
+        shown.exposed_scene.codes(shown.exposed_scene.coded_capture).shape[:2],
+    )
     assert container.pixel_codes is not None  # it has been exposed
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
@@ -271,14 +280,14 @@ def _shutters(shown: Shown) -> Image:
     open_us = corner @ slot_us
     shortest, longest = (f"{time_us * 1e-3:.3g}" for time_us in (open_us.min(), open_us.max()))
     length = longest if shortest == longest else f"{shortest} to {longest}"
-    where = f"of {rows} x {cols} pixels, open for {length} ms"
+    corner_text = f"of {rows} x {cols} pixels, open for {length} ms"
     if shown.still:
         image = _coloured(np.sqrt(open_us / open_us.max()))
-        return Image(_fit(image), "shutters", f"{where}: yellow is longest")
+        return Image(_fit(image), "shutters", f"{corner_text}: yellow is longest")
     middle_us = np.cumsum(slot_us) - slot_us / 2
-    when = corner @ (slot_us * middle_us) / np.maximum(open_us, 1e-9)
-    note = f"{where} of {slot_us.sum() * 1e-3:.3g}: dark is early, yellow late"
-    return Image(_fit(_coloured(when / slot_us.sum())), "shutters", note)
+    mean_open_us = corner @ (slot_us * middle_us) / np.maximum(open_us, 1e-9)
+    note = f"{corner_text} of {slot_us.sum() * 1e-3:.3g}: dark is early, yellow late"
+    return Image(_fit(_coloured(mean_open_us / slot_us.sum())), "shutters", note)
 
 
 def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:

@@ -73,12 +73,12 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
 def _of_arrays(scene: Scene, path: Path) -> Subject:
     shapes: list[tuple[int, ...]] = []
     if path.suffix.lower() == ".mat":
-        key, found = read_mat(path, shapes.append)
+        key, light = read_mat(path, shapes.append)
         if key == MAT_CLIP_KEY:
             return Subject(scene, False, scene.transfer or "linear")
     else:
-        found = read_light(path, shapes.append)
-    return Subject(scene, found.ndim == 2, "linear", in_electrons=True)
+        light = read_light(path, shapes.append)
+    return Subject(scene, light.ndim == 2, "linear", in_electrons=True)
 
 
 def _of_clip(
@@ -106,8 +106,8 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])
     windows = range(len(frames) - count + 1)
     moved = [float(steps[k : k + count - 1].sum()) for k in windows]
-    whole = [k for k in windows if not cuts[k : k + count - 1].any()]
-    return max(whole or windows, key=lambda k: (moved[k], -k))
+    uncut = [k for k in windows if not cuts[k : k + count - 1].any()]
+    return max(uncut or windows, key=lambda k: (moved[k], -k))
 
 
 def _reduced(frame: NDArray[Any]) -> NDArray[np.float32]:

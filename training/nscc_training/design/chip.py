@@ -35,7 +35,7 @@ _COPIES = 2
 
 
 @dataclass(frozen=True, eq=False)
-class Chip:
+class DesignChip:
     """A target with its sensor, and the effects that act on it."""
 
     target: Target
@@ -43,7 +43,7 @@ class Chip:
     effects: Selection
 
     @classmethod
-    def of(cls, target: Target, sensor: Sensor) -> Chip:
+    def of(cls, target: Target, sensor: Sensor) -> DesignChip:
         """With every effect that there is."""
         return cls(target, sensor, everything())
 
@@ -88,12 +88,12 @@ class Chip:
         places = np.linspace(-_REACH, _REACH, _POINTS)
         weights = np.exp(-(places**2) / 2)
         weights /= weights.sum()
-        found = np.zeros(exposed.shape)
+        mean_square_error = np.zeros(exposed.shape)
         for place, weight in zip(places, weights, strict=True):
-            seen = np.clip(exposed + sd * place, 0.0, self.full_e) / share
-            told = on_curve(seen, peak_e[:, None], curve, self.code_e)
-            found += weight * (told - truth) ** 2
-        return found
+            measured_e = np.clip(exposed + sd * place, 0.0, self.full_e) / share
+            measured_on_curve = on_curve(measured_e, peak_e[:, None], curve, self.code_e)
+            mean_square_error += weight * (measured_on_curve - truth) ** 2
+        return mean_square_error
 
     @cached_property
     def offset_e(self) -> float:
@@ -103,7 +103,7 @@ class Chip:
     def compared_sd_e(self, electrons: Values) -> Values:
         """The standard deviation of what is compared in one look: comparator, copies, counts."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
-        copies = sum(_COPIES * part.sigma_e(self.sensor) ** 2 for part in self._small())
+        copies = sum(_COPIES * errors.sigma_e(self.sensor) ** 2 for errors in self._small())
         return np.sqrt(noise_e**2 + copies + electrons)
 
     def _small(self) -> list[Errors]:
@@ -132,8 +132,8 @@ def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Va
     or its natural logarithm, what is below `dark_e` as that."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
-    part = np.clip(light_e / peak_e, 0.0, 1.0)
-    return mu_law(part, MU) if curve == "mu" else part
+    relative_light = np.clip(light_e / peak_e, 0.0, 1.0)
+    return mu_law(relative_light, MU) if curve == "mu" else relative_light
 
 
 def hermite(points: int) -> tuple[Values, Values]:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
-from nscc_training.design.chip import CURVES, Chip, Curve, hermite
+from nscc_training.design.chip import CURVES, Curve, DesignChip, hermite
 from nscc_training.design.scene import Histogram
 
 Values = NDArray[np.float64]
@@ -31,7 +31,7 @@ _MOST_KEPT = 128
 
 
 @dataclass(frozen=True)
-class Schedule:
+class LookSchedule:
     """Looks at boundaries `at`, from early to late, each with its level in steps of IN."""
 
     at: tuple[int, ...]
@@ -47,10 +47,10 @@ class Expected:
     closing: tuple[float, ...]
 
 
-class Model:
+class LookModel:
     """The expected error of schedules on a chip, in a frame of slots with these lengths."""
 
-    def __init__(self, chip: Chip, scene: Histogram, slot_us: Sequence[float]) -> None:
+    def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
         self.chip, self.scene, self._slot_us = chip, scene, slot_us
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
@@ -58,17 +58,17 @@ class Model:
         places, weights = hermite(_OFFSETS)
         self._offset_e = places * chip.offset_e
         self._start = scene.weight[:, None] * weights
-        self._told: dict[Curve, Values] = {}
+        self._exposure_errors: dict[Curve, Values] = {}
         self._closed: dict[int, NDArray[np.float32]] = {}
 
-    def told(self, curve: Curve) -> Values:
+    def exposure_errors(self, curve: Curve) -> Values:
         """The error (groups, slots + 1) of exposures up to each boundary; of none, infinite."""
-        if curve not in self._told:
+        if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
-            found = np.full((len(light), self.slots + 1), np.inf)
-            found[:, 1:] = self.chip.errors(light, peak, self.share[1:], curve)
-            self._told[curve] = found
-        return self._told[curve]
+            errors = np.full((len(light), self.slots + 1), np.inf)
+            errors[:, 1:] = self.chip.errors(light, peak, self.share[1:], curve)
+            self._exposure_errors[curve] = errors
+        return self._exposure_errors[curve]
 
     def closed(self, at: int) -> NDArray[np.float32]:
         """The part of pixels (levels, groups, offsets) that a look there finds above each level."""
@@ -78,24 +78,26 @@ class Model:
             exposed = np.minimum(self.scene.light_e * self.share[at], self.chip.sensor.full_well_e)
             level = self.chip.levels * self.chip.target.electrons_per_step
             above = exposed[:, None] + self._offset_e - level[:, None, None]
-            part = ndtr(above / self.chip.compared_sd_e(exposed)[:, None])
-            self._closed[at] = part.astype(np.float32)
+            closing_share = ndtr(above / self.chip.compared_sd_e(exposed)[:, None])
+            self._closed[at] = closing_share.astype(np.float32)
         return self._closed[at]
 
-    def expected(self, schedule: Schedule) -> Expected:
+    def expected(self, schedule: LookSchedule) -> Expected:
         """What a schedule does."""
         open_, closing = self._start, []
         errors = dict.fromkeys(CURVES, 0.0)
         ways = [*zip(schedule.at, self._rows(schedule), strict=True), (self.slots, None)]
         for at, row in ways:
-            part = open_ if row is None else open_ * self.closed(at)[row]
-            closing.append(float(part.sum()))
+            closing_pixels = open_ if row is None else open_ * self.closed(at)[row]
+            closing.append(float(closing_pixels.sum()))
             for curve in CURVES:
-                errors[curve] += float(part.sum(axis=1) @ self.told(curve)[:, at])
-            open_ = open_ - part
+                errors[curve] += float(
+                    closing_pixels.sum(axis=1) @ self.exposure_errors(curve)[:, at]
+                )
+            open_ = open_ - closing_pixels
         return Expected(errors, tuple(closing))
 
-    def best(self, looks: int, curve: Curve) -> Schedule:
+    def best(self, looks: int, curve: Curve) -> LookSchedule:
         """The schedule of so many looks with the least error on a curve that was found.
 
         From several geometric starts, one look after the other is moved and given the level that
@@ -105,19 +107,19 @@ class Model:
         """
         worth, schedule = min(
             (self._descended(start, curve) for start in self._starts(looks)),
-            key=lambda each: each[0],
+            key=lambda outcome: outcome[0],
         )
         scenes = int(self.scene.scene.max()) + 1
         if scenes == 1 or curve == "log":
             return schedule
         for _ in range(_WEIGHINGS):
             by = 1 / np.maximum(self._by_scene(schedule, curve), 1e-12 * worth)
-            weighed = Model(self.chip, self.scene.weighed(by), self._slot_us)
-            weighed._told, weighed._closed = self._told, self._closed
+            weighed = LookModel(self.chip, self.scene.weighed(by), self._slot_us)
+            weighed._exposure_errors, weighed._closed = self._exposure_errors, self._closed
             _, schedule = weighed._descended(schedule, curve)
         return schedule
 
-    def _descended(self, schedule: Schedule, curve: Curve) -> tuple[float, Schedule]:
+    def _descended(self, schedule: LookSchedule, curve: Curve) -> tuple[float, LookSchedule]:
         """The error and the schedule where rounds end."""
         worth = np.inf
         for _ in range(_ROUNDS):
@@ -127,33 +129,33 @@ class Model:
             worth = now
         return worth, schedule
 
-    def _by_scene(self, schedule: Schedule, curve: Curve) -> Values:
+    def _by_scene(self, schedule: LookSchedule, curve: Curve) -> Values:
         """The mean square error of every scene (scenes,)."""
         rows = self._rows(schedule)
         after = self._after(list(schedule.at), rows, -1, curve)
-        part = (self._start * after).sum(axis=1)
-        return np.bincount(self.scene.scene, part) / np.bincount(
+        group_errors = (self._start * after).sum(axis=1)
+        return np.bincount(self.scene.scene, group_errors) / np.bincount(
             self.scene.scene, self.scene.weight
         )
 
-    def _rows(self, schedule: Schedule) -> list[int]:
+    def _rows(self, schedule: LookSchedule) -> list[int]:
         """The places of a schedule's levels among those of the chip."""
         return [int(np.abs(self.chip.levels - steps).argmin()) for steps in schedule.steps]
 
-    def _starts(self, looks: int) -> list[Schedule]:
+    def _starts(self, looks: int) -> list[LookSchedule]:
         """Geometric moments from several first ones, looking at half of what the next may hold."""
-        found: dict[tuple[int, ...], Schedule] = {}
+        starts: dict[tuple[int, ...], LookSchedule] = {}
         first = 1
         while first == 1 or first * 4 <= self.slots:
             ratio = (self.slots / first) ** (1 / looks)
             at = _spread(first * ratio ** np.arange(looks), self.slots)
             full = self.chip.full_e / self.chip.target.electrons_per_step
             level = int(np.clip(round(0.9 * full / max(ratio, 2.0)), 1, self.chip.levels[-1]))
-            found.setdefault(at, Schedule(at, (level,) * looks))
+            starts.setdefault(at, LookSchedule(at, (level,) * looks))
             first *= 4
-        return list(found.values())
+        return list(starts.values())
 
-    def _round(self, schedule: Schedule, curve: Curve) -> tuple[Schedule, float]:
+    def _round(self, schedule: LookSchedule, curve: Curve) -> tuple[LookSchedule, float]:
         """Each look in turn, the last one first, and the error then."""
         at, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
@@ -162,35 +164,35 @@ class Model:
             for before in range(k):
                 open_ = open_ * (1 - self.closed(at[before])[rows[before]])
             after = self._after(at, rows, k, curve)
-            rest = float((open_ * after).sum())
+            open_error = float((open_ * after).sum())
             earlier = self._so_far(at, rows, k, curve)
             best = (np.inf, at[k], rows[k])
             for moment in self._moments(at, k):
-                gained = open_ * (self.told(curve)[:, moment, None] - after)
+                gained = open_ * (self.exposure_errors(curve)[:, moment, None] - after)
                 costs = self.closed(moment).reshape(len(self.chip.levels), -1) @ gained.reshape(-1)
                 row = int(costs.argmin())
-                best = min(best, (rest + float(costs[row]), moment, row))
+                best = min(best, (open_error + float(costs[row]), moment, row))
             worth, at[k], rows[k] = best[0] + earlier, best[1], best[2]
         steps = tuple(int(self.chip.levels[row]) for row in rows)
-        return Schedule(tuple(at), steps), worth
+        return LookSchedule(tuple(at), steps), worth
 
     def _so_far(self, at: list[int], rows: list[int], k: int, curve: Curve) -> float:
         """The error of the pixels that close before look k."""
-        open_, found = self._start, 0.0
+        open_, error = self._start, 0.0
         for number in range(k):
-            part = open_ * self.closed(at[number])[rows[number]]
-            found += float(part.sum(axis=1) @ self.told(curve)[:, at[number]])
-            open_ = open_ - part
-        return found
+            closing_pixels = open_ * self.closed(at[number])[rows[number]]
+            error += float(closing_pixels.sum(axis=1) @ self.exposure_errors(curve)[:, at[number]])
+            open_ = open_ - closing_pixels
+        return error
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
         """The error (groups, offsets) of a pixel that is open after look k."""
-        told = self.told(curve)
-        found = np.repeat(told[:, -1:], _OFFSETS, axis=1)
+        exposure_errors = self.exposure_errors(curve)
+        error = np.repeat(exposure_errors[:, -1:], _OFFSETS, axis=1)
         for number in range(len(at) - 1, k, -1):
             closed = self.closed(at[number])[rows[number]]
-            found = closed * told[:, at[number], None] + (1 - closed) * found
-        return found
+            error = closed * exposure_errors[:, at[number], None] + (1 - closed) * error
+        return error
 
     def _moments(self, at: list[int], k: int) -> list[int]:
         """Moments to try for look k between its neighbours, its own among them."""
@@ -198,13 +200,13 @@ class Model:
         high = at[k + 1] - 1 if k + 1 < len(at) else self.slots - 1
         if high - low < _MOST_TRIED:
             return list(range(low, high + 1))
-        tried = np.geomspace(low, high, _MOST_TRIED - 3).round().astype(int).tolist()
-        return sorted({*tried, *(m for m in range(at[k] - 1, at[k] + 2) if low <= m <= high)})
+        moments = np.geomspace(low, high, _MOST_TRIED - 3).round().astype(int).tolist()
+        return sorted({*moments, *(m for m in range(at[k] - 1, at[k] + 2) if low <= m <= high)})
 
 
 def _spread(moments: Values, slots: int) -> tuple[int, ...]:
     """Whole moments in 1 .. slots - 1, no two the same."""
-    count, found = len(moments), [0]
+    count, spread_moments = len(moments), [0]
     for k, moment in enumerate(moments.round().astype(int).tolist()):
-        found.append(min(max(moment, found[-1] + 1), slots - count + k))
-    return tuple(found[1:])
+        spread_moments.append(min(max(moment, spread_moments[-1] + 1), slots - count + k))
+    return tuple(spread_moments[1:])

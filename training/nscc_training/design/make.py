@@ -17,8 +17,8 @@ from nscc.pipeline import Compiled, Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_training.design.chip import CURVES, Chip, Curve
-from nscc_training.design.looking import Expected, Model, Schedule
+from nscc_training.design.chip import CURVES, Curve, DesignChip
+from nscc_training.design.looking import Expected, LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.stop_patterns import Pattern, Progress, cheapest, judged
 from nscc_training.design.text import level_text, looking_text, tile_text
@@ -42,10 +42,10 @@ class Frame:
     sensor: Sensor | None = None
     level: int = 2
 
-    def chip(self) -> Chip:
+    def chip(self) -> DesignChip:
         """The target with its sensor; Rejected for a target that is none."""
         target = load_target(self.target, Path())
-        return Chip.of(target, self.sensor or default_sensor(target))
+        return DesignChip.of(target, self.sensor or default_sensor(target))
 
     def compiled(self, name: str, text: str) -> Compiled:
         """The program, compiled and proved."""
@@ -77,7 +77,7 @@ class Design:
 class LookingDesign(Design):
     """One whose pixels look."""
 
-    schedule: Schedule
+    schedule: LookSchedule
     expected: Expected
 
 
@@ -108,7 +108,7 @@ def design_looks(
     frame = frame or Frame()
     chip = frame.chip()
     slot_us = [frame.slot_us] * frame.slots
-    model = Model(chip, histogram(scenes), slot_us)
+    model = LookModel(chip, histogram(scenes), slot_us)
     schedule = model.best(exposures - 1, curve)
     expected = model.expected(schedule)
     levels = [level_text(steps, chip.target) for steps in schedule.steps]
@@ -117,7 +117,7 @@ def design_looks(
         f"there. Looks and\nlevels are those of the least error expected ({_CALLED[curve]})."
     )
     text = looking_text(schedule, frame.slots, frame.slot_us, chip.target, frame.named, remark)
-    shares = ", ".join(f"{100 * part:.0f}%" for part in expected.closing)
+    shares = ", ".join(f"{100 * share:.0f}%" for share in expected.closing)
     lines = (
         ("looks", f"after slots {', '.join(map(str, schedule.at))} of {frame.slots}"),
         ("above", ", ".join(levels)),
@@ -133,16 +133,16 @@ def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu")
     curve. `scenes` and what is raised as for `design_looks`."""
     frame = frame or Frame()
     chip = frame.chip()
-    tile, tried = best_tile(chip, scenes, frame.slots, curve)
+    tile, tile_count = best_tile(chip, scenes, frame.slots, curve)
     remark = (
-        f"The 2 x 2 tile of stops with the least risk ({_CALLED[curve]}) of {tried}: what the best "
-        "pixel of a\ntile leaves open."
+        f"The 2 x 2 tile of stops with the least risk ({_CALLED[curve]}) of {tile_count}: what "
+        "the best pixel of a\ntile leaves open."
     )
     a, b, c, d = tile.stops
     text = tile_text([[a, b], [c, d]], frame.slots, frame.slot_us, frame.named, remark)
     lines = (
         ("stops", f"{', '.join(map(str, tile.stops))} of {frame.slots} slots"),
-        ("tried", f"{tried} tiles of half stops"),
+        ("tried", f"{tile_count} tiles of half stops"),
         ("risk", expected_text({curve: tile.risk}) + ", by an ideal decoder"),
     )
     return TileDesign(text, frame.compiled("sve-risk.nsl", text), lines, tile)
@@ -205,12 +205,12 @@ _CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarit
 
 def expected_text(errors: dict[Curve, float]) -> str:
     """Mean square errors as people read them."""
-    parts = []
+    texts = []
     for curve in CURVES:
         if curve not in errors:
             continue
         if curve == "log":
-            parts.append(f"{100 * math.sqrt(errors[curve]):.2g} % rms of the light")
+            texts.append(f"{100 * math.sqrt(errors[curve]):.2g} % rms of the light")
         else:
-            parts.append(f"{psnr_of_mse(errors[curve], 1.0):.1f} dB PSNR {_CALLED[curve]}")
-    return ", ".join(parts)
+            texts.append(f"{psnr_of_mse(errors[curve], 1.0):.1f} dB PSNR {_CALLED[curve]}")
+    return ", ".join(texts)

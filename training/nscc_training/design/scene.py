@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.design.chip import PERCENTILE, Chip, Curve
+from nscc_training.design.chip import PERCENTILE, Curve, DesignChip
 
 Values = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ class Histogram:
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
     """Of scenes (rows, cols), electrons over the frame. Rejected (NS0824) for one without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
-    parts = []
+    histograms = []
     for number, scene in enumerate(scenes):
         light = np.asarray(scene, np.float64).reshape(-1)
         peak = peak_of(light, number)
@@ -51,15 +51,15 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
         place = np.minimum(
             ((logs - low) / max(high - low, 1e-12) * count).astype(np.intp), count - 1
         )
-        held = np.bincount(place, minlength=count)
-        there = held > 0
-        mean = np.bincount(place, light, count)[there] / held[there]
-        part = held[there] / (len(light) * len(scenes))
-        parts.append((mean, np.full(len(mean), peak), part, np.full(len(mean), number)))
-    return Histogram(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+        pixel_counts = np.bincount(place, minlength=count)
+        is_filled = pixel_counts > 0
+        mean = np.bincount(place, light, count)[is_filled] / pixel_counts[is_filled]
+        weight = pixel_counts[is_filled] / (len(light) * len(scenes))
+        histograms.append((mean, np.full(len(mean), peak), weight, np.full(len(mean), number)))
+    return Histogram(*(np.concatenate(arrays) for arrays in zip(*histograms, strict=True)))
 
 
-def best_stop(chip: Chip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
+def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
     """Return the slots that an ordinary camera opens all its pixels for: of half stops, from one
     slot to all, the one of least expected error on `curve` over the light's histogram.
 
@@ -79,13 +79,13 @@ def stops_tried(slots: int) -> list[int]:
 
 def peak_of(light: Values, number: int = 0) -> float:
     """The light that counts as white. Rejected (NS0824) for a scene that has none."""
-    found = float(np.percentile(light, PERCENTILE))
-    if found <= 0:
-        found = float(light.max())
-    if found <= 0:
+    peak = float(np.percentile(light, PERCENTILE))
+    if peak <= 0:
+        peak = float(light.max())
+    if peak <= 0:
         raise rejected(
             "NS0824",
             f"scene {number + 1} has no light, so no shutters can be designed for it",
             helps=("use a scene with light; --exposure sets how much light a frame receives",),
         )
-    return found
+    return peak

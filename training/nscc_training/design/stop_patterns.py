@@ -20,7 +20,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.hdr import merged
-from nscc_training.design.chip import Chip
+from nscc_training.design.chip import DesignChip
 from nscc_training.design.scene import peak_of, stops_tried
 from nscc_training.metrics import mu_psnr, psnr
 
@@ -69,18 +69,18 @@ def shapes() -> dict[str, Levels]:
 def patterns(slots: int) -> list[Pattern]:
     """Return all that are tried: each shape with each ratio of its levels and longest stop."""
     stops = np.array(stops_tried(slots))
-    tried = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
+    candidates = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
         deepest = int(levels.max())
         for step in _HALF_STOPS:
             for longest in range(len(stops) - 1, -1, -1):
                 if deepest and longest >= step * deepest:
-                    tried.append(Pattern(name, stops[longest - step * levels]))
-    return tried
+                    candidates.append(Pattern(name, stops[longest - step * levels]))
+    return candidates
 
 
 def judged(
-    chip: Chip, scenes: Sequence[Values], slots: int, slot_us: float,
+    chip: DesignChip, scenes: Sequence[Values], slots: int, slot_us: float,
     compiled: Callable[[int], Container], progress: Progress,
 ) -> list[Pattern]:  # fmt: skip
     """Return all patterns with what they reach by merging under every effect, the best first.
@@ -88,18 +88,20 @@ def judged(
     `scenes` are electrons over the frame (rows, cols); `compiled` makes the program in which all
     pixels have one stop.
     """
-    tried = patterns(slots)
-    sums = np.zeros((len(tried), 2))
+    candidates = patterns(slots)
+    sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):
         light_e = np.asarray(scenes[number], np.float64)
         peak = peak_of(light_e.reshape(-1), number)
         frames = _frames(chip, light_e, slots, slot_us, compiled, number)
         truth = np.clip(light_e / peak, 0, 1)
-        for k, pattern in enumerate(tried):
+        for k, pattern in enumerate(candidates):
             light = np.clip(_merged(chip, frames, pattern, slots) / peak, 0, 1)
             sums[k] += psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)
     means = sums / len(scenes)
-    results = [Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(tried, means, strict=True)]
+    results = [
+        Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(candidates, means, strict=True)
+    ]
     return sorted(results, key=lambda pattern: -pattern.mean_db)
 
 
@@ -109,8 +111,8 @@ def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Patt
 
 
 def _frames(
-    chip: Chip, light_e: Values, slots: int, slot_us: float, compiled: Callable[[int], Container],
-    number: int,
+    chip: DesignChip, light_e: Values, slots: int, slot_us: float,
+    compiled: Callable[[int], Container], number: int,
 ) -> dict[int, tuple[Values, NDArray[np.bool_]]]:  # fmt: skip
     """Return exposures in electrons, and what is saturated of them, by stop."""
     seconds = np.full(slots, slot_us * 1e-6)
@@ -130,7 +132,10 @@ def _frames(
 
 
 def _merged(
-    chip: Chip, frames: dict[int, tuple[Values, NDArray[np.bool_]]], pattern: Pattern, slots: int
+    chip: DesignChip,
+    frames: dict[int, tuple[Values, NDArray[np.bool_]]],
+    pattern: Pattern,
+    slots: int,
 ) -> Values:
     """Return the light over the frame that merging makes of a pattern."""
     rows, cols = next(iter(frames.values()))[0].shape

@@ -9,14 +9,19 @@ from nscc.chips.target import Target
 from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.syntax.format import format_source
-from nscc_training.design.looking import Schedule
+from nscc_training.design.looking import LookSchedule
 
 SLOT_DECIMALS = 6
 """Of a slot's microseconds in a program's text: far below a chip's clock, and readable."""
 
 
 def looking_text(
-    schedule: Schedule, slots: int, slot_us: float, target: Target, chip: str | None, remark: str
+    schedule: LookSchedule,
+    slots: int,
+    slot_us: float,
+    target: Target,
+    chip: str | None,
+    remark: str,
 ) -> str:
     """The program whose pixels close at the first look that finds them above its level; `chip` is
     the target's name, None where the compiler's options say it."""
@@ -53,8 +58,8 @@ def level_text(steps: int, target: Target) -> str:
     """A level of so many steps of IN in percent of a full well, with the fewest decimals that the
     compiler rounds to it."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
-    found = (f"{percent:.{digits}f}" for digits in count())
-    return next(f"{text}%" for text in found if level_steps(float(text), "%", target) == steps)
+    candidates = (f"{percent:.{digits}f}" for digits in count())
+    return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)
 
 
 def _formatted(lines: Sequence[str]) -> str:

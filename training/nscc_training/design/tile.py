@@ -16,7 +16,7 @@ from itertools import combinations_with_replacement
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_training.design.chip import Chip, Curve, on_curve
+from nscc_training.design.chip import Curve, DesignChip, on_curve
 from nscc_training.design.scene import peak_of, stops_tried
 
 Values = NDArray[np.float64]
@@ -35,7 +35,7 @@ class Tile:
 
 
 def best_tile(
-    chip: Chip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
+    chip: DesignChip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
 ) -> tuple[Tile, int]:
     """The tile of least mean risk over the scenes, electrons over the frame (rows, cols); and how
     many were tried. Rejected (NS0824) for a scene without light."""
@@ -43,11 +43,13 @@ def best_tile(
     tiles = list(combinations_with_replacement(range(len(stops)), _PLACES))
     risks = np.zeros(len(tiles))
     for number, scene in enumerate(scenes):
-        told, apart = _tables(chip, np.asarray(scene, np.float64), number, stops, slots, curve)
+        stop_errors, apart = _tables(
+            chip, np.asarray(scene, np.float64), number, stops, slots, curve
+        )
         for k, tile in enumerate(tiles):
             # The pixel p of each tile, told by the pixel q: what q's stop tells of q's own light,
             # and how far that is from the light at p.
-            by = np.stack([told[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
+            by = np.stack([stop_errors[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
             risks[k] += (by[:, None, :] + apart).min(axis=2).mean() / len(scenes)
     best = int(risks.argmin())
     a, b, c, d = (stops[k] for k in _laid(tiles[best]))
@@ -60,7 +62,7 @@ def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def _tables(
-    chip: Chip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
+    chip: DesignChip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """By tile of the scene: the error of each place's own light by stop (tiles, places, stops), and
     the square distance between the light of two places (tiles, places, places)."""
@@ -72,8 +74,8 @@ def _tables(
     tiles = squares.reshape(-1, _PLACES)
     tiles = tiles[:: -(-len(tiles) // _MOST_TILES)]
     light, peaks = tiles.reshape(-1), np.full(tiles.size, peak)
-    told = chip.errors(light, peaks, np.array(stops) / slots, curve)
+    stop_errors = chip.errors(light, peaks, np.array(stops) / slots, curve)
     on = on_curve(tiles, np.array(peak), curve, chip.code_e)
     apart = (on[:, :, None] - on[:, None, :]) ** 2
     shape = (*tiles.shape, len(stops))
-    return told.reshape(shape).astype(np.float32), apart.astype(np.float32)
+    return stop_errors.reshape(shape).astype(np.float32), apart.astype(np.float32)

@@ -27,8 +27,8 @@ from nscc_runtime.effects import Selection, selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.sensor import Sensor, load_sensor
-from nscc_training.design.chip import Chip
-from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.chip import DesignChip
+from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.evaluation.results import (
@@ -59,10 +59,10 @@ LOOKING = (*ROWS, *DESIGNED)
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 
 
-def row_of(name: str, target: Target) -> Schedule:
+def row_of(name: str, target: Target) -> LookSchedule:
     """Return the boundaries and steps of IN at which the pixels of a row look, on a chip."""
     at, percent = ROWS[name]
-    return Schedule(at, (level_steps(percent, "%", target),) * len(at))
+    return LookSchedule(at, (level_steps(percent, "%", target),) * len(at))
 
 
 def evaluate_looks(
@@ -129,19 +129,19 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words
-    chip, known = Chip.of(target, sensor), dict[tuple[Any, ...], Container]()
+    chip, known = DesignChip.of(target, sensor), dict[tuple[Any, ...], Container]()
 
     def words_for(crop: ProtocolScene) -> Container:
         place = (crop.file.name, crop.crop, float(crop.light_e.sum()))
         if place not in known:
-            model = Model(chip, histogram([crop.light_e]), [1.0] * SLOTS)
+            model = LookModel(chip, histogram([crop.light_e]), [1.0] * SLOTS)
             known[place] = _compiled(model.best(DESIGNED[name] - 1, "mu"), target)
         return known[place]
 
     return words_for
 
 
-def _compiled(schedule: Schedule, target: Target) -> Container:
+def _compiled(schedule: LookSchedule, target: Target) -> Container:
     text = looking_text(schedule, SLOTS, 125.0, target, None, "")
     container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
     assert container is not None

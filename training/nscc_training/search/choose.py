@@ -17,11 +17,10 @@ from nscc.pipeline import Compiled
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc_training.codes_files import load_codes
-from nscc_training.design.chip import Chip
+from nscc_training.design.chip import DesignChip
 from nscc_training.design.make import Design, Frame
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
-from nscc_training.programs import Chip as Place
-from nscc_training.programs import program_of, words_per_slot
+from nscc_training.programs import Chip, program_of, words_per_slot
 from nscc_training.run_files import searched_codes
 from nscc_training.search.expected import Motion, told_db
 from nscc_training.search.scene_motion import speeds_of, texture_of
@@ -106,7 +105,7 @@ def design_motion(
     )  # fmt: skip
 
 
-def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: Chip) -> Motion:
+def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
     """Return the motion of the light, with the chip's noise."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
@@ -138,7 +137,7 @@ def _encoders(slots: int) -> dict[str, Encoder]:
 
 
 def _compiled(encoder: Encoder, frame: Frame, remark: str) -> tuple[str, Compiled]:
-    chip = Place(frame.target, frame.slot_us)
+    chip = Chip(frame.target, frame.slot_us)
     text = format_source(Source("design.nsl", program_of(encoder, chip, remark).text))
     return text, frame.compiled("motion.nsl", text)
 

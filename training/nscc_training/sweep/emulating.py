@@ -134,11 +134,11 @@ def _mean(exposure_e: Any, valid: Any) -> float | None:
 
 
 def _bench(values: Values) -> Figures:
-    from nscc_training.tradeoff.sensor import Settings, measure
+    from nscc_training.tradeoff.sensor import SensorStudySettings, measure
 
     clips = values["bench"] == "clips"
     slots = values["slots"]
-    settings = Settings(
+    settings = SensorStudySettings(
         classes=(values["class"],) if clips else (), slots=(slots,) if clips else (),
         stop_slots=() if clips else (slots,), looks=(), codes=(values["codes"],),
         lowerings=(values["lowering"],), target=values["target"], level=values["level"],

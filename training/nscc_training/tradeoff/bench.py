@@ -50,7 +50,7 @@ _NAMED = 3
 
 
 @dataclass(frozen=True)
-class Asked:
+class JointRequest:
     """A program on a scene and the error to stay within, as a command line has them.
 
     `target_error` is text as `--tolerance` takes it; `stages` are measured; `levels` of -O are
@@ -77,35 +77,35 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """What all stages share. `said` is told what reading the scene has to say."""
+    """What all stages share. `warn` is called with messages about the program and the scene."""
 
-    asked: Asked
+    request: JointRequest
     rows: Rows
-    said: Callable[[Diagnostic], None]
+    warn: Callable[[Diagnostic], None]
     watch: Stopwatch = field(default_factory=Stopwatch)
 
     @cached_property
     def source(self) -> Source | None:
         """The program's text; None of one that is compiled already."""
-        return None if is_compiled(self.asked.program) else read_source(self.asked.program)
+        return None if is_compiled(self.request.program) else read_source(self.request.program)
 
     @cached_property
     def container(self) -> Container:
         """Its words, with codes for its pixels."""
-        container, messages = load_container(self.asked.program, self.asked.options)
-        for each in messages:
-            self.said(each)
-        return with_pixels(container, self.asked.program, self.asked.pixels)
+        container, messages = load_container(self.request.program, self.request.options)
+        for message in messages:
+            self.warn(message)
+        return with_pixels(container, self.request.program, self.request.pixels)
 
     @cached_property
     def sensor(self) -> Any:
         """The sensor that all frames have."""
-        return load_sensor(self.container.target, self.asked.sensor, self.asked.changes)
+        return load_sensor(self.container.target, self.request.sensor, self.request.changes)
 
     @cached_property
     def light(self) -> Light:
         """The scene in the program's own slots."""
-        return self.asked.scene.light(self.container.slot_us, self.container.target, self.said)
+        return self.request.scene.light(self.container.slot_us, self.container.target, self.warn)
 
     @cached_property
     def ideal_e(self) -> Values:
@@ -116,12 +116,12 @@ class Bench:
     @cached_property
     def signal_e(self) -> float:
         """The mean of that, each at most the full well. Rejected (NS0826) for a dark scene."""
-        found = mean_signal_e(self.ideal_e, self.sensor)
-        if found > 0:
-            return found
+        signal_e = mean_signal_e(self.ideal_e, self.sensor)
+        if signal_e > 0:
+            return signal_e
         raise rejected(
             "NS0826",
-            f"'{self.asked.scene.name}' gives no signal: the mean signal of the frame is 0",
+            f"'{self.request.scene.name}' gives no signal: the mean signal of the frame is 0",
             notes=("errors are relative to the mean signal, which is 0 electrons",),
             helps=("use a scene with light, such as --scene builtin:hdr, that the open pixels "
                    "receive",),
@@ -130,7 +130,7 @@ class Bench:
     @cached_property
     def target(self) -> Tolerance:
         """The error to stay within. Rejected (NS0827) for what is none."""
-        return target_of(self.asked.target_error, self.sensor, _Follows(self))
+        return target_of(self.request.target_error, self.sensor, _Follows(self))
 
     @cached_property
     def shot_percent(self) -> float:
@@ -150,32 +150,32 @@ class Bench:
     def largest(self) -> tuple[tuple[str, float], ...]:
         """The effects that move the program's own frame most, and by how much, in percent of the
         signal, as its plan predicts; none where there is no plan."""
-        plan = self.taken.plan
+        plan = self.capture.plan
         known = [(d.name, d.predicted_rms_e or 0.0) for d in plan.decisions] if plan else []
-        known.sort(key=lambda each: -each[1])
+        known.sort(key=lambda named_error: -named_error[1])
         return tuple((name, 100 * rms_e / self.signal_e) for name, rms_e in known[:_NAMED] if rms_e)
 
-    def error_percent(self, container: Container, own: Container | None = None) -> float:
+    def error_percent(self, container: Container, original: Container | None = None) -> float:
         """How far a frame with every effect is from the light that fell, root mean square of the
         worst bucket in percent of the mean signal.
 
-        `container` has codes for its pixels. `own`: the program that it stands for, in slots that
-        last as long altogether. Gain and offset that words are known to have are taken off; pixels
-        that are marked as saturated say nothing and do not count.
+        `container` has codes for its pixels. `original`: the program that it replaces, whose slots
+        have the same total length. Gain and offset that words are known to have are taken off;
+        pixels that are marked as saturated say nothing and do not count.
         """
         digest = sha256(to_bytes(container)).hexdigest()[:16]
-        return float(self.once(f"frame {digest}", lambda: self._error(container, own)))
+        return float(self.once(f"frame {digest}", lambda: self._error(container, original)))
 
-    def _error(self, container: Container, own: Container | None) -> float:
+    def _error(self, container: Container, original: Container | None) -> float:
         light = self._light_in(container)
         ideal_e = self._ideal_e(container, light)
-        if own is not None:
-            ideal_e = self._ideal_e(own, self._light_in(own))
+        if original is not None:
+            ideal_e = self._ideal_e(original, self._light_in(original))
         frame = self._captured(container, light).frame
         if container.machine is not None:
-            told, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
-            counted = (np.isfinite(sure) & np.isfinite(told)).any(axis=0)[None]
-            seen_e = merged_image(told, sure)[None] * (sum(container.slot_us) * 1e-6)
+            light_e_per_s, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
+            counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).any(axis=0)[None]
+            seen_e = merged_image(light_e_per_s, sure)[None] * (sum(container.slot_us) * 1e-6)
         else:
             counted = frame.valid & ~frame.saturated
             seen_e = response_of(container, self.sensor).electrons(frame.frame)
@@ -186,13 +186,13 @@ class Bench:
         falls in a shorter frame."""
         if container.slot_us == self.container.slot_us:
             return self.light
-        found = self.asked.scene.light(container.slot_us, container.target)
-        part = sum(container.slot_us) / sum(self.container.slot_us)
-        whole_e, its_e = (float(light.sum_e.sum()) for light in (self.light, found))
-        return found.scaled(part * whole_e / its_e) if its_e > 0 else found
+        scene_light = self.request.scene.light(container.slot_us, container.target)
+        time_share = sum(container.slot_us) / sum(self.container.slot_us)
+        whole_e, its_e = (float(light.sum_e.sum()) for light in (self.light, scene_light))
+        return scene_light.scaled(time_share * whole_e / its_e) if its_e > 0 else scene_light
 
     @cached_property
-    def taken(self) -> Simulated:
+    def capture(self) -> Simulated:
         """The program's own frame with every effect."""
         return self._captured(self.container, self.light)
 
@@ -202,8 +202,8 @@ class Bench:
         if not container.target.streamed:  # it has no plans, and is exact
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
-            effects="all", tolerance=tolerance, seed=self.asked.seed,
-            device_seed=self.asked.device_seed,
+            effects="all", tolerance=tolerance, seed=self.request.seed,
+            device_seed=self.request.device_seed,
         )  # fmt: skip
         return simulate(container, light, self.sensor, request)
 
@@ -230,7 +230,7 @@ class _Follows:
         """The frame's own noise."""
         bench = self.bench
         return planning_of(
-            bench.container, bench.sensor, bench.light, bench.asked.device_seed
+            bench.container, bench.sensor, bench.light, bench.request.device_seed
         ).noise_e()
 
 
@@ -239,17 +239,17 @@ def rms_percent(
 ) -> float:
     """The root mean square difference (buckets, rows, cols) where `counted`, of the bucket where it
     is largest, in percent of the signal; infinite where nothing counts."""
-    each = [
-        float(np.mean((seen - ideal)[here] ** 2)) if here.any() else math.inf
-        for seen, ideal, here in zip(seen_e, ideal_e, counted, strict=True)
+    mean_squares = [
+        float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
+        for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)
     ]
-    return 100 * math.sqrt(max(each)) / signal_e
+    return 100 * math.sqrt(max(mean_squares)) / signal_e
 
 
 def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
     """The slots of a program, as parts of a frame of another length."""
-    whole = sum(container.slot_us)
-    return tuple(us / whole * frame_us for us in container.slot_us)
+    total_us = sum(container.slot_us)
+    return tuple(us / total_us * frame_us for us in container.slot_us)
 
 
 def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
@@ -257,14 +257,14 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
     anything else, and for more than the signal itself."""
     reason = None
     try:
-        found = tolerance_of(text, sensor, scene)
+        tolerance = tolerance_of(text, sensor, scene)
     except Rejected as refused:
         if refused.diagnostics[0].code != "NS0746":
             raise
         reason = f"a target error must be a number above 0 with its unit, not '{text[:40]}'"
     else:
-        if found.electrons < scene.signal_e():
-            return found
+        if tolerance.electrons < scene.signal_e():
+            return tolerance
         reason = (
             f"the target error {text[:40]} is too large: the mean signal is "
             f"{scene.signal_e():.3g} electrons, so a black frame has a smaller error"

@@ -19,7 +19,7 @@ from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc.tradeoff.synthesis import DOES_NOT_FIT
 from nscc.words.container import Container
 from nscc_training.tradeoff.bench import Bench, scaled, whole_ticks
-from nscc_training.tradeoff.stages import PERCENT, Found, misfit
+from nscc_training.tradeoff.stages import PERCENT, StageResult, misfit
 
 JOINED = {1: "all", 2: "halves", 4: "quarters"}
 """Slots that are taken together as one, and what that leaves of them."""
@@ -28,52 +28,54 @@ LENGTHS = (0.25, 0.5, 1.0, 2.0)
 _COMPILED = "the program is compiled already: give its text, FILE.nsl, to compare these"
 
 
-def compiling(bench: Bench) -> Found:
+def compiling(bench: Bench) -> StageResult:
     """Levels of -O: seconds to compile, from text to proof and without the cache."""
     if bench.source is None:
-        return Found((), (Refused("compile", "", "", "NS0743", _COMPILED),))
+        return StageResult((), (Refused("compile", "", "", "NS0743", _COMPILED),))
     points, misfits = [], []
-    for level in bench.asked.levels:
+    for level in bench.request.levels:
         setting = f"-O{level}"
-        made = _compiled(bench, bench.source, level=level)
-        if isinstance(made, Diagnostic):
-            misfits.append(misfit("compile", setting, made))
+        compiled = _compiled(bench, bench.source, level=level)
+        if isinstance(compiled, Diagnostic):
+            misfits.append(misfit("compile", setting, compiled))
             continue
-        container = _laid(bench, made)
+        container = _laid(bench, compiled)
 
         bench.watch.ran("compile", level)
         again = partial(_compiled, bench, bench.source, level=level)
-        timed = partial(bench.watch.times_ms, bench.asked.repeats, "compile", level, again)
+        timed = partial(bench.watch.times_ms, bench.request.repeats, "compile", level, again)
         took = bench.once(f"compile {level}", timed)
         words = f"{setting} ({container.words_per_frame} words)"
         way, error = container.notes.get("lowering", ""), bench.error_percent(container)
         points.append(Point("compile", way, words, error, PERCENT, tuple(took)))
-    return Found(tuple(points), tuple(misfits))
+    return StageResult(tuple(points), tuple(misfits))
 
 
-def lowering(bench: Bench) -> Found:
+def lowering(bench: Bench) -> StageResult:
     """Ways to gather exposures: the shortest frame that their words allow."""
     if bench.source is None:
-        return Found((), (Refused("lowering", "", "", "NS0743", _COMPILED),))
+        return StageResult((), (Refused("lowering", "", "", "NS0743", _COMPILED),))
     if bench.container.machine is not None or bench.container.target.streamed:
-        what = "pixels that look" if bench.container.machine is not None else "a chip without logic"
-        reason = f"there is one way for {what}"
-        return Found((), (Refused("lowering", "", "", "", reason),))
+        chip_kind = (
+            "pixels that look" if bench.container.machine is not None else "a chip without logic"
+        )
+        reason = f"there is one way for {chip_kind}"
+        return StageResult((), (Refused("lowering", "", "", "", reason),))
     points, misfits = [], []
     for name in LOWERINGS:
-        made = _compiled(bench, bench.source, lowering=name)
-        if isinstance(made, Diagnostic):
-            misfits.append(misfit("lowering", name, made))
+        compiled = _compiled(bench, bench.source, lowering=name)
+        if isinstance(compiled, Diagnostic):
+            misfits.append(misfit("lowering", name, compiled))
             continue
-        container = _laid(bench, made)
-        frame_ms = made.shortest_slot_us * container.slots / 1e3
+        container = _laid(bench, compiled)
+        frame_ms = compiled.shortest_slot_us * container.slots / 1e3
         setting = f"{container.words_per_frame} words"
         error = bench.error_percent(container)
         points.append(Point("lowering", name, setting, error, PERCENT, (frame_ms,)))
-    return Found(tuple(points), tuple(misfits))
+    return StageResult(tuple(points), tuple(misfits))
 
 
-def slots(bench: Bench) -> Found:
+def slots(bench: Bench) -> StageResult:
     """Fewer slots, and frames of other lengths down to the shortest that the words allow.
 
     The scene is as bright in all of them, so that less light falls in a shorter frame. A program in
@@ -81,50 +83,50 @@ def slots(bench: Bench) -> Found:
     what the given one would see in a frame as long.
     """
     if bench.source is None:
-        return Found((), (Refused("slots", "", "", "NS0743", _COMPILED),))
-    points, misfits, seen = [], [], set[tuple[int, float]]()
+        return StageResult((), (Refused("slots", "", "", "NS0743", _COMPILED),))
+    points, misfits, measured_settings = [], [], set[tuple[int, float]]()
     frame_us = sum(bench.container.slot_us)
     for join in JOINED:
-        source, codes, own = bench.source, None, bench.container
+        source, codes, original = bench.source, None, bench.container
         try:
             if join > 1:
-                text, ids = in_fewer(own, join)
+                text, ids = in_fewer(original, join)
                 source, codes = Source(bench.source.name, text), {"id": ids}
         except NotJoined as why:
             misfits.append(Refused("slots", "", JOINED[join], "", str(why)))
             continue
-        count = own.slots // join
+        count = original.slots // join
         shortest = _compiled(bench, source)
         if isinstance(shortest, Diagnostic):
             misfits.append(misfit("slots", f"{count} slots", shortest))
             continue
         least_us = whole_ticks(shortest.shortest_slot_us) * count
-        for whole_us in (least_us, *(frame_us * part for part in LENGTHS)):
-            if whole_us < least_us or (count, whole_us) in seen:
+        for whole_us in (least_us, *(frame_us * length for length in LENGTHS)):
+            if whole_us < least_us or (count, whole_us) in measured_settings:
                 continue
-            seen.add((count, whole_us))
-            timed = replace(own, slot_us=scaled(own, whole_us))
+            measured_settings.add((count, whole_us))
+            timed = replace(original, slot_us=scaled(original, whole_us))
             slot_us = np.array(timed.slot_us).reshape(-1, join).sum(axis=1).tolist()
-            made = _compiled(bench, with_slot_us(source, slot_us))
+            compiled = _compiled(bench, with_slot_us(source, slot_us))
             uneven = not np.allclose(slot_us, slot_us[0])
             setting = f"{whole_us / count:.5g} us" + " in the mean" * uneven
-            if isinstance(made, Diagnostic):
-                misfits.append(misfit("slots", f"{count} x {setting}", made))
+            if isinstance(compiled, Diagnostic):
+                misfits.append(misfit("slots", f"{count} x {setting}", compiled))
                 continue
-            container = _laid(bench, made, codes)
+            container = _laid(bench, compiled, codes)
             error = bench.error_percent(container, timed)
             method, frame_ms = f"{count} slots", whole_us / 1e3
             points.append(Point("slots", method, setting, error, PERCENT, (frame_ms,)))
-    return Found(tuple(points), tuple(misfits))
+    return StageResult(tuple(points), tuple(misfits))
 
 
 def _compiled(bench: Bench, source: Source, **changes: Any) -> Compiled | Diagnostic:
     """The program compiled without the cache, or why it does not fit."""
-    options = replace(bench.asked.options, cache=False, **changes)
+    options = replace(bench.request.options, cache=False, **changes)
     if options.target is None:
         options = replace(options, target=bench.container.target)
     try:
-        return run_passes(source, bench.asked.program.parent, options)
+        return run_passes(source, bench.request.program.parent, options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
         if not last.code.startswith(DOES_NOT_FIT):
@@ -132,8 +134,8 @@ def _compiled(bench: Bench, source: Source, **changes: Any) -> Compiled | Diagno
         return last
 
 
-def _laid(bench: Bench, made: Compiled, codes: Any = None) -> Container:
+def _laid(bench: Bench, compiled: Compiled, codes: Any = None) -> Container:
     """Its words, with codes for its pixels."""
-    assert made.container is not None
-    given = bench.asked.pixels if codes is None else codes
-    return with_pixels(made.container, Path(bench.asked.program), given)
+    assert compiled.container is not None
+    pixels = bench.request.pixels if codes is None else codes
+    return with_pixels(compiled.container, Path(bench.request.program), pixels)

@@ -47,7 +47,7 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 
 @dataclass(frozen=True)
-class Settings:
+class DecoderStudySettings:
     """`data`: a folder of scenes, made ones without; `size`: rows and cols of a scene;
     `budget_s`: repeats end when it is spent, but everything is measured once."""
 
@@ -85,7 +85,7 @@ Turn = tuple[Case, Way]
 Progress = Callable[[Sequence[Turn]], Iterable[Turn]]
 
 
-def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
+def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Case]:
     """Return the codes of the runs, those with the same code together; without runs random bits
     for clips and the 2 x 2 pattern for stills.
 
@@ -119,7 +119,10 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
 
 
 def measure(
-    todo: Sequence[Case], settings: Settings, progress: Progress = iter, rows: Rows | None = None
+    todo: Sequence[Case],
+    settings: DecoderStudySettings,
+    progress: Progress = iter,
+    rows: Rows | None = None,
 ) -> tuple[list[Point], int]:
     """Return two points for each decoder of each case, and how often everything was timed. A time
     is that of one scene, the mean over the scenes; the repeats go round all decoders. What `rows`
@@ -141,7 +144,7 @@ def measure(
             break
     points = [
         Point(
-            case.name, way.method, way.setting, score, unit, tuple(each["ms"] for each in runs),
+            case.name, way.method, way.setting, score, unit, tuple(timing["ms"] for timing in runs),
             more_is_better=True, device=way.device,
         )
         for (case, way), runs in zip(turns, timed, strict=True)
@@ -153,11 +156,11 @@ def measure(
 def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
     """Return how long a decoder takes for one scene and, if they are asked for, its scores."""
 
-    def every() -> list[Light]:
+    def decode_all() -> list[Light]:
         return [way.run(frames) for frames in case.captures]
 
     corner = partial(way.run, case.captures[0].corner(_WARM))
-    lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, every, corner)
+    lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, decode_all, corner)
     return {"ms": taken_ms / len(lights), "scores": scored(case, lights) if scores else None}
 
 
@@ -165,9 +168,9 @@ def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
     """Return PSNR in dB and SSIM, means over the scenes, as the protocol counts them. Scenes
     without any error count for SSIM alone, unless all are such."""
     pairs = zip(case.captures, lights, strict=True)
-    found = [frames.scene.scores(light) for frames, light in pairs]
-    psnr_db = finite_mean(number(scores["psnr_db"]) for scores in found)
-    return psnr_db, float(np.mean([scores["ssim"] for scores in found]))
+    scene_scores = [frames.scene.scores(light) for frames, light in pairs]
+    psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
+    return psnr_db, float(np.mean([scores["ssim"] for scores in scene_scores]))
 
 
 def ways_of(kind: Kind) -> list[Way]:
@@ -181,35 +184,35 @@ def ways_of(kind: Kind) -> list[Way]:
 
 def networks(folder: RunFolder, name: str) -> list[Way]:
     """Return a run's decoder in both number formats, FC-net also with fewer blocks."""
-    parts = folder.setup
-    method = f"{parts.settings.decoder.name} {parts.settings.decoder.sized}{name}"
-    device = torch.cuda.get_device_name(parts.device) if parts.device.type == "cuda" else ""
-    found = []
+    setup = folder.setup
+    method = f"{setup.settings.decoder.name} {setup.settings.decoder.sized}{name}"
+    device = torch.cuda.get_device_name(setup.device) if setup.device.type == "cuda" else ""
+    ways = []
     for dtype in ("f32", "bf16"):
-        if not isinstance(parts.decoder, BlockNet):
-            run = _network(folder, parts.decoder, dtype)
-            found.append(Way(method, dtype, run, device, loads=dtype))
+        if not isinstance(setup.decoder, BlockNet):
+            run = _network(folder, setup.decoder, dtype)
+            ways.append(Way(method, dtype, run, device, loads=dtype))
             continue
         for blocks, overlapping in _OVERLAPS.items():
-            net = copy(parts.decoder)
+            net = copy(setup.decoder)
             net.overlapping = overlapping
             setting = f"x{blocks} {dtype}"
-            found.append(Way(method, setting, _network(folder, net, dtype), device, loads=setting))
-    return found
+            ways.append(Way(method, setting, _network(folder, net, dtype), device, loads=setting))
+    return ways
 
 
 def _network(
     folder: RunFolder, net: torch.nn.Module, dtype: str
 ) -> Callable[[CapturedScene], Light]:
-    parts = folder.setup
+    setup = folder.setup
 
     @torch.no_grad()
     def run(frames: CapturedScene) -> Light:
-        frame = parts.model.relative(torch.from_numpy(frames.codes))
+        frame = setup.model.relative(torch.from_numpy(frames.codes))
         shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
-        with torch.autocast(parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
-            light = net(frame.to(parts.device), shutters.to(parts.device))
-        return np.asarray(light[0].float().cpu().numpy().astype(np.float64) * parts.unit_e)
+        with torch.autocast(setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
+            light = net(frame.to(setup.device), shutters.to(setup.device))
+        return np.asarray(light[0].float().cpu().numpy().astype(np.float64) * setup.unit_e)
 
     return run
 
@@ -223,7 +226,7 @@ def names_of(folders: Sequence[RunFolder]) -> list[str]:
     ]
 
 
-def _fixed(kind: Kind, settings: Settings) -> Case:
+def _fixed(kind: Kind, settings: DecoderStudySettings) -> Case:
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
         name, spec, start = "clips, random bits", ShutterSpec("e", _FRAMES, (8, 8)), "random"
@@ -234,21 +237,21 @@ def _fixed(kind: Kind, settings: Settings) -> Case:
     return Case(name, frames, tuple(ways_of(kind)))
 
 
-def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
-    parts = runs[0].setup
-    kind: Kind = "stills" if parts.still else "clips"
-    protocol = protocol_of(kind, settings.size, parts.slots)
+def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings) -> Case:
+    setup = runs[0].setup
+    kind: Kind = "stills" if setup.still else "clips"
+    protocol = protocol_of(kind, settings.size, setup.slots)
     if settings.data is not None:
         for run in runs:
             check_unseen(run, files_of(protocol, settings.data))
-    frames = _captures(protocol, parts.encoder.hard().cpu(), parts.model, settings)
+    frames = _captures(protocol, setup.encoder.hard().cpu(), setup.model, settings)
     apart = names_of(runs)
     ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
     return Case(f"{kind}, code of {name}", frames, (*ways_of(kind), *ways))
 
 
 def _captures(
-    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: Settings
+    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
 ) -> tuple[CapturedScene, ...]:
     """Return the scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
     scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)

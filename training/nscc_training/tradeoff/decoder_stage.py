@@ -17,7 +17,7 @@ from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
 from nscc_training.tradeoff.bench import Bench, rms_percent
-from nscc_training.tradeoff.stages import PERCENT, Found
+from nscc_training.tradeoff.stages import PERCENT, StageResult
 
 Values = NDArray[Any]
 
@@ -38,22 +38,22 @@ class _Way(NamedTuple):
     loads: str = ""
 
 
-def decoding(bench: Bench) -> Found:
+def decoding(bench: Bench) -> StageResult:
     """Decoders by iterations, stages and precision: seconds for a frame with every effect. Pictures
     where all shutters open with the frame or pixels look, clips else, as `nscc reconstruct any`
     makes them. Raises ModuleNotFoundError without torch where one is needed."""
-    taken = bench.taken
+    capture = bench.capture
     container = bench.container
     notes: list[str] = []
     looks = container.machine is not None
-    ways = _of_looks(bench, taken) if looks else _of_codes(bench, taken, notes)
+    ways = _of_looks(bench, capture) if looks else _of_codes(bench, capture, notes)
 
     def timed(way: _Way) -> dict[str, Any]:
         kind = way.method, way.loads
-        found, taken_ms = bench.watch.made_and_ms(bench.asked.repeats, kind, way.setting, way.run)
-        made, truth = np.asarray(found, np.float64), np.asarray(way.truth, np.float64)
-        known = np.isfinite(made)
-        error = rms_percent(made[None], truth[None], known[None], float(truth.mean()))
+        light, taken_ms = bench.watch.made_and_ms(bench.request.repeats, kind, way.setting, way.run)
+        light_e, truth = np.asarray(light, np.float64), np.asarray(way.truth, np.float64)
+        known = np.isfinite(light_e)
+        error = rms_percent(light_e[None], truth[None], known[None], float(truth.mean()))
         return {"error": error, "ms": taken_ms}
 
     points = []
@@ -61,61 +61,65 @@ def decoding(bench: Bench) -> Found:
         values = bench.once(f"decoder {way.method} {way.setting}", partial(timed, way))
         error, taken_ms = values["error"], tuple(values["ms"])
         points.append(Point("decoder", way.method, way.setting, error, PERCENT, taken_ms))
-    return Found(tuple(points), notes=tuple(notes))
+    return StageResult(tuple(points), notes=tuple(notes))
 
 
-def _of_looks(bench: Bench, taken: Simulated) -> Iterator[_Way]:
+def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
     frame_s = sum(bench.container.slot_us) * 1e-6
-    told = taken.frame.told
+    arrays = capture.frame.told
     truth = np.asarray(bench.light.total_e())[None]
 
     def run() -> Values:
-        return merged_image(told[LIGHT], told[DEVIATION])[None] * frame_s
+        return merged_image(arrays[LIGHT], arrays[DEVIATION])[None] * frame_s
 
     yield _Way("exposure over time", "", run, truth)
-    yield from _of_run(bench, taken, truth)
+    yield from _of_run(bench, capture, truth)
 
 
-def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way]:
+def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_Way]:
     from nscc_training.any_code.decode import decoded_still
     from nscc_training.any_code.frames import coded_frame
     from nscc_training.any_code.stills import STILL_STAGES
 
-    container, light, frame = bench.container, bench.light, taken.frame
-    about = meta(container, light, frame, taken.origin)
+    container, light, frame = bench.container, bench.light, capture.frame
+    about = meta(container, light, frame, capture.origin)
     file = with_table(FrameFile.of(container, light, frame, about), container)
-    coded = coded_frame({"frame": frame.frame, "saturated": frame.saturated, **file.kept}, about)
+    coded = coded_frame(
+        {"frame": frame.frame, "saturated": frame.saturated, **file.kept_arrays}, about
+    )
     if coded.is_still:
         truth = np.asarray(light.total_e())[None]
-        yield _Way("merged", "neighbours", partial(_merged, bench, taken), truth)
+        yield _Way("merged", "neighbours", partial(_merged, bench, capture), truth)
         still = coded.still().tensors()
         yield _Way("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
-        yield from _of_run(bench, taken, truth)
+        yield from _of_run(bench, capture, truth)
         return
     middle = _middle(frame.frame.shape, container.slots)
     if coded.row[middle].size < coded.row.size:
-        rows, cols = (part.stop - part.start for part in middle)
+        rows, cols = (side.stop - side.start for side in middle)
         notes.append(f"clips were decoded on the middle {rows} x {cols} pixels")
-    part, clip = coded.part(*middle), np.asarray(light.part(*middle).dense())
-    slots = (part.slot_us / part.slot_us.mean()).astype(np.float32)[:, None, None]
-    measured = part.clip().tensors()
-    if len(container.buckets) == 1 and np.all(part.slot_us == part.slot_us[0]):
+    cropped, clip = coded.crop(*middle), np.asarray(light.part(*middle).dense())
+    slots = (cropped.slot_us / cropped.slot_us.mean()).astype(np.float32)[:, None, None]
+    measured = cropped.clip().tensors()
+    if len(container.buckets) == 1 and np.all(cropped.slot_us == cropped.slot_us[0]):
         for count in TV_ITERATIONS:
             run = partial(_by_tv, measured, count)
             yield _Way("gap-tv", f"{count} iterations", run, clip)
     for count in ANY_STAGES:
         run = partial(_by_any, measured, count, slots)
         yield _Way("any", _stages(count), run, clip)
-    yield from _of_run(bench, taken, clip, middle)
+    yield from _of_run(bench, capture, clip, middle)
 
 
-def _merged(bench: Bench, taken: Simulated) -> Values:
+def _merged(bench: Bench, capture: Simulated) -> Values:
     """Electrons over the frame (1, rows, cols) from neighbours: the mean of the buckets."""
     container = bench.container
-    response = response_of(container, bench.sensor, taken.effects)
-    told = [light_estimate(each) for each in readouts(container, taken.frame, response)]
+    response = response_of(container, bench.sensor, capture.effects)
+    estimates = [
+        light_estimate(readout) for readout in readouts(container, capture.frame, response)
+    ]
     frame_s = sum(container.slot_us) * 1e-6
-    light = np.nanmean([np.where(known, found, np.nan) for found, known in told], axis=0)
+    light = np.nanmean([np.where(known, estimate, np.nan) for estimate, known in estimates], axis=0)
     return np.asarray(light)[None] * frame_s
 
 
@@ -143,32 +147,32 @@ def _by_tv(measured: Any, iterations: int) -> Values:
 
 def _of_run(
     bench: Bench,
-    taken: Simulated,
+    capture: Simulated,
     truth: Values,
-    part: tuple[slice, slice] = (slice(None), slice(None)),
+    region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[_Way]:
-    """The decoder of the run, where the program is a run's, in both number formats, on a `part` of
-    the array."""
-    if bench.asked.run is None:
+    """The decoder of the run, where the program is a run's, in both number formats, on a `region`
+    of the array."""
+    if bench.request.run is None:
         return
     import torch
 
     from nscc_training.loop.decoding import decoded_frame
     from nscc_training.run_folder import load_run
 
-    folder = load_run(bench.asked.run, trust_code=bench.asked.trust_code)
-    frame, opened = taken.frame, taken.frame.told.get(OPEN)
-    rows, cols = part
+    folder = load_run(bench.request.run, trust_code=bench.request.trust_code)
+    frame, opened = capture.frame, capture.frame.told.get(OPEN)
+    rows, cols = region
     codes, full = frame.frame[0, rows, cols], frame.saturated[0, rows, cols]
     share = None if opened is None else (opened[0] / bench.container.slots).astype(np.float32)
     chosen = folder.setup.settings.decoder
 
     def run(dtype: str) -> Values:
         with torch.autocast(folder.setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
-            made = decoded_frame(
+            decoded = decoded_frame(
                 folder.setup, codes, full, share, (rows.start or 0, cols.start or 0)
             )
-        return made[None] if folder.setup.still else made
+        return decoded[None] if folder.setup.still else decoded
 
     for dtype in ("f32", "bf16"):
         yield _Way(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth, dtype)
@@ -177,9 +181,9 @@ def _of_run(
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
     """The rows and columns of the largest middle part of which a clip is decoded."""
     side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
-    found = []
+    region = []
     for length in shape[-2:]:
-        here = min(side, length)
-        start = (length - here) // 2
-        found.append(slice(start, start + here))
-    return found[0], found[1]
+        cropped_length = min(side, length)
+        start = (length - cropped_length) // 2
+        region.append(slice(start, start + cropped_length))
+    return region[0], region[1]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from nscc_training.tradeoff.joint import Joint
-    from nscc_training.tradeoff.sensor import Measured
+    from nscc_training.tradeoff.sensor import SensorStudyResult
 
 TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 """What the units of a decoder's points are called."""
@@ -23,9 +23,9 @@ TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figure:
     """For each case, and each of TITLES, error against time of one scene, a line a decoder."""
     panels = [
-        Panel(case, title, [point for point in held if point.error_unit == unit])
+        Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(points, key=lambda point: point.case)
-        for held in [list(group)]
+        for case_points in [list(group)]
         for unit, title in TITLES.items()
     ]
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
@@ -36,7 +36,7 @@ def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figur
     )  # fmt: skip
 
 
-def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
+def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure:
     """PSNR against the shortest slot, or against slots of `slot_us`: stills apart from clips."""
 
     def names(point: Point) -> tuple[str, str]:
@@ -46,7 +46,7 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
             return ("stills, pixels that look", shutters.partition("-")[0])
         return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
 
-    points = sorted(found.points, key=names)
+    points = sorted(measured.points, key=names)
     panels = [
         Panel(title, "PSNR, dB", list(group))
         for title, group in groupby(points, key=lambda point: names(point)[0])
@@ -54,8 +54,8 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
     slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
     return precision_diagram(
         panels, "What the shortest slot costs",
-        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame, exposures "
-        "of pixels that look; hollow: dominated), decoded without training",
+        f"captured by the emulated {measured.target} at {slots} (numbers: slots of a frame, "
+        "exposures of pixels that look; hollow: dominated), decoded without training",
         PointReading(
             "shortest slot, us", 1e3, lambda point: names(point)[1],
             lambda point: point.method.partition("-")[2] or point.setting.split()[0], linear=True,
@@ -66,10 +66,10 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
 def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     """Return every point of every stage on one axis of error and one of time, a line a stage, whose
     name says which setting is advised; the point of that setting is marked."""
-    advised = {id(each.point) for each in joint.advice}
+    advised = {id(advice.point) for advice in joint.advice}
     names = {
-        each.stage: f"{each.stage}: {', '.join(filter(None, (point.method, point.setting)))}"
-        for each in joint.advice for point in [each.point] if point is not None
+        advice.stage: f"{advice.stage}: {', '.join(filter(None, (point.method, point.setting)))}"
+        for advice in joint.advice for point in [advice.point] if point is not None
     }  # fmt: skip
     guides = (
         Guide(f"target, {joint.target}", "--", error=joint.target_percent),

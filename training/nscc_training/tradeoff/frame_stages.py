@@ -23,7 +23,7 @@ from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_runtime.tradeoff.study import unknown
 from nscc_training.tradeoff.bench import Bench, rms_percent, scaled_text
-from nscc_training.tradeoff.stages import PERCENT, Found
+from nscc_training.tradeoff.stages import PERCENT, StageResult
 
 Values = NDArray[np.float64]
 
@@ -33,64 +33,64 @@ COMPARED = 1 << 20
 """Slots x pixels that the reference makes, in bands of rows."""
 
 
-def effects(bench: Bench) -> Found:
+def effects(bench: Bench) -> StageResult:
     """Plans of several tolerances, every effect, and the reference: seconds to emulate a frame.
 
     Errors are from the reference with the same draws. Raises Rejected (NS0750) for a chip that is
     sent planes, of which nothing is approximated.
     """
-    container, asked = bench.container, bench.asked
+    container, request = bench.container, bench.request
     if container.target.streamed:
         raise planless("comparing tolerances")
     truth = _Truth(bench)
     tolerances, notes = _tolerances(bench)
     ways = [("auto", tolerance) for tolerance in tolerances]
-    ways.append(("all", scaled_text(asked.target_error, 1.0)))
+    ways.append(("all", scaled_text(request.target_error, 1.0)))
 
     def measured(chosen: str, tolerance: str) -> dict[str, Any]:
         def emulated() -> tuple[Frame, float]:
             """A frame, and the milliseconds of its plan."""
             # A scene that nothing has been found out about yet: its sums are part of a frame.
             begin, light = perf_counter(), unknown(bench.light)
-            planning = planning_of(container, bench.sensor, light, asked.device_seed)
+            planning = planning_of(container, bench.sensor, light, request.device_seed)
             plan = make_plan(planning, PlanRequest(selected(chosen), tolerance))
             plan_ms = (perf_counter() - begin) * 1e3
-            return next(iter(planning.frames(plan, asked.seed, 1))), plan_ms
+            return next(iter(planning.frames(plan, request.seed, 1))), plan_ms
 
         first_ms, next_ms = [], []
-        for _ in range(asked.repeats):
+        for _ in range(request.repeats):
             (frame, plan_ms), taken_ms = bench.watch.ms(f"effects {chosen}", tolerance, emulated)
             first_ms.append(taken_ms)
             next_ms.append(taken_ms - plan_ms)
         return {"error": truth.percent(frame), "first": first_ms, "next": next_ms}
 
-    planning_of(container, bench.sensor, bench.light, asked.device_seed).ready()
-    found = {" ".join(way): partial(measured, *way) for way in ways}
-    values = {way: bench.once(f"effects {way}", each) for way, each in found.items()}
+    planning_of(container, bench.sensor, bench.light, request.device_seed).ready()
+    measurements = {" ".join(way): partial(measured, *way) for way in ways}
+    values = {way: bench.once(f"effects {way}", measure) for way, measure in measurements.items()}
     points = [
-        Point("effects", line, way, each["error"], PERCENT, tuple(each[key]))
+        Point("effects", line, way, timing["error"], PERCENT, tuple(timing[key]))
         for line, key in (("with planning", "first"), ("planned", "next"))
-        for way, each in values.items()
+        for way, timing in values.items()
     ]
     took_ms = bench.once("effects reference", lambda: truth.took_ms)
     points.append(Point("effects", "reference", "all", 0.0, PERCENT, (took_ms,)))
-    return Found(tuple(points), notes=(*truth.notes, *notes))
+    return StageResult(tuple(points), notes=(*truth.notes, *notes))
 
 
 def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
     """PARTS of the target, and what is to be said of those that are beyond what a tolerance can be:
     the least or the most that there is stands for them."""
     target = bench.target
-    found, notes = dict[str, None](), list[str]()
-    for part in PARTS:
-        tolerance = scaled_text(bench.asked.target_error, part)
-        electrons = part * target.electrons
+    tolerances, notes = dict[str, None](), list[str]()
+    for share in PARTS:
+        tolerance = scaled_text(bench.request.target_error, share)
+        electrons = share * target.electrons
         nearest = min(max(electrons, LEAST_E), MOST_E)
         if nearest != electrons:
             notes.append(f"no plan is made for {tolerance}: {nearest:g}e stands for it")
             tolerance = f"{nearest:g}e"
-        found[tolerance] = None
-    return [*found], notes
+        tolerances[tolerance] = None
+    return [*tolerances], notes
 
 
 class _Truth:
@@ -135,27 +135,27 @@ class _Truth:
     def _frame(self) -> tuple[Values, NDArray[np.bool_], Any, float]:
         if self._made is None:
             looks = self._bench.container.machine is not None
-            made, took_ms = self._bench.watch.ms(
+            truth_arrays, took_ms = self._bench.watch.ms(
                 "reference", "all", self._looked if looks else partial(self._summed, self._rows),
                 first=(lambda: None) if looks else partial(self._summed, self._rows[:1]),
             )  # fmt: skip
-            self._made = (*made, took_ms)
+            self._made = (*truth_arrays, took_ms)
         return self._made
 
     def _summed(self, rows: NDArray[np.intp]) -> tuple[Values, NDArray[np.bool_], Any]:
         bench = self._bench
         reference = Reference.of(bench.container, bench.sensor, everything())
         scene = scene_of(bench.container, bench.light)
-        seeds = bench.asked.seed, bench.asked.device_seed
-        parts = [reference.expose_rows(scene, band, *seeds) for band in bands(rows)]
-        exposure_e = np.concatenate([part.exposure_e for part in parts], axis=1)
-        return exposure_e, np.concatenate([part.valid for part in parts], axis=1), None
+        seeds = bench.request.seed, bench.request.device_seed
+        exposures = [reference.expose_rows(scene, band, *seeds) for band in bands(rows)]
+        exposure_e = np.concatenate([exposure.exposure_e for exposure in exposures], axis=1)
+        return exposure_e, np.concatenate([exposure.valid for exposure in exposures], axis=1), None
 
     def _looked(self) -> tuple[Values, NDArray[np.bool_], Any]:
         bench = self._bench
         request = Request.of(
-            effects="all", fidelity="reference", seed=bench.asked.seed,
-            device_seed=bench.asked.device_seed,
+            effects="all", fidelity="reference", seed=bench.request.seed,
+            device_seed=bench.request.device_seed,
         )  # fmt: skip
         frame = simulate(bench.container, bench.light, bench.sensor, request).frame
         return frame.exposure_e, frame.valid, frame.told[OPEN]

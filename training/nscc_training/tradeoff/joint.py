@@ -9,17 +9,17 @@ from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.tradeoff.points import Point, Refused, table_text
 from nscc.tradeoff.rows import Rows
-from nscc_training.tradeoff.bench import Asked, Bench
+from nscc_training.tradeoff.bench import Bench, JointRequest
 from nscc_training.tradeoff.chip_stages import compiling, lowering, slots
 from nscc_training.tradeoff.decoder_stage import decoding
 from nscc_training.tradeoff.frame_stages import effects
-from nscc_training.tradeoff.stages import Found, misfit
+from nscc_training.tradeoff.stages import StageResult, misfit
 
 NEAR = 1.05
 """Where no setting is within the target, the fastest one of at most so many times the least error
 is advised."""
 
-STAGES: dict[str, tuple[str, str, Callable[[Bench], Found]]] = {
+STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
     "compile": ("to compile", "the chip's frame", compiling),
     "lowering": ("shortest frame of the chip", "the chip's frame", lowering),
     "slots": ("a frame of the chip", "the chip's frame", slots),
@@ -75,9 +75,9 @@ Progress = Callable[[Sequence[str]], Iterable[str]]
 
 
 def measure(
-    asked: Asked,
+    request: JointRequest,
     rows: Rows | None = None,
-    said: Callable[[Diagnostic], None] = lambda _: None,
+    warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = iter,
 ) -> Joint:
     """Measures the stages that are asked for.
@@ -85,22 +85,22 @@ def measure(
     Raises Rejected for a program, scene or target that is none, before anything is timed; a
     setting, or a stage, that cannot be had is a misfit with its reason.
     """
-    bench = Bench(asked, rows or Rows(), said)
+    bench = Bench(request, rows or Rows(), warn)
     target = bench.target
     points: list[Point] = []
     misfits: list[Refused] = []
     notes: list[str] = []
-    for name in progress(asked.stages):
+    for name in progress(request.stages):
         try:
-            found = STAGES[name][2](bench)
+            stage_result = STAGES[name][2](bench)
         except (Rejected, ModuleNotFoundError) as why:
             misfits.append(misfit(name, "", why))
             continue
-        points += found.points
-        misfits += found.misfits
-        notes += [f"{name}: {note}" for note in found.notes]
+        points += stage_result.points
+        misfits += stage_result.misfits
+        notes += [f"{name}: {note}" for note in stage_result.notes]
     return Joint(
-        asked.program.name, asked.scene.name, asked.target_error, asked.stages,
+        request.program.name, request.scene.name, request.target_error, request.stages,
         100 * target.electrons / bench.signal_e, bench.shot_percent, bench.signal_e,
         tuple(points), bench.largest, tuple(misfits), tuple(notes),
     )  # fmt: skip
@@ -112,8 +112,8 @@ def advised(stage: str, points: Sequence[Point], target_percent: float) -> Advic
         return Advice(stage, None, reached=False)
     within = [point for point in points if point.error <= target_percent]
     least = min(point.error for point in points)
-    near = within or [point for point in points if point.error <= NEAR * least]
-    fastest = min(near, key=lambda point: (point.time_ms, point.error))
+    candidates = within or [point for point in points if point.error <= NEAR * least]
+    fastest = min(candidates, key=lambda point: (point.time_ms, point.error))
     return Advice(stage, fastest, reached=bool(within))
 
 
@@ -124,27 +124,31 @@ def joint_text(joint: Joint) -> str:
         f"mean signal, {joint.signal_e:.4g} e; the light's own noise is {joint.shot_percent:.3g} %"
     )
     rows = [("stage", "setting", "time", "error %", "time of", "error of", "")]
-    for each in joint.advice:
-        time_of, error_of, _ = STAGES[each.stage]
-        if each.point is None:
-            rows.append((each.stage, "none", "", "", time_of, error_of, "not measured: see below"))
+    for advice in joint.advice:
+        time_of, error_of, _ = STAGES[advice.stage]
+        if advice.point is None:
+            rows.append(
+                (advice.stage, "none", "", "", time_of, error_of, "not measured: see below")
+            )
             continue
-        point = each.point
+        point = advice.point
         setting = ", ".join(filter(None, (point.method, point.setting)))
-        remark = "" if each.reached else "above the target: the best there is"
-        taken, error = si_seconds(point.time_ms), f"{point.error:.3g}"
-        rows.append((each.stage, setting, taken, error, time_of, error_of, remark))
+        remark = "" if advice.reached else "above the target: the best there is"
+        time_text, error = si_seconds(point.time_ms), f"{point.error:.3g}"
+        rows.append((advice.stage, setting, time_text, error, time_of, error_of, remark))
     if joint.largest:
         named = ", ".join(f"{name} {percent:.3g} %" for name, percent in joint.largest)
         head += f"\nthe largest errors of the chip's frame: {named} (`nscc effects NAME` says more)"
     misfits = [
-        f"{', '.join(filter(None, (each.case, each.setting)))}: {each.reason}"
-        + (f" ({each.code})" if each.code else "")
-        for each in joint.misfits
+        f"{', '.join(filter(None, (refusal.case, refusal.setting)))}: {refusal.reason}"
+        + (f" ({refusal.code})" if refusal.code else "")
+        for refusal in joint.misfits
     ]
     points = table_text(joint.points, ("method", "setting", "error %"))
-    parts = [head, columns(rows, left_aligned=(0, 1, 4, 5, 6)), points]
-    return "\n\n".join([*parts, *("\n".join(told) for told in (misfits, joint.notes) if told)])
+    sections = [head, columns(rows, left_aligned=(0, 1, 4, 5, 6)), points]
+    return "\n\n".join(
+        [*sections, *("\n".join(lines) for lines in (misfits, joint.notes) if lines)]
+    )
 
 
 def si_seconds(time_ms: float) -> str:

@@ -28,7 +28,7 @@ from nscc_training.any_code.frames import CodedFrame, coded_frame
 from nscc_training.demo.expose import CLIPS, camera
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
-from nscc_training.tradeoff.sensor import Bench, Settings
+from nscc_training.tradeoff.sensor import SensorBench, SensorStudySettings
 
 SLOTS, SLOT_US = 16, 125.0
 """Of the programs that come with nscc."""
@@ -36,7 +36,10 @@ Progress = Callable[[Sequence[tuple[str, int]]], Iterable[tuple[str, int]]]
 
 
 def measure_readouts(
-    settings: Settings, counts: Sequence[int], progress: Progress = iter, rows: Rows | None = None
+    settings: SensorStudySettings,
+    counts: Sequence[int],
+    progress: Progress = iter,
+    rows: Rows | None = None,
 ) -> tuple[tuple[Point, ...], tuple[Refused, ...]]:
     """Return the points of coded readouts and of bursts of so many ordinary frames, and what does
     not fit the target.
@@ -45,7 +48,7 @@ def measure_readouts(
     code; every frame of a burst is shown for as long as it was open.
     """
     target = load_target(settings.target, Path())
-    bench = Bench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
+    bench = SensorBench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
@@ -58,7 +61,7 @@ def measure_readouts(
     return tuple(points), tuple(refused)
 
 
-def _row(method: str, count: int, bench: Bench) -> dict[str, Any]:
+def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
     """Return the fields of a Point, or of Refused."""
     settings = bench.settings
     try:
@@ -84,7 +87,11 @@ def _row(method: str, count: int, bench: Bench) -> dict[str, Any]:
 
 
 def _clip(
-    method: str, container: Container, light_e: NDArray[Any], bench: Bench, number_of_scene: int
+    method: str,
+    container: Container,
+    light_e: NDArray[Any],
+    bench: SensorBench,
+    number_of_scene: int,
 ) -> NDArray[np.float64]:
     """Return what is decoded of a scene's light, electrons in each of its frames."""
     light = Light.of_clip(light_e.astype(np.float32))

@@ -27,8 +27,8 @@ from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.design.chip import Chip as DesignChip
-from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.chip import DesignChip
+from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -51,7 +51,7 @@ _TICK_US = 0.01
 
 
 @dataclass(frozen=True)
-class Settings:
+class SensorStudySettings:
     """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills, and for
     these pixels that look, with so many exposures (`looks`).
 
@@ -105,7 +105,7 @@ class Configuration:
 
 
 @dataclass(frozen=True)
-class Measured:
+class SensorStudyResult:
     """Points and what does not fit, in the order of the configurations."""
 
     points: tuple[Point, ...]
@@ -116,15 +116,18 @@ class Measured:
 Progress = Callable[[Sequence[Configuration]], Iterable[Configuration]]
 
 
-def configurations(settings: Settings) -> list[Configuration]:
+def configurations(settings: SensorStudySettings) -> list[Configuration]:
     """Return every class, number of slots, way to take codes, and lowering."""
     kinds = ("clips", "stills") if settings.data is None else kinds_in(settings.data)
     shapes: list[tuple[Kind, str, int]] = []
     if "clips" in kinds:
-        shapes += [("clips", *each) for each in product(settings.classes, settings.slots)]
+        shapes += [
+            ("clips", *class_and_slots)
+            for class_and_slots in product(settings.classes, settings.slots)
+        ]
     if "stills" in kinds:
         shapes += [("stills", "b", slots) for slots in settings.stop_slots]
-    found = [
+    all_configurations = [
         Configuration(*shape, codes, lowering)
         for shape in shapes
         for codes, lowering in product(settings.codes, settings.lowerings)
@@ -132,50 +135,71 @@ def configurations(settings: Settings) -> list[Configuration]:
     if "stills" in kinds:
         known = [k for k in settings.looks if f"looks-{k}" in LOOKING_ROWS]
         looking = [("looks", k) for k in known] + [("designed", k) for k in settings.looks]
-        found += [
+        all_configurations += [
             Configuration("stills", name, SLOTS, "open", "edges", exposures)
             for name, exposures in looking
         ]
-    return found
+    return all_configurations
 
 
-def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = None) -> Measured:
+def measure(
+    settings: SensorStudySettings, progress: Progress = iter, rows: Rows | None = None
+) -> SensorStudyResult:
     """Compile each configuration, and capture and decode the scenes with its words. The time of a
     point is the shortest slot. What `rows` knows is not measured again. Raises Rejected for data
     that does not serve, and for a target that does not exist."""
     target = load_target(settings.target, Path())
     todo = configurations(settings)
-    benches = {kind: Bench.of(kind, target, settings) for kind in {each.kind for each in todo}}
+    benches = {
+        kind: SensorBench.of(kind, target, settings)
+        for kind in {configuration.kind for configuration in todo}
+    }
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
-    for each in progress(todo):
-        name = f"{each.kind}, {each.method}, {each.slots}"
-        found = rows.once(name, partial(_row, each, benches[each.kind]))
-        if "code" in found:
-            refused.append(Refused(**found))
+    for configuration in progress(todo):
+        name = f"{configuration.kind}, {configuration.method}, {configuration.slots}"
+        row = rows.once(name, partial(_row, configuration, benches[configuration.kind]))
+        if "code" in row:
+            refused.append(Refused(**row))
         else:
-            points.append(Point(**{**found, "times_ms": tuple(found["times_ms"])}))
-    return Measured(tuple(points), tuple(refused), target.name)
+            points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
+    return SensorStudyResult(tuple(points), tuple(refused), target.name)
 
 
-def _row(each: Configuration, bench: Bench) -> dict[str, Any]:
+def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
     """Return the fields of a configuration's Point, or of what Refused says of it."""
-    setting = f"{each.slots} slots"
-    shutters = _encoder(each, bench.settings) if each.exposures is None else bench.schedule(each)
-    found = compiled_for(each, shutters, bench)
-    if isinstance(found, Diagnostic):
-        return asdict(Refused(each.kind, each.method, setting, found.code, found.message))
-    assert found.container is not None
-    words = f"{setting}, {found.container.words_per_frame} words"
-    psnr_db, slot_ms = bench.psnr_db(found.container, shutters), found.shortest_slot_us / 1e3
+    setting = f"{configuration.slots} slots"
+    shutters = (
+        _encoder(configuration, bench.settings)
+        if configuration.exposures is None
+        else bench.schedule(configuration)
+    )
+    compiled = compiled_for(configuration, shutters, bench)
+    if isinstance(compiled, Diagnostic):
+        return asdict(
+            Refused(
+                configuration.kind, configuration.method, setting, compiled.code, compiled.message
+            )
+        )
+    assert compiled.container is not None
+    words = f"{setting}, {compiled.container.words_per_frame} words"
+    psnr_db, slot_ms = bench.psnr_db(compiled.container, shutters), compiled.shortest_slot_us / 1e3
     return asdict(
-        Point(each.kind, each.method, words, psnr_db, "psnr_db", (slot_ms,), more_is_better=True)
+        Point(
+            configuration.kind,
+            configuration.method,
+            words,
+            psnr_db,
+            "psnr_db",
+            (slot_ms,),
+            more_is_better=True,
+        )
     )
 
 
 def compiled_for(
-    each: Configuration, shutters: Encoder | Schedule, bench: Bench
+    configuration: Configuration, shutters: Encoder | LookSchedule, bench: SensorBench
 ) -> Compiled | Diagnostic:
     """Return the configuration compiled for the slots that it is captured with, or why not. Words
     do not depend on the slot's length but for refresh, which shorter slots need less of."""
@@ -183,48 +207,50 @@ def compiled_for(
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:
         chip = Chip(settings.target, slot_us)
-        if isinstance(shutters, Schedule):
+        if isinstance(shutters, LookSchedule):
             named = chip.target if chip.file is None else None
             text = looking_text(shutters, SLOTS, slot_us, bench.target, named, "")
         else:
             text = program_of(shutters, chip).text
         source = Source("shutter.nsl", text)
-        case = SynthesisCase(each.method, source, Path(), each.codes, chip.file)
-        return compiled_or_not(CompileVariant(case, each.lowering, settings.level))
+        case = SynthesisCase(configuration.method, source, Path(), configuration.codes, chip.file)
+        return compiled_or_not(CompileVariant(case, configuration.lowering, settings.level))
 
     if settings.slot_us is not None:
         return compiled(settings.slot_us)
-    found = compiled(_LONG_US)
-    if isinstance(found, Diagnostic):
-        return found
-    return compiled(max(1, math.ceil(found.shortest_slot_us / _TICK_US - 1e-6)) * _TICK_US)
+    longest_compiled = compiled(_LONG_US)
+    if isinstance(longest_compiled, Diagnostic):
+        return longest_compiled
+    return compiled(
+        max(1, math.ceil(longest_compiled.shortest_slot_us / _TICK_US - 1e-6)) * _TICK_US
+    )
 
 
-def _encoder(each: Configuration, settings: Settings) -> Encoder:
+def _encoder(configuration: Configuration, settings: SensorStudySettings) -> Encoder:
     """Return the codes that a configuration is captured with."""
-    tile, start = ((2, 2), "quad") if each.kind == "stills" else ((8, 8), "random")
-    length = settings.length or max(1, each.slots // 4)
+    tile, start = ((2, 2), "quad") if configuration.kind == "stills" else ((8, 8), "random")
+    length = settings.length or max(1, configuration.slots // 4)
     spec = ShutterSpec(
-        each.shutters, each.slots, settings.tile or tile,
-        length=length if each.shutters == "c" else None,
-        rows=settings.rows if each.shutters == "codebook" else None,
+        configuration.shutters, configuration.slots, settings.tile or tile,
+        length=length if configuration.shutters == "c" else None,
+        rows=settings.rows if configuration.shutters == "codebook" else None,
     )  # fmt: skip
     return make_encoder(spec, settings.init or start, settings.seed)
 
 
 @dataclass(frozen=True, eq=False)
-class Bench:
+class SensorBench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
     scenes: tuple[ProtocolScene, ...]
     target: Target
     sensor: Sensor
     model: SensorModel
-    settings: Settings
+    settings: SensorStudySettings
     known: dict[bytes, float] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, kind: Kind, target: Target, settings: Settings) -> Bench:
+    def of(cls, kind: Kind, target: Target, settings: SensorStudySettings) -> SensorBench:
         """Return the scenes of a kind, as large as the target's array."""
         sensor = load_sensor(target, settings.sensor, settings.changes)
         size, frames = (
@@ -237,19 +263,19 @@ class Bench:
         )
         return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
-    def schedule(self, each: Configuration) -> Schedule:
+    def schedule(self, configuration: Configuration) -> LookSchedule:
         """Return where pixels look: a row of hdr-v1, or designed for the scenes' light."""
-        assert each.exposures is not None
-        if each.shutters == "looks":
-            return row_of(each.method, self.target)
+        assert configuration.exposures is not None
+        if configuration.shutters == "looks":
+            return row_of(configuration.method, self.target)
         chip = DesignChip.of(self.target, self.sensor)
         lights = histogram([scene.light_e for scene in self.scenes])
-        return Model(chip, lights, [1.0] * SLOTS).best(each.exposures - 1, "linear")
+        return LookModel(chip, lights, [1.0] * SLOTS).best(configuration.exposures - 1, "linear")
 
-    def psnr_db(self, container: Container, shutters: Encoder | Schedule) -> float:
+    def psnr_db(self, container: Container, shutters: Encoder | LookSchedule) -> float:
         """Return the mean over the scenes, by a decoder that needs no training."""
         seed = self.settings.seed
-        score = self._looked_db if isinstance(shutters, Schedule) else partial(
+        score = self._looked_db if isinstance(shutters, LookSchedule) else partial(
             self._decoded_db, shutters)  # fmt: skip
         return finite_mean(
             score(container, scene, (1000 * seed + k, seed)) for k, scene in enumerate(self.scenes)
@@ -273,12 +299,12 @@ class Bench:
         digest = sha256(b"".join(a.tobytes() for a in (codes, frames.saturated, tile))).digest()
         if digest not in self.known:
             if frames.is_still:
-                made = STILLS["merged"].decode(frames)
+                decoded = STILLS["merged"].decode(frames)
             else:
-                made = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
-                joined = len(scene.light_e) // len(made)
-                made = np.repeat(made / joined, joined, axis=0)
-            self.known[digest] = number(scene.scores(made)["psnr_db"])
+                decoded = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
+                joined = len(scene.light_e) // len(decoded)
+                decoded = np.repeat(decoded / joined, joined, axis=0)
+            self.known[digest] = number(scene.scores(decoded)["psnr_db"])
         return self.known[digest]
 
 
@@ -294,9 +320,9 @@ def _light(scene: ProtocolScene, slots: int) -> Light:
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
     """Return what does not fit, those together that have one reason."""
     together: dict[tuple[str, str], list[str]] = {}
-    for each in refused:
-        name = f"{each.case}, {each.method}, {each.setting}"
-        together.setdefault((each.code, each.reason), []).append(name)
+    for refusal in refused:
+        name = f"{refusal.case}, {refusal.method}, {refusal.setting}"
+        together.setdefault((refusal.code, refusal.reason), []).append(name)
     lines = []
     for (code, reason), names in together.items():
         lines += ["", f"does not fit: {reason} ({code})", *(f"  {name}" for name in names)]

@@ -17,12 +17,12 @@ def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFound
     if isinstance(why, ModuleNotFoundError):
         name = why.name or "a package"
         return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")
-    found = why.diagnostics[0] if isinstance(why, Rejected) else why
-    return Refused(stage, "", setting, found.code, found.message)
+    diagnostic = why.diagnostics[0] if isinstance(why, Rejected) else why
+    return Refused(stage, "", setting, diagnostic.code, diagnostic.message)
 
 
 @dataclass(frozen=True)
-class Found:
+class StageResult:
     """A stage's points, what of it cannot be had, and what a reader has to know of its numbers."""
 
     points: tuple[Point, ...]

@@ -30,7 +30,7 @@ _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Reach:
+class RegisterReach:
     """What registers hold is at most what one of the `held_weights` (kinds, N, lanes) makes of the
     slots' charge, and they stay in their linear range as long as each of these is below its
     `least_e` (kinds, lanes), 0 where noise alone may take them out of it; without `held_weights` as
@@ -40,7 +40,7 @@ class Reach:
     least_e: Values
 
 
-def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> Reach:
+def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> RegisterReach:
     """Return the reach of a program with the noise of `kept_effects` and registers that are linear
     up to `linear_e`, deterministically."""
     lanes, slots = len(tables.container.encoding), tables.container.slots
@@ -50,12 +50,14 @@ def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> Reach:
     register_reach = _farthest(tables, sampled_lanes, ends[shown], kept_effects, linear_e)
     if len(sampled_lanes) < lanes or len(shown) < len(ends):
         # Only some lanes or stretches are known.
-        return Reach(None, np.full((1, lanes), register_reach.least.min() / register_reach.most))
+        return RegisterReach(
+            None, np.full((1, lanes), register_reach.least.min() / register_reach.most)
+        )
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(
         register_reach.held_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
     )
-    return Reach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
+    return RegisterReach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
 
 
 def _farthest(
@@ -67,10 +69,8 @@ def _farthest(
     gain_part, sensor = kept_effects.find_part(WordGain), tables.program.sensor
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
     state = _RegisterState(tables, len(sampled_lanes), len(ends), kept_effects)
-    held_weights, least = (
-        np.zeros((_KINDS, len(sampled_lanes), len(ends))),
-        np.full((_KINDS, len(sampled_lanes)), np.inf),
-    )
+    held_weights = np.zeros((_KINDS, len(sampled_lanes), len(ends)))
+    least = np.full((_KINDS, len(sampled_lanes)), np.inf)
     reach, at = _RegisterReach(linear_e, error_e, held_weights, least), -1
     for word in tables.decayed:
         state.held_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
@@ -131,10 +131,8 @@ class _RegisterState:
     ) -> None:
         """Set rows to the weighted sum `total` of all rows, plus independent noise of a
         variance."""
-        new_weights, new_covariance = (
-            total @ self.held_weights[lanes],
-            total @ self.covariance[lanes],
-        )
+        new_weights = total @ self.held_weights[lanes]
+        new_covariance = total @ self.covariance[lanes]
         for row in rows:
             self.held_weights[lanes, row] = new_weights
             self.covariance[lanes, row] = self.covariance[lanes, :, row] = new_covariance
@@ -145,7 +143,7 @@ class _RegisterState:
 
 @dataclass(eq=False)
 class _RegisterReach:
-    """What `Reach` has, of the registers that were written so far: `held_weights` (kinds, lanes,
+    """The `RegisterReach` of the registers that were written so far: `held_weights` (kinds, lanes,
     stretches). `error_e`: mean and spread of the fixed error."""
 
     linear_e: float
@@ -175,10 +173,8 @@ class _RegisterReach:
         as large; else to the last kind."""
         for kind in range(_KINDS):
             held_weights = self.held_weights[kind]
-            is_smaller, is_larger = (
-                (size <= held_weights + _ROUNDING).all(axis=1),
-                (held_weights <= size).all(axis=1),
-            )
+            is_smaller = (size <= held_weights + _ROUNDING).all(axis=1)
+            is_larger = (held_weights <= size).all(axis=1)
             fits = lanes & (is_smaller | is_larger | (kind == _KINDS - 1))
             self.held_weights[kind] = np.where(
                 fits[:, None], np.maximum(held_weights, size), held_weights

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from plan_cases import case
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime import capture, films, frame_file
+from nscc_runtime import capture, frame_file, frame_series
 from nscc_runtime.formats.frame_content import frame_content
 from nscc_runtime.frame_file import Frame, FrameFile, stacked
 
@@ -29,8 +29,8 @@ def _frames(count: int) -> Iterator[Frame]:
 
 @pytest.mark.parametrize("most", [0, 1 << 28])
 def test_a_film_is_its_frames_stacked(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(films, "MOST_BYTES", most)
-    found, wanted = films.gathered(_frames(5), 5), stacked(list(_frames(5)))
+    monkeypatch.setattr(frame_series, "MOST_BYTES", most)
+    found, wanted = frame_series.gathered(_frames(5), 5), stacked(list(_frames(5)))
     for name in ("frame", "exposure_e", "valid", "saturated_by"):
         values = getattr(found, name)
         assert type(values) is np.ndarray
@@ -42,7 +42,7 @@ def test_a_film_is_its_frames_stacked(most: int, monkeypatch: pytest.MonkeyPatch
 
 
 def test_a_frame_is_let_go_before_the_next_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(films, "MOST_BYTES", 0)
+    monkeypatch.setattr(frame_series, "MOST_BYTES", 0)
     room = np.zeros((1, 2, 2))
 
     def reused() -> Iterator[Frame]:
@@ -50,17 +50,17 @@ def test_a_frame_is_let_go_before_the_next_is_asked_for(monkeypatch: pytest.Monk
             room[:] = number
             yield Frame(room.astype(np.uint8), room, room > 0, room.astype(np.uint8))
 
-    assert films.gathered(reused(), 3).exposure_e[:, 0, 0, 0].tolist() == [0.0, 1.0, 2.0]
+    assert frame_series.gathered(reused(), 3).exposure_e[:, 0, 0, 0].tolist() == [0.0, 1.0, 2.0]
 
 
 def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def full(*_: int) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(films, "MOST_BYTES", 0)
-    monkeypatch.setattr(films.os, "posix_fallocate", full, raising=False)
+    monkeypatch.setattr(frame_series, "MOST_BYTES", 0)
+    monkeypatch.setattr(frame_series.os, "posix_fallocate", full, raising=False)
     with pytest.raises(Rejected, match="No space left on device") as caught:
-        films.gathered(_frames(5), 5)
+        frame_series.gathered(_frames(5), 5)
     assert caught.value.diagnostics[0].code == "NS0784"
     assert "TMPDIR" in caught.value.diagnostics[0].helps[0]
 

@@ -15,24 +15,24 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.layout import (
     ACTS,
     SEEN,
+    LoopProgram,
+    LoopWord,
     Numbers,
     OnDevice,
-    Program,
     Readouts,
     Switches,
-    Word,
 )
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.reference.trace import RunningWord
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.reference.words import readout_waits_s
 
-_WORD = np.dtype(Word)
+_WORD = np.dtype(LoopWord)
 
 
 def program_of(
     container: Container, words: Sequence[RunningWord], starts: Sequence[int]
-) -> Program:
+) -> LoopProgram:
     """Return the words as arrays; the intervals of the frame begin with the slots `starts`."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     ends, slot_us = [*starts, container.slots], container.slot_us
@@ -59,7 +59,7 @@ def program_of(
         rows.append(tuple(row[name] for name in _WORD.names or ()))
         operands += [registers.index(name) for name in word.sources + word.destinations]
     signs = [error_sign(name, container) for name in container.target.analog_registers]
-    return Program(np.array(rows, _WORD), np.array(operands, np.int64), np.array(signs))
+    return LoopProgram(np.array(rows, _WORD), np.array(operands, np.int64), np.array(signs))
 
 
 def readouts_of(container: Container) -> Readouts:
