@@ -387,7 +387,7 @@ def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     """Compile a text whose messages have its own name; raises and warns as `compile`."""
     compiled = compile_source(text, folder, options)
     assert compiled.container is not None  # what does not fit is rejected
-    warn(compiled.diagnostics)
+    warn(compiled.diagnostics, stacklevel=4)
     return ShutterProgram(text.name, compiled.container, compiled, options)
 
 

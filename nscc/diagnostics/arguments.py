@@ -49,11 +49,11 @@ def require_whole_number(
         raise wrong_argument(f"{call}: {name} is a whole number {limits}, not {shown(value)}")
 
 
-def warn(diagnostics: Iterable[Diagnostic]) -> None:
-    """Issue warnings among diagnostics as Python warnings at the caller's caller."""
+def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
+    """Issue warnings among diagnostics as Python warnings, by default at the caller's caller."""
     for diagnostic in diagnostics:
         if diagnostic.severity is Severity.WARNING:
-            warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=3)
+            warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=stacklevel)
 
 
 def shown(value: object) -> str:

@@ -92,7 +92,7 @@ def test_files_of_other_content(data: bytes, arguments: list[str], tmp_path: Pat
         ["check", "x" * 5000],
         ["check", ""],
         ["build", "ok.nsl", "-o", "."],
-        ["build", "ok.nsl", "-o", "nowhere/ok.icw"],
+        ["build", "ok.nsl", "-o", "ok.nsl/ok.icw"],
         ["build", "ok.nsl", "-O", "9"],
         ["build", "ok.nsl", "--emit", "everything"],
         ["run", "ok.nsl"],

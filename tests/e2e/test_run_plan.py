@@ -154,7 +154,7 @@ def test_a_broken_promise_exits_1_and_leaves_the_files(folder: Path) -> None:
                   "--plan", "plan.json", "--png", "f.png", "--repeat", "2")  # fmt: skip
     assert outcome.status == 1
     assert outcome.codes == ["NS0749", "NS0749"]
-    assert "forced off: shot" in outcome.err
+    assert "turned off: shot" in outcome.err
     assert "BROKEN" in outcome.err
     arrays, meta = loaded(folder)
     assert meta["audit"]["holds"] is False

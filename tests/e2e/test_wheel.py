@@ -91,7 +91,7 @@ def test_compiles_an_example_and_says_what_running_needs(elsewhere: Path, root: 
         ("run hdr_2x2.icw --scene builtin:hdr", "run"),
         ("view hdr_2x2.icw -o shutters.png", "view"),
         ("device info /dev/null", "device"),
-        ("reconstruct run frame.npz -o out.npz", "train"),
+        ("reconstruct hdr hdr_2x2.icw -o out.npz", "train"),
     ):
         refused = outcome_of([nscc, *arguments.split()], elsewhere)
         assert (refused.returncode, "[NS0904]" in refused.stderr) == (2, True), refused.stderr

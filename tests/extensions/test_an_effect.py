@@ -38,7 +38,16 @@ def test_an_effect_from_outside_in_everything_there_is(tmp_path: Path) -> None:
         ("5e", "auto", "kept"), ("5e", "all", "kept"), ("99e", "auto", "dropped"),
         ("60e", "-columns", "dropped"),
     ):  # fmt: skip
-        words = ("--sensor", "s.toml", "--tolerance", tolerance, "--effects", effects, "--audit")
+        words = (
+            "--sensor",
+            "s.toml",
+            "--tolerance",
+            tolerance,
+            "--effects",
+            effects,
+            "--audit",
+            "--verbose",
+        )
         done = nscc_with(tmp_path, *RUN, *words)
         assert done.returncode == 0, done.stderr
         meta = json.loads(str(np.load(tmp_path / "f.npz")["meta"]))

@@ -66,7 +66,7 @@ def test_one_that_raises_is_left_out_and_named(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(PROGRAM)
     done = nscc_with(tmp_path, *BUILD, 2)
     assert done.returncode == 0
-    assert "[NS0504]: the generator 'odd'" in done.stderr
+    assert "[NS0504]: the gate generator 'odd'" in done.stderr
     assert "ZeroDivisionError" in done.stderr
     report = json.loads(done.stdout)
     assert report["proof"]["holds"]

@@ -129,7 +129,7 @@ def test_follows_a_link_and_leaves_a_device_alone(tmp_path: Path) -> None:
     assert Path(os.devnull).is_char_device()
 
 
-@pytest.mark.parametrize("name", [".", "no/such", "file/under", "n" * 300])
+@pytest.mark.parametrize("name", [".", "file/under", "n" * 300])
 def test_refuses_in_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -> None:
     (tmp_path / "file").write_bytes(b"old")
     with pytest.raises(Rejected) as raised:
@@ -140,11 +140,12 @@ def test_refuses_in_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -
 
 
 def test_several_files_or_none(tmp_path: Path) -> None:
+    (tmp_path / "file").write_bytes(b"old")
     with pytest.raises(Rejected):
-        write_together({tmp_path / "a": b"a", tmp_path / "no" / "b": b"b"})
-    assert os.listdir(tmp_path) == []
+        write_together({tmp_path / "a": b"a", tmp_path / "file" / "b": b"b"})
+    assert os.listdir(tmp_path) == ["file"]
     write_together({tmp_path / "a": b"a", tmp_path / "b": b"b"})
-    assert sorted(os.listdir(tmp_path)) == ["a", "b"]
+    assert sorted(os.listdir(tmp_path)) == ["a", "b", "file"]
 
 
 def test_two_products_in_one_file_are_refused(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ def test_a_clip_may_begin_later_or_be_a_still(tmp_path: Path) -> None:
     assert means[1] / means[0] == pytest.approx(
         srgb_to_linear(np.array(200 / 255)) / srgb_to_linear(np.array(90 / 255))
     )
-    with pytest.raises(Rejected, match=r"NS0735.* has 1 frame from frame 3 on, 2 are needed"):
+    with pytest.raises(Rejected, match=r"NS0735.* has 1 frame from frame 3 on, but 2 are needed"):
         laid(tmp_path / "clip.gif", first=3)
 
 

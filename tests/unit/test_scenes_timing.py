@@ -70,7 +70,7 @@ def test_a_clip_in_real_time(tmp_path: Path) -> None:
         )  # fmt: skip
     (found,) = caught.value.diagnostics
     assert found.code == "NS0735"
-    assert "3 frames, 4 are needed" in found.message
+    assert "3 frames, but 4 are needed" in found.message
 
 
 def test_thousands_of_slots_are_laid_out_quickly() -> None:

@@ -79,7 +79,7 @@ def test_a_saved_program_is_loaded_as_it_was(tmp_path: Path) -> None:
 def test_files_and_defaults_are_those_of_the_command(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(TEXT)
     kinds = ",".join(kind for kind in SUFFIXES if kind != "planes")  # of another kind of chip
-    assert invoke(["build", "p.nsl", "-o", "c/p.icw"], tmp_path).status == 2  # there is no folder
+    assert invoke(["build", "p.nsl", "-o", "p.nsl/p.icw"], tmp_path).status == 2  # not a folder
     (tmp_path / "c").mkdir()
     outcome = invoke(["build", "p.nsl", "-o", "c/p.icw", "--emit", kinds], tmp_path)
     assert outcome.status == 0, outcome.err

@@ -127,7 +127,7 @@ def test_a_slot_of_just_the_loading_time_fits_a_pipelined_chip_only() -> None:
     [
         (SPLIT.replace("n >= split", "n >= split - 1"), DRAINED, "open in `early` and in `late`"),
         (SPLIT.replace("n >= split", "n > split"), CHIP, "has no drain"),
-        (SPLIT.replace("n >= split", "n > split"), DRAINED, "3 ways"),
+        (SPLIT.replace("n >= split", "n > split"), DRAINED, "3 destinations"),
         (SPLIT, LONE, "2 buckets need as many taps"),
     ],
 )

@@ -98,7 +98,7 @@ def test_the_frame_says_what_was_asked_and_what_it_means(folder: Path, program: 
     ("asked", "said"), [("5e", "tolerance 5 e\n"), ("0.5lsb", " e (0.5lsb)\n")]
 )
 def test_electrons_and_codes_follow_no_scene(folder: Path, asked: str, said: str) -> None:
-    outcome = run(folder, "fixed.nsl", "--scene", "builtin:dark", "--tolerance", asked)
+    outcome = run(folder, "fixed.nsl", "--scene", "builtin:dark", "--tolerance", asked, "--verbose")
     assert said in outcome.err
     assert (found(folder)["tolerance"], found(folder)["signal_e"]) == (asked, None)
 
@@ -134,7 +134,7 @@ def test_pieces_and_colours_of_a_picture_share_one_tolerance(folder: Path) -> No
     Image.fromarray(picture).save(folder / "picture.png")
     scene = ("--scene", "picture.png", "--exposure", "9000", "--fit", "tiles", "--color")
     expected = signal_e(folder, "fixed.nsl", *scene)
-    outcome = run(folder, "fixed.nsl", *scene, "--tolerance", "2%")
+    outcome = run(folder, "fixed.nsl", *scene, "--tolerance", "2%", "--verbose")
     assert outcome.status == 0, outcome.err
     assert " exposures the one that is furthest off:" in outcome.out + outcome.err
     assert_found(folder, "2%", 0.02 * expected, expected)

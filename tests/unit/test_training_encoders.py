@@ -114,7 +114,7 @@ def test_bad_codes_are_refused(tmp_path: Path) -> None:
     encoder = make_encoder(ShutterSpec("d", 8, (2, 2)), "quad")
     good = encoder.codes()
     for bad, words in (
-        ({"start": good["start"]}, "no field 'stop'"),
+        ({"start": good["start"]}, "the field 'stop' is missing"),
         ({**good, "stop": good["stop"][:1]}, "tile"),
         ({**good, "stop": good["stop"] + 8}, "outside"),
         ({"start": good["stop"] - 1, "stop": good["stop"] * 0 + 1}, "before it starts"),

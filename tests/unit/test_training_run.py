@@ -88,7 +88,7 @@ def test_a_frame_of_another_program_is_refused(run: nscc_training.Run) -> None:
     [
         (np.ones((256, 256)), r"its codes \(256, 256\), not an array \(256, 256\) of float64"),
         (np.ones((4, 4), np.uint8), r"not an array \(4, 4\) of uint8"),
-        (np.full((256, 256), 300), r"codes are 0..255, and these 300..300"),
+        (np.full((256, 256), 300), r"codes must be 0..255, but these are 300..300"),
         (None, "not None"),
     ],
 )

@@ -104,6 +104,8 @@ def _operations() -> Iterator[str]:
     yield f"constexpr Word kind_digital = {_word(word_masks.kind_digital)};\n"
     yield "constexpr Operation operations[] = {"
     for row in OPERATIONS:
+        if row.effect is WordEffect.DIGITAL_NEIGHBOURS:
+            continue  # the loader refuses words that reach neighbours
         kind = row.name.partition(".")[0]
         half = row.phase is not Phase.WHOLE
         counts = [*row.destinations, *row.sources]

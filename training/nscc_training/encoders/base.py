@@ -225,7 +225,7 @@ class Encoder(nn.Module, ABC):
         for name, (low, high) in limits.items():
             values = codes.get(name)
             if values is None:
-                raise ValueError(f"unknown field '{name}'")
+                raise ValueError(f"the field '{name}' is missing")
             if values.shape != self.spec.tile:
                 raise ValueError(f"'{name}' is {values.shape}, the tile {self.spec.tile}")
             if values.min() < low or values.max() > high:

@@ -119,7 +119,7 @@ def _limit(values: Values, _place: Place) -> Figures:
         "built_up_to": built.size if built else None,
         "impossible_from": limit.impossible,
         **({} if built is None else built.figures),
-        "tried": len(limit.tried),
+        "tried": len(limit.trials),
         "impossible_reason": limit.impossible_reason or None,
         "unknown_reason": limit.unknown_reason or None,
     }
