@@ -93,7 +93,7 @@ class ArrayPixels(WordPixels):
                 self.tainted["FLAG"] = self._taint(op)
                 digital.write("FLAG", found)
             case WordEffect.DIGITAL_NEIGHBOURS:
-                self._near(op)
+                self._neighbour_values(op)
             case WordEffect.FLAG_DIGITAL | WordEffect.FLAG_ALL:
                 self.tainted["FLAG"] = self._taint(op)
                 digital.run(op)
@@ -210,7 +210,7 @@ class ArrayPixels(WordPixels):
             result = written(self, result, word, index, sign)
         return result
 
-    def _near(self, op: Op) -> None:
+    def _neighbour_values(self, op: Op) -> None:
         """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
