@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class _Evaluations(Subcommands):
-    """What can be evaluated; any other name is a run folder or a baseline."""
+    """The subcommands of `nscc evaluate`; any other name is passed to `evaluate of`."""
 
     def resolve_unknown(
         self, name: str, args: list[str]

@@ -27,7 +27,9 @@ if TYPE_CHECKING:
 def scene_of(
     options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
-    """The scene that a command's options describe; NS0744 with the text `missing` without one."""
+    """Return the scene of a command's options; raises NS0744 with the message `missing` without
+    --scene.
+    """
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:

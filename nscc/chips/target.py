@@ -237,7 +237,7 @@ class Target:
 
     @property
     def zero_lsb(self) -> float:
-        """The code of a register that holds nothing."""
+        """The converter code, possibly fractional, of a register without charge."""
         zero = 0.0
         if self.conversion == "full":
             zero = 1 << (self.adc_bits - 1)

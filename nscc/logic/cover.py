@@ -62,9 +62,12 @@ class Covers:
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """Find a cheap cover of ahead[0] by values and cubes; None if not found. `values` are truth
-        vectors; `usable[i]` says whether value i may be in the OR itself. `ahead` are the
-        predicates of this demand and the following ones, for the choice of cubes that last."""
+        """Find a cheap cover of ahead[0] by values and cubes; None if not found.
+
+        `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR. The
+        further predicates in `ahead` are used to prefer cubes that they can reuse. A cover has at
+        most `most_cubes` cubes.
+        """
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)

@@ -156,11 +156,12 @@ class _KeptPlan:
 
 
 class KeptPlans:
-    """The plans of a film's frames, or of the scenes of a batch, which are numbered from 0.
+    """The plans of a series of frames, or of the scenes of a batch, numbered from 0.
 
-    Frames that are exposed one after the other need nothing else. Where scenes are exposed at the
-    same time, their numbers are announced by `expect` before any of them begins: whose plan one
-    takes then follows from their order alone. A capture passes its turn on however it ends.
+    Frames that are exposed one after the other need no announcement. For scenes that are exposed
+    at the same time, announce their numbers with `expect` before the first begins. Each scene then
+    waits for the plans of lower numbers, so the result does not depend on timing. A capture that
+    fails also releases the next scene.
     """
 
     def __init__(self) -> None:

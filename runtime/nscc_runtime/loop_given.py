@@ -49,7 +49,7 @@ class LoopParameter:
 
     @property
     def arrays(self) -> tuple[LoopParameter, ...]:
-        """Itself: what has an address of its own."""
+        """The parameters that are passed as separate addresses: here only this one."""
         return (self,)
 
     def sized(self, axes: set[str]) -> LoopParameter:

@@ -24,11 +24,13 @@ COLOURS = ("red", "green", "blue")
 
 @dataclass(frozen=True, eq=False)
 class Taken:
-    """What became of a scene: frames of the picture's size, with those of colours on a leading
-    axis; `container` has a code for every pixel of them, `light` is what the first of them saw.
+    """The result of exposing a scene, its pieces joined. Colours are a leading axis of the frames.
 
-    `laid` belongs into the frame file's meta. `program` is the chip's, `placement` how it sees the
-    picture, in so many `pieces`, colours each: the plan is that of the one it has most wrong with.
+    `container` has a code for every pixel of the picture; `program` is the container for one
+    array. `light` is the scene's light, of a colour capture that of red. `laid` is metadata for
+    the frame file. `placement` describes how the picture lies on the arrays. `pieces` is the
+    number of exposures, all colours together. The plan is that of the piece with the largest
+    predicted error.
     """
 
     simulated: Simulated

@@ -78,7 +78,7 @@ class SessionLost(Exception):
 
 
 class SessionTaken(SessionLost):
-    """The loader has another session, or none."""
+    """The loader does not know this session: it restarted, or another host began one."""
 
 
 class Host:

@@ -116,7 +116,7 @@ def expose(
 
 @dataclass(frozen=True, eq=False)
 class _Decoded:
-    """A program's words and codes as the loop takes them."""
+    """A program's words and codes as the arrays that the compiled loop reads."""
 
     layout: Layout
     steps: Steps

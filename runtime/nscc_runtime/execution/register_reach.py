@@ -153,7 +153,7 @@ class _RegisterReach:
 
     @property
     def most(self) -> float:
-        """Largest weight of a charge in a register; 1 unless charge counts twice."""
+        """The largest weight that a register gives to a charge, at least 1."""
         return max(1.0, float(self.held_weights.max(initial=0.0)))
 
     def add(self, lanes: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:

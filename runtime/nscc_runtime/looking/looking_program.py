@@ -58,7 +58,9 @@ _AFTER_WORDS = {"converter", "codes"}
 
 @dataclass(frozen=True, eq=False)
 class LookingProgram:
-    """A container with a machine and a sensor, made ready for any scenes and effects."""
+    """A program that looks (a container with a state machine) and a sensor, prepared for any scene
+    and effects.
+    """
 
     container: Container
     sensor: Sensor

@@ -179,7 +179,9 @@ def _fall(
 
 @inlined
 def _hand_on(segment: int, first: int, i: int, block: BlockScratch, ends: Ints32) -> None:
-    """Pixel i of a block waits before a segment, or has come to an end."""
+    """Queue pixel i for `segment`; if the segment is negative, its path has ended, and i goes into
+    `ends`.
+    """
     if segment < 0:
         ends[first + i] = -1 - segment
     else:

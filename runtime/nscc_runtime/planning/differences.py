@@ -39,8 +39,10 @@ class WeightedPixels:
         return np.asarray((values * self.weight).sum(axis=-1) / max(self.weight.sum(), 1e-300))
 
     def standard_error(self, values: Values) -> Values:
-        """Return the standard error of `mean(values)`. A pixel of weight 1 was certain to be drawn,
-        so it adds none; a pixel of smaller weight was exposed several times."""
+        """Return the standard error of `mean(values)`.
+
+        A pixel of weight 1 was certain to be drawn and adds no sampling error.
+        """
         if not values.size:
             return np.zeros(values.shape[:-1])
         not_sampled = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))

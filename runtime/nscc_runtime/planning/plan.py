@@ -342,7 +342,7 @@ def _errors(plan: Plan) -> list[str]:
 
 
 def approximation_lines(plan: Plan) -> list[str]:
-    """Return a line for each approximation of sums, with its error."""
+    """Return a line for each approximation of the plan, with its error."""
     return [
         f"approximation: {name}" + ("" if error_e is None else f": {error_e:.2g} e")
         for name, error_e in (

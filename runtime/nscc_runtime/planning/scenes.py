@@ -88,7 +88,11 @@ class FixedShutters(PlannedScene):
         return SummedTrial(forced_off, self.program, self.light, self.device_seed, threads)
 
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
-        """The words of all pixels, or the reference where only that has an effect, or is faster."""
+        """Return the next trial if weighted sums are not accurate enough; None if there is none.
+
+        It runs all pixels word by word, or uses the reference if only the reference supports an
+        effect or if it is faster.
+        """
         if not isinstance(trial, SummedTrial) or isinstance(trial, WordTrial):
             return None
         values = trial.forced_off, self.program, self.light, self.device_seed, trial.threads

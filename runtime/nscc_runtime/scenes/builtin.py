@@ -67,8 +67,10 @@ def _clip_share(spec: str, text: str) -> float:
         return share
     raise rejected(
         "NS0731",
-        f"invalid part of the clip '{text[:60]}' in '{spec[:80]}'",
-        notes=("builtin:motion:PART shows the middle PART of the clip, 0 to 1, in slow motion",),
+        f"'{text[:60]}' in '{spec[:80]}' is not a fraction from 0 to 1",
+        notes=(
+            "builtin:motion:PART shows this fraction of the clip, from its middle, in slow motion",
+        ),
         helps=("for instance builtin:motion:0.2",),
     )
 

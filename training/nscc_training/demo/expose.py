@@ -116,7 +116,9 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """The light that a picture made for screens shows as white."""
+        """Return the electrons of white (per frame; per slot for clips) of a picture that was made
+        for screens.
+        """
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 

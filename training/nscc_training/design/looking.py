@@ -98,12 +98,12 @@ class LookModel:
         return Expected(errors, tuple(closing))
 
     def best(self, looks: int, curve: Curve) -> LookSchedule:
-        """The schedule of so many looks with the least error on a curve that was found.
+        """Return the schedule of `looks` looks with the smallest expected error on a curve.
 
-        From several geometric starts, one look after the other is moved and given the level that
-        is best while the others stay as they are, until no move is better. The best of the starts
-        is kept; the same input gives the same schedule. Of several scenes the decibels count, so
-        that a hard one does not outweigh the others: each is weighed by what it was before.
+        The search begins with several geometric schedules. It moves one look after the other and
+        gives it the best level, with the other looks fixed, until no move reduces the error. The
+        best result is returned; the same input gives the same schedule. With several scenes, each
+        scene's error is divided by its error before the search, so that no scene dominates.
         """
         worth, schedule = min(
             (self._descended(start, curve) for start in self._starts(looks)),

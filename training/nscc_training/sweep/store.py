@@ -16,8 +16,7 @@ POINTS = "points"
 
 
 def store_in(folder: Path) -> ExperimentStore:
-    """Return the store of a folder, which is made. Rejected (NS0784) if the folder cannot be
-    written, and as `ExperimentStore`."""
+    """Return the experiment store in `folder`, which is created. Raises NS0784 if that fails."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
