@@ -57,7 +57,11 @@ _TASKS: dict[str, dict[str, _Shown]] = {
     "A fast clip from one frame": {
         "flutter": _clip(400_000), "class_c": _clip(240_000), "class_d": _clip(120_000),
         "class_e": _clip(60_000), "codebook": _clip(60_000), "staggered": _clip(60_000),
-        "foveated": _clip(200_000),
+        "foveated": _clip(200_000), "searched_bits": _clip(60_000),
+    },
+    "A clip from several readouts of one exposure": {
+        name: _Shown("builtin:motion", 30_000, "any frame.npz")
+        for name in ("two_readouts", "three_readouts", "four_readouts")
     },
     "A sharp picture of a moving scene": {
         "class_a": _Shown("builtin:motion", 30_000, "any frame.npz --as image"),
