@@ -16,7 +16,7 @@ from typing import Any
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
 from nscc.neighbours.held import Emitter, Held, PictureRefused
-from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
+from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, values_of
 from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
 from nscc.operations import NEIGHBOURS, op
 from nscc.words import pictures as p
@@ -140,10 +140,7 @@ class Lowering(Emitter):
         if isinstance(node, p.Sum):
             terms = [(factor, *self._merged(term)) for factor, term in node.terms]
             if terms and all(inner == terms[0][2] for _, _, inner in terms):
-                total: Weights = {}
-                for factor, taps, _ in terms:
-                    total = _total(total, factor, taps)
-                return total, terms[0][2]
+                return added(*((factor, taps) for factor, taps, _ in terms)), terms[0][2]
         return {(0, 0): Fraction(1)}, node
 
     def filtered(self, value: Held, weights: Weights) -> Held:
@@ -333,20 +330,6 @@ class Lowering(Emitter):
         return Held(register, -then.sign, low, high, variance=variance)
 
 
-def _total(weights: Weights, factor: Fraction, taps: Weights) -> Weights:
-    """A kernel and another one times a factor."""
-    total = dict(weights)
-    for at, weight in taps.items():
-        total[at] = total.get(at, Fraction(0)) + factor * weight
-    return {at: weight for at, weight in total.items() if weight}
-
-
 def _after(outer: Weights, inner: Weights) -> Weights:
     """The kernel of one kernel after another."""
-    composed: Weights = {}
-    for (x, y), weight in outer.items():
-        moved = {
-            (x + right, y + down): inner_weight for (right, down), inner_weight in inner.items()
-        }
-        composed = _total(composed, weight, moved)
-    return composed
+    return added(*((weight, moved(inner, x, y)) for (x, y), weight in outer.items()))

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TypeVar
 
 from nscc.operations import NEIGHBOURS, STEPS
 
@@ -19,6 +20,7 @@ UNIT = 1 << 40
 Taps = Mapping[Offset, int]
 """A kernel's weights by where their pixels lie: columns to the right, rows down. None is 0."""
 Polynomial = dict[Offset, int]
+Weight = TypeVar("Weight", int, Fraction)
 
 
 @dataclass(frozen=True)
@@ -48,16 +50,16 @@ def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
     return {at: int(weight) for at, weight in scaled.items()}
 
 
-def added(*terms: tuple[int, Taps]) -> Polynomial:
-    """The sum of kernels times whole factors."""
-    total: Polynomial = {}
+def added(*terms: tuple[Weight, Mapping[Offset, Weight]]) -> dict[Offset, Weight]:
+    """The sum of kernels times factors, without weights that are 0."""
+    total: dict[Offset, Weight] = {}
     for factor, taps in terms:
         for at, weight in taps.items():
             total[at] = total.get(at, 0) + factor * weight
     return {at: weight for at, weight in total.items() if weight}
 
 
-def moved(taps: Taps, right: int, down: int) -> Polynomial:
+def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, Weight]:
     """The kernel of the pixel so far away."""
     return {(x + right, y + down): weight for (x, y), weight in taps.items()}
 
@@ -101,16 +103,14 @@ def values_of(program: Program) -> list[Polynomial]:
 
 # --- symmetries and joining -----------------------------------------------------------------------
 
-_TURNS = tuple(
-    (a, b, c, d)
-    for a, b, c, d in (
-        (1, 0, 0, 1), (0, -1, 1, 0), (-1, 0, 0, -1), (0, 1, -1, 0),
-        (-1, 0, 0, 1), (1, 0, 0, -1), (0, 1, 1, 0), (0, -1, -1, 0),
-    )
+_TURNS = (
+    (1, 0, 0, 1), (0, -1, 1, 0), (-1, 0, 0, -1), (0, 1, -1, 0),
+    (-1, 0, 0, 1), (1, 0, 0, -1), (0, 1, 1, 0), (0, -1, -1, 0),
 )  # fmt: skip
 """The eight ways to turn and mirror an array: (x, y) becomes (a x + b y, c x + d y)."""
 TURNS = range(len(_TURNS))
-_OF_STEP = {step: name for name, step in STEPS.items()}
+OF_STEP = {step: name for name, step in STEPS.items()}
+"""The source that reads the neighbour at a step."""
 
 
 def turned_taps(taps: Taps, turn: int) -> Polynomial:
@@ -123,7 +123,7 @@ def turned(program: Program, turn: int) -> Program:
     """The program of the turned kernel."""
     a, b, c, d = _TURNS[turn]
     names = {
-        name: _OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()
+        name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()
     }  # fmt: skip
 
     def of(operands: tuple[str, ...]) -> tuple[str, ...]:
@@ -168,7 +168,7 @@ def program_from_text(text: str) -> Program:
     words = []
     for assignment in text.split():
         target, _, sources = assignment.partition("=")
-        destinations = tuple(_LETTERS.get(target[0], target[0]) for _ in "1")
+        destinations: tuple[str, ...] = (_LETTERS.get(target[0], target[0]),)
         if len(target) == 2:
             second_destination = f"{target[0]}_" if target[1] == "2" else _LETTERS[target[1]]
             destinations = (*destinations, second_destination)

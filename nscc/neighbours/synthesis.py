@@ -14,6 +14,7 @@ from math import sqrt
 
 from nscc.neighbours.programs import (
     IDENTITY,
+    OF_STEP,
     TURNS,
     UNIT,
     BusWord,
@@ -228,8 +229,7 @@ def halvings_of(taps: Taps) -> int:
 
 # --- a way that always ends -----------------------------------------------------------------------
 
-_OF_STEP = {step: name for name, step in STEPS.items()}
-_OPPOSITE = {name: _OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
+_OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
 
 
 def accumulated(taps: Taps) -> Program:
@@ -262,7 +262,7 @@ def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
     """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
     one step to a neighbour, a neighbour's NEWS after two."""
     x, y = at
-    steps = [_OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [_OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
+    steps = [OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
     while len(steps) > 2:
         first, second, *steps = steps
         words.append(BusWord((_OPPOSITE[first],), (register,)))

@@ -127,23 +127,10 @@ class Reader:
             raise _Wrong
         if expr.op == "*":
             return _sum((Fraction(number), self._image(image)))
-        if number < 1 or number & (number - 1):
-            raise self._no_power(number, factor.span)
+        if not is_power_of_two(number):
+            refuse_divisor(self.problems, number, factor.span)
+            raise _Wrong
         return _sum((Fraction(1, number), self._image(image)))
-
-    def _no_power(self, number: int, span: Span) -> _Wrong:
-        helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
-        fixes: tuple[Fix, ...] = ()
-        if number > 0:
-            power = nearest_power(number)
-            percent = 100 * abs(number / power - 1)
-            helps = (f"`/ {power}` changes the result by {percent:.0f} %", *helps)
-            fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
-        notes = ("one word halves a value; there is no other division",)
-        return self._report(
-            "NS0532", f"a pixel cannot divide by {number}", span, "no power of two", helps,
-            notes=notes, fixes=fixes,
-        )  # fmt: skip
 
     def _call(self, call: tree.Call) -> p.Value:
         name, arguments = call.function.text, call.arguments
@@ -276,7 +263,7 @@ class Reader:
             return self._one_comparison(not above, second, first, span)
         value = self._image(first)
         if levels[1] is None:
-            value, above = _sum((Fraction(1), value), (Fraction(-1), self._image(second))), above
+            value = _sum((Fraction(1), value), (Fraction(-1), self._image(second)))
         test = p.Above(value, levels[1] or 0)
         return test if above else p.Inverse(test)
 
@@ -358,6 +345,29 @@ class Reader:
     ) -> _Wrong:
         self.problems.error(code, message, span, label, helps=helps, **details)
         return _Wrong()
+
+
+def is_power_of_two(number: int) -> bool:
+    """Return whether a pixel can divide by `number`."""
+    return number > 0 and number & (number - 1) == 0
+
+
+def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
+    """Report NS0532, with the nearest power of two and what dividing by it changes."""
+    helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
+    fixes: tuple[Fix, ...] = ()
+    if divisor > 0:
+        power = nearest_power(divisor)
+        percent = 100 * abs(divisor / power - 1)
+        change = "larger" if power < divisor else "smaller"
+        text = f"`/ {power}` makes everything {percent:.0f} % {change}; choose levels to match"
+        helps = (text, *helps)
+        fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
+    problems.error(
+        "NS0532", f"a pixel cannot divide by {divisor}", span, "no power of two",
+        notes=("one word halves a value; there is no other division",),
+        helps=helps, fixes=fixes,
+    )  # fmt: skip
 
 
 def nearest_power(number: int) -> int:

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any, Literal, cast
 
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Fix, Label, Rejected
+from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
 from nscc.program.looking import level_e
 from nscc.program.names import Declarations
-from nscc.program.picture_expressions import Reader, nearest_power
+from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
@@ -150,7 +150,10 @@ class _Maker:
         divisor = 1
         if kernel.divisor is not None:
             number = constant(kernel.divisor, self.constants, self.problems, "a divisor")
-            if number is None or not self._power_of_two(number, kernel.divisor.span, rows):
+            if number is None:
+                return None
+            if not is_power_of_two(number):
+                refuse_divisor(self.problems, number, kernel.divisor.span)
                 return None
             divisor = number
         fault = _kernel_fault(rows)
@@ -186,25 +189,6 @@ class _Maker:
                    f"{MOST_SIDE}; the centre is the pixel itself",),
             helps=("fill up with zeros: `[[0, 1, 1], ..]` for a kernel of two columns",),
         )  # fmt: skip
-
-    def _power_of_two(self, divisor: int, span: Span, rows: list[tuple[int, ...]]) -> bool:
-        if divisor > 0 and divisor & (divisor - 1) == 0:
-            return True
-        helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
-        fixes: tuple[Fix, ...] = ()
-        if divisor > 0:
-            power = nearest_power(divisor)
-            error = 100 * abs(divisor / power - 1)
-            change = "larger" if power < divisor else "smaller"
-            text = f"`/ {power}` makes everything {error:.0f} % {change}"
-            helps = (f"{text}; choose levels to match", *helps)
-            fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
-        self.problems.error(
-            "NS0532", f"a pixel cannot divide by {divisor}", span, "no power of two",
-            notes=("one word halves a value; there is no other division",),
-            helps=helps, fixes=fixes,
-        )  # fmt: skip
-        return False
 
     # --- what leaves the chip
 

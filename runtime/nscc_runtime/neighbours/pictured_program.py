@@ -91,10 +91,12 @@ class PicturedProgram:
             read[name] = values, pixels.cut_by[register].reshape(pixels.shape)
             pixels.hold(wait_s)
         images = [name for name in read if name not in buckets]
-        for name, values, frame in self._converted(images, read, valid, seeds, number):
-            told[f"image_{name}"] = values
-            told[f"image_codes_{name}"] = frame.frame[0]
-            told[f"image_saturated_by_{name}"] = frame.saturated_by[0]
+        if images:
+            codes, saturated_by = self._converted(images, read, valid, seeds, number)
+        for index, name in enumerate(images):
+            told[f"image_{name}"] = read[name][0]
+            told[f"image_codes_{name}"] = codes[index]
+            told[f"image_saturated_by_{name}"] = saturated_by[index]
         margin = np.zeros(pixels.shape, np.bool_)
         for name in pictures.outputs:
             margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
@@ -130,25 +132,19 @@ class PicturedProgram:
     def _converted(
         self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
         seeds: tuple[int, int], number: int,
-    ) -> Iterator[tuple[str, NDArray[np.float64], Frame]]:  # fmt: skip
-        """Images with what the converter makes of them, one after the other."""
+    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
+        """Codes and `saturated_by` (names, rows, cols) of images, by the converter that is
+        symmetric around 0."""
         target = replace(self.container.target, readout="full")
+        # The draws of a converter go by the place in the array: behind those of the buckets.
         buckets = len(self.container.buckets)
-        for index, name in enumerate(names):
-            values, marks = read[name]
-            # The draws of a converter go by the place in the array: behind those of the buckets.
-            place = buckets + index
-            shape = (place + 1, *valid.shape)
-            stack, stacked = np.zeros(shape), np.zeros(shape, np.uint8)
-            stack[place], stacked[place] = values, marks
-            exposure = Exposure(stack, np.broadcast_to(valid, shape), stacked)
-            frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
-            one = slice(place, place + 1)
-            yield (
-                name,
-                values,
-                Frame(frame.frame[one], stack[one], frame.valid[one], frame.saturated_by[one]),
-            )
+        shape = (buckets + len(names), *valid.shape)
+        stack, stacked = np.zeros(shape), np.zeros(shape, np.uint8)
+        for place, name in enumerate(names, buckets):
+            stack[place], stacked[place] = read[name]
+        exposure = Exposure(stack, np.broadcast_to(valid, shape), stacked)
+        frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
+        return frame.frame[buckets:], frame.saturated_by[buckets:]
 
     def _computed(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> ArrayPixels:
         """The array after the last word."""

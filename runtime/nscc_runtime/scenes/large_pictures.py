@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from nscc_runtime.scenes import picture_size
 from nscc_runtime.scenes.pages import Pages
 from nscc_runtime.scenes.picture_heads import png_head
+from nscc_runtime.scenes.picture_size import without_pillow_limit
 
 _GREY, _COLOUR = ("1", "L"), ("LA", "P", "PA", "RGB", "RGBA", "RGBX", "CMYK", "YCbCr")
 _BAND_ROWS = 256
@@ -47,18 +47,6 @@ def large_pages(path: Path) -> Pages | None:
 
     head = png_head(path) if path.suffix.lower() == ".png" else None
     return Pages(1, read, *((head.transfer, head.notes) if head else ()))
-
-
-@contextmanager
-def without_pillow_limit() -> Iterator[None]:
-    """Switch off Pillow's limit on pixels: `picture_size` states the limits of this project."""
-    from PIL import Image
-
-    pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
-    try:
-        yield
-    finally:
-        Image.MAX_IMAGE_PIXELS = pillow_limit
 
 
 def _samples(path: Path) -> NDArray[np.uint8]:

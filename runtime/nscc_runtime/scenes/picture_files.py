@@ -20,11 +20,11 @@ from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
 from nscc_runtime.scenes.exr_pictures import exr_pages
-from nscc_runtime.scenes.large_pictures import large_pages, without_pillow_limit
+from nscc_runtime.scenes.large_pictures import large_pages
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.picture_heads import png_head, read_radiance
-from nscc_runtime.scenes.picture_size import refuse_huge, refuse_size
+from nscc_runtime.scenes.picture_size import refuse_huge, refuse_size, without_pillow_limit
 from nscc_runtime.scenes.raw_pictures import RAW, raw_pages
 from nscc_runtime.scenes.tiff_pictures import tiff_pages
 

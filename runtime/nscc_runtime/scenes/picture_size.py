@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -61,14 +63,23 @@ def _stated_size(path: Path) -> tuple[int, int] | None:
         return _exr_size(path)
     from PIL import Image
 
-    bound, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None  # only the header is read
     try:
-        with Image.open(path) as image:
+        with without_pillow_limit(), Image.open(path) as image:  # only the header is read
             return image.height, image.width
     except Exception:  # Pillow's plugins raise what they like; the reader says what is wrong
         return None
+
+
+@contextmanager
+def without_pillow_limit() -> Iterator[None]:
+    """Switch off Pillow's limit on pixels: this module states the limits of this project."""
+    from PIL import Image
+
+    pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
+    try:
+        yield
     finally:
-        Image.MAX_IMAGE_PIXELS = bound
+        Image.MAX_IMAGE_PIXELS = pillow_limit
 
 
 def _exr_size(path: Path) -> tuple[int, int] | None:
