@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import os
 import signal
@@ -15,7 +16,7 @@ from pathlib import Path
 import pytest
 from nscc_command import invoke
 
-from nscc import __version__
+from nscc import __version__, installation
 from nscc_cli.table import COMMANDS
 
 GOOD = (
@@ -245,3 +246,67 @@ def test_doctor_finds_nothing_wrong(folder: Path) -> None:
     assert outcome.status == 0, outcome.out
     assert f"nscc {__version__}" in outcome.out
     assert "WRONG" not in outcome.out
+
+
+def test_doctor_names_an_extra_that_cannot_be_imported(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def import_module(name: str) -> object:
+        if name == "matplotlib":
+            raise OSError("libfreetype.so: cannot open\nshared object file")
+        return importlib.import_module(name)
+
+    monkeypatch.setattr(installation, "import_module", import_module)
+    outcome = invoke(["doctor"], folder)
+    lines = [line for line in outcome.out.splitlines() if "matplotlib" in line]
+    assert lines
+    for line in lines:
+        assert line.split()[0] == installation.BROKEN
+        assert "(OSError: libfreetype.so: cannot open shared object file)" in line
+    assert outcome.status == 0
+
+
+def test_doctor_says_that_loops_are_compiled_in_every_run(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("numba")
+    from nscc_runtime.loop import Loop
+
+    monkeypatch.setattr(Loop, "is_compiled", lambda _loop: False)
+    monkeypatch.setattr(Loop, "is_kept", lambda _loop: False)
+    monkeypatch.setattr(Loop, "load", lambda _loop: None)
+    monkeypatch.setattr("nscc_runtime.machine_code.can_keep", lambda _folders: False)
+    outcome = invoke(["doctor"], folder)
+    (line,) = [line for line in outcome.out.splitlines() if "loops" in line]
+    assert "are not kept: compiling loops: some seconds in every run" in line
+    assert "XDG_CACHE_HOME names" in line
+    assert outcome.status == 0
+
+
+@pytest.mark.parametrize(
+    "names",
+    [("HOME", "XDG_CACHE_HOME"), ("NSCC_CACHE_DIR",), ("MPLCONFIGDIR", "XDG_CONFIG_HOME")],
+    ids="-".join,
+)
+def test_folders_that_cannot_be_written_give_at_most_one_line(
+    folder: Path, names: tuple[str, ...]
+) -> None:
+    """Run and draw in a new process, because packages read their folders once."""
+    bad = dict.fromkeys(names, "/dev/null/folder")
+    nscc = [sys.executable, "-m", "nscc_cli"]
+    for arguments, product in (
+        (
+            ["run", "ok.nsl", "--scene", "builtin:hdr", "--effects", "none", "-o", "frame.npz"],
+            "frame.npz",
+        ),
+        (["view", "ok.nsl", "-o", "ok.png"], "ok.png"),
+    ):
+        done = subprocess.run(
+            [*nscc, *arguments], cwd=folder, env={**os.environ, **bad}, capture_output=True,
+            text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        assert (folder / product).stat().st_size > 0
+        ordinary = ("frame  ", "wrote ")
+        others = [line for line in done.stderr.splitlines() if not line.startswith(ordinary)]
+        assert len(others) <= 1, done.stderr
