@@ -51,7 +51,7 @@ def npy_values(
     """The values after the header; None if the stream is too short or too long."""
     data = memoryview(bytearray(prod(shape) * dtype.itemsize))
     filled = 0
-    while block := stream.read(min(len(data) - filled, _BLOCK_BYTES) or 1):
+    while block := stream.read(_BLOCK_BYTES):
         if filled + len(block) > len(data):
             return None
         data[filled : filled + len(block)] = block

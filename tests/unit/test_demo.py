@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -14,6 +15,7 @@ from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.examples import START, about, examples
+from nscc_runtime.pictures import images
 from nscc_training import views
 from nscc_training.demo.subject import liveliest
 from nscc_training.metrics import mu_psnr
@@ -38,10 +40,23 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return found
 
 
-def test_a_photo_becomes_a_sheet_and_a_picture(folder: Path, run_nscc: RunNscc) -> None:
+def test_a_photo_becomes_a_sheet_and_a_picture(
+    folder: Path, run_nscc: RunNscc, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """What the sheet counts is what its files hold, and its commands make the same files."""
+    drawn = []
+
+    def image_sheet(rows: list[list[Any]], *arguments: Any) -> Any:
+        drawn.append([[image.title for image in row] for row in rows])
+        return images.image_sheet(rows, *arguments)
+
+    monkeypatch.setattr("nscc_training.demo.sheet.image_sheet", image_sheet)
     outcome = run_nscc(["demo", "photo.jpg", "-o", "out", "--tone", "log"], folder)
     assert outcome.status == 0, outcome.err
+    ((first, looked, coded),) = drawn
+    assert first == ["truth", "an ordinary camera", "error"]
+    assert looked == ["pixels that look", "error", "when they closed"]
+    assert coded[:2] == ["reconstruction", "error"]
     made = folder / "out"
     left = {
         "picture_sheet.png",

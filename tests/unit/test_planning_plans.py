@@ -19,7 +19,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.effects import optional, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_parts import Approximation
+from nscc_runtime.planning.plan_parts import Approximation, Cost
 from nscc_runtime.planning.tolerance import (
     LEAST_E,
     OPTION_MAX,
@@ -282,3 +282,16 @@ def test_what_a_plan_simulates() -> None:
     assert free.kept.on == {"shot", "full_well", "adc"}
     assert free.requested_effects.on == {*optional(), "adc"}
     assert free.execution.near_effects.on == {*optional(), "adc"} - {"register"}
+
+
+@pytest.mark.parametrize(("effects", "nodes"), [("leakage", 2), ("shot", 1)])
+def test_a_plan_tells_the_nodes_of_a_kept_leak(effects: str, nodes: int) -> None:
+    assert plan_of(effects).as_json()["leak_nodes"] == nodes
+
+
+@pytest.mark.parametrize(("rest_ms", "is_less"), [(-0.5, True), (0.0, False), (0.5, False)])
+def test_only_a_negative_remainder_is_explained(rest_ms: float, is_less: bool) -> None:
+    cost = Cost(total_ms=8.0 + rest_ms, saturating_ms=2.0, planning_ms=1.0, all_ms=20.0)
+    rows = cost.rows(5.0, ())
+    assert sum(row[-1] for row in rows) + 5.0 == cost.total_ms
+    assert ("less what each" in rows[-1][1]) == is_less

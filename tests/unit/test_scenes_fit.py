@@ -17,8 +17,10 @@ from scipy.io import savemat
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc_runtime.light import Light
 from nscc_runtime.scenes import ExposureLevel, PlacedLight, Scene, laid_scene, load_scene
 from nscc_runtime.scenes.colour import srgb_to_linear
+from nscc_runtime.scenes.placement import Placement
 
 RNG = np.random.default_rng(11)
 SIZE: dict[str, Any] = {"slot_us": (1000.0, 1000.0), "rows": 24, "cols": 32}
@@ -189,3 +191,12 @@ def test_16_bits_alpha_and_grey(tmp_path: Path) -> None:
     opaque, _ = laid(tmp_path / "alpha.png")
     grey = srgb_to_linear(alpha[..., :3] / 255.0) @ [0.2126, 0.7152, 0.0722]
     assert np.allclose(opaque.light.total_e(), grey * 5000 / np.median(grey), rtol=1e-5)
+
+
+def test_pieces_lie_beside_and_below_each_other() -> None:
+    picture = np.arange(1, 1 + 2 * 4 * 9, dtype=np.float32).reshape(2, 4, 9)
+    placement = Placement("tiles", (4, 8), (4, 8), (2, 3))
+    pieces = [piece.dense() for piece in placement.pieces(Light.of_clip(picture))]
+    assert np.array_equal(pieces[1], picture[:, :2, 3:6])
+    assert np.array_equal(pieces[3], picture[:, 2:, :3])
+    assert np.array_equal(placement.joined(pieces), picture[..., :8])

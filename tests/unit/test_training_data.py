@@ -19,6 +19,7 @@ from safetensors import safe_open  # noqa: E402
 from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training import turning_camera  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch, ExposureSet, Scenes, SourceScene, cut_batch, load_scenes  # noqa: E402
 from nscc_training.data.exposures import quantiles  # noqa: E402
@@ -285,6 +286,25 @@ def test_a_camera_sees_what_is_where_it_looks(yaw: float, pitch: float) -> None:
             ahead, right, down = around @ up @ (ray / np.linalg.norm(ray))
             wanted = 2 + 0.9 * ahead - 0.6 * right + 0.5 * down
             assert found[row, col] == pytest.approx(wanted, abs=1e-3)
+
+
+def test_objects_before_a_turning_camera_keep_their_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their texture is a plane of slope 1 down and 2 across, so this ratio stays wherever they are
+    and however bright."""
+    rows, cols = np.mgrid[:64, :64].astype(np.float32)
+    texture = 100 + rows + 2 * cols
+    ratios: list[float] = []
+    for seed in range(8):
+        views = iter([np.ones((64, 64), np.float32)] * 3)
+        monkeypatch.setattr(turning_camera, "view", lambda *_, views=views: next(views, texture))
+        for frame in turned(rows, np.random.default_rng(seed), 3, 64).astype(np.float64):
+            down, across = np.diff(frame, axis=0)[:-1, :-2], np.diff(frame, axis=1)[:-2, :-1]
+            # The border of an object, and of a reflection in it, is bent.
+            bend = np.abs(np.diff(frame, 2, axis=0))[:, :-2] + np.abs(np.diff(frame, 2))[:-2]
+            inside = (bend < 0.01 * np.abs(down)) & (np.abs(down) > 1e-3)
+            ratios += np.abs(across[inside] / down[inside]).tolist()
+    assert len(ratios) > 1000
+    np.testing.assert_allclose(np.quantile(ratios, [0.05, 0.95]), 2, rtol=0.01)
 
 
 def test_a_turning_camera_moves_what_nothing_covers() -> None:
