@@ -24,7 +24,7 @@ from random import Random
 ROOT = Path(__file__).resolve().parent.parent
 PRODUCT = ("nscc", "runtime", "training", "cli")
 COUNT = 40
-MOST_FILES = 8
+MOST_FILES = 16
 """Files of tests that are run for a change."""
 SECONDS = 600
 """How long the tests of a change may take; a change that makes them hang is noticed."""

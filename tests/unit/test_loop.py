@@ -6,6 +6,7 @@ import hashlib
 import os
 import subprocess
 import sys
+from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
@@ -283,3 +284,15 @@ def test_every_loop_is_found():
     ):
         assert f"nscc_runtime.{name}" in found
     assert "nscc_training.baselines.tv_loop" in found
+
+
+def test_an_object_file_that_cannot_be_written_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise OSError("no space left")
+
+    monkeypatch.setattr("os.replace", refuse)
+    assert machine_code.object_code("loops.o", [tmp_path], lambda: b"code") == b"code"
+    assert not [*tmp_path.iterdir()]
+    assert machine_code.read_object_file("loops.o", [tmp_path]) is None

@@ -295,3 +295,15 @@ def test_only_a_negative_remainder_is_explained(rest_ms: float, is_less: bool) -
     rows = cost.rows(5.0, ())
     assert sum(row[-1] for row in rows) + 5.0 == cost.total_ms
     assert ("less what each" in rows[-1][1]) == is_less
+
+
+def test_the_text_of_a_plan_gives_the_estimates_that_it_has() -> None:
+    plan = replace(
+        plan_of("shot"), predicted_e=3.0, predicted_p999_e=4.5, predicted_max_e=6.25,
+        noise_ratio=1.125, other_states=0.0025,
+    )  # fmt: skip
+    text = str(plan)
+    assert "99.9 % of the pixels within 4.5 e, the worst 6.25 e off; noise x 1.1250" in text
+    assert "in other states: 0.25% of the pixels" in text
+    assert "estimates" not in str(replace(plan, predicted_p999_e=None))
+    assert "no error was measured; tolerance 5 e" in str(replace(plan, predicted_e=None))
