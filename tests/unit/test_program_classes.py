@@ -10,6 +10,7 @@ from program_oracle import program_of
 
 from nscc.emit.summary import summary
 from nscc.pipeline import Options, run_passes
+from nscc.program.capacity import bits_needed
 from nscc.program.printing import print_program
 from nscc.source import Source
 
@@ -143,3 +144,10 @@ def test_target_from_the_file_and_from_outside(tmp_path: Path) -> None:
         "nsl 1 target scamp7 frame 8 slots of 1ms open when n < rows", target=seven.target
     )
     assert other.target is seven.target
+
+
+@pytest.mark.parametrize(
+    ("shutters", "registers"), [(1, 0), (2, 1), (3, 2), (4, 2), (5, 3), (256, 8), (257, 9)]
+)
+def test_registers_that_distinguish_shutters(shutters: int, registers: int) -> None:
+    assert bits_needed(shutters) == registers
