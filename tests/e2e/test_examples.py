@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,9 @@ LATCH_SERVES = {
 }
 REFUSALS = {"latch": "NS0414", "edges": "NS0502"}
 
+WORDS = ROOT / "tests" / "cases" / "words"
+"""How many words each example takes at each level, and their digest."""
+
 examples = pytest.mark.parametrize("path", [pytest.param(p, id=p.stem) for p in EXAMPLES])
 long_later = pytest.mark.parametrize(
     "path", [p if p.stem not in LONG else slow(p) for p in EXAMPLES], ids=lambda p: p.stem
@@ -57,12 +61,21 @@ def test_an_example_begins_with_its_purpose(path: Path) -> None:
 
 @long_later
 @pytest.mark.parametrize("level", ["0", "1", "2"])
-def test_builds_and_proves(path: Path, level: str, tmp_path: Path) -> None:
+def test_builds_and_proves(path: Path, level: str, tmp_path: Path, update_cases: bool) -> None:
+    """The words are those of tests/cases/words; with --update-cases they are written there."""
     fine(["build", path, "-O", level, "-o", "a.icw", "--emit", "report"], tmp_path)
     report = json.loads((tmp_path / "a.report.json").read_text())
     assert report["proof"]["holds"]
     assert report["words_stored"] <= 1024
     fine(["prove", "a.icw"], tmp_path)
+    text = fine(["disasm", "a.icw"], tmp_path).out
+    lines = [line.split(";")[0].rstrip() for line in text[text.index("\n.wait") :].splitlines()]
+    digest = sha256("\n".join(lines).encode()).hexdigest()[:16]
+    beside = WORDS / f"{path.stem}-O{level}.txt"
+    said = f"{report['words_stored']} words stored, sha256 {digest}\n"
+    if update_cases:
+        beside.write_text(said)
+    assert said == beside.read_text(), "run with --update-cases if other words are meant"
 
 
 @examples
