@@ -65,3 +65,13 @@ def test_a_device_that_is_none_is_told(device: object) -> None:
     program = case("b edges", 8, rows=ROWS, cols=COLS)
     with pytest.raises(WrongArgument, match="torch"):
         capture(program, np.ones((8, ROWS, COLS), np.float32), torch_device=device)
+
+
+@pytest.mark.parametrize("rate", [16.0, 40.0, 1000.0, 3e5])
+def test_the_formula_of_counts_is_that_of_arrays(rate: float) -> None:
+    from nscc_runtime.noise import on_torch, poisson_law
+
+    z = np.linspace(-5, 5, 41)
+    expected = [poisson_law.quantile(float(value), rate) for value in z]
+    found = on_torch._quantile(torch.from_numpy(z), torch.tensor(rate, dtype=torch.float64))
+    np.testing.assert_allclose(found.numpy(), expected, rtol=1e-12)
