@@ -7,6 +7,7 @@ import hashlib
 import numpy as np
 import pytest
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.scenes import ExposureLevel, load_scene
 
 
@@ -62,3 +63,9 @@ def test_flat_and_dark() -> None:
 def test_pictures_are_the_same_on_every_machine(name: str, digest: str) -> None:
     frames = load_scene(name, slot_us=(1000.0,) * 4, rows=32, cols=48).frames
     assert hashlib.sha256(frames.tobytes()).hexdigest()[:16] == digest
+
+
+@pytest.mark.parametrize("spec", ["flat", "flat:1:2", "motion:0.5:1", "hdr:1", "dark:0", "light"])
+def test_other_arguments_are_refused(spec: str) -> None:
+    with pytest.raises(Rejected, match="NS0731"):
+        load_scene(f"builtin:{spec}", slot_us=(1000.0,), rows=4, cols=4)

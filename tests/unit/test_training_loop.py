@@ -41,6 +41,9 @@ def test_a_run_leaves_what_was_promised(values: dict[str, Any], tmp_path: Path) 
     assert found["stages"]["compiled_equals_hard"] is True
     assert found["stages"]["hard"] == found["stages"]["compiled"]
     assert found["stages"]["emulated"] == pytest.approx(found["stages"]["hard"], abs=0.01)
+    card = (tmp_path / "r" / "model_card.md").read_text()
+    scores_db = [found["stages"][stage] for stage in ("soft", "hard", "compiled", "emulated")]
+    assert f"\n| {' | '.join(f'{score_db:.2f}' for score_db in scores_db)} |\n" in card
     assert len(found["robustness"]) == 8
     built = invoke(["build", "shutter.nsl", "-O", "1", "-o", str(tmp_path / "s.icw")],
                    tmp_path / "r")  # fmt: skip
