@@ -1,4 +1,4 @@
-"""Selections of effects, as `--effects` makes them."""
+"""Selections of effects, as `--effects` describes them."""
 
 from __future__ import annotations
 
@@ -23,8 +23,12 @@ P = TypeVar("P", bound=Part)
 
 @dataclass(frozen=True)
 class Selection:
-    """The effects that are on, including `always` ones, and those named explicitly. With `auto` a
-    planner decides on the effects that are not named; `on` contains them all."""
+    """A set of effects.
+
+    `on`: names of the effects that are on, including those that are always on. `forced`: names that
+    the user switched on or off. `auto`: whether a planner decides on the other effects; `on` then
+    contains all of these.
+    """
 
     on: frozenset[str]
     forced: frozenset[str]
@@ -32,7 +36,8 @@ class Selection:
 
     @property
     def noiseless(self) -> bool:
-        """Whether only `always` effects are on: the exposure is the sum of light."""
+        """Whether only effects that are always on are selected: the exposure is the sum of
+        light."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
@@ -44,7 +49,7 @@ class Selection:
         return tuple(effect for effect in registered() if effect in self)
 
     def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
-        """Return the effects that act in the reference at a stage, with their functions."""
+        """Return the effects that act at a stage of the reference, with their functions."""
         return [
             (effect, effect.reference[stage])
             for effect in self.effects
@@ -52,16 +57,17 @@ class Selection:
         ]
 
     def at(self, stage: str) -> list[Callable[..., Any]]:
-        """Return the functions of the effects in the reference at a stage."""
+        """Return the functions of the effects at a stage of the reference."""
         return [does for _, does in self.acting(stage)]
 
     def marking(self, at: str) -> Mark | None:
-        """Return the marks of a kind of the effects that are on (`nscc_runtime.effects.marks`)."""
+        """Return the mark of a kind (`nscc_runtime.effects.marks`); None if no effect that is on
+        sets it."""
         return next((effect.marks[at] for effect in self.effects if at in effect.marks), None)
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Return the effects with a part of a kind in sums over slots, and the parts."""
+        """Return the effects that have a part of a kind in sums over slots, with this part."""
         # mypy considers a class not hashable.
         effect_parts = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
         return [
@@ -72,7 +78,7 @@ class Selection:
 
     @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
-        """Return the names of the effects with a part of a kind."""
+        """Return the names of the effects that have a part of a kind in sums over slots."""
         return frozenset(effect.name for effect, _ in self.having(kind))
 
     @remembered
@@ -81,14 +87,15 @@ class Selection:
         return next((effect_part for _, effect_part in self.having(kind)), None)
 
     def require_part(self, kind: type[P]) -> P:
-        """Return the part of a kind; ValueError if no effect that is on has one."""
+        """Return the part of a kind. Raises ValueError if no effect that is on has one."""
         effect_part = self.find_part(kind)
         if effect_part is None:
             raise ValueError(f"no effect has a part {kind.__name__}")
         return effect_part
 
     def errors(self) -> list[tuple[Effect, Errors]]:
-        """Return the effects with small errors: of reads, then of resets, then of words."""
+        """Return the effects with small errors, and their parts: of reads, then of resets, then of
+        words."""
         return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
     def converter_lsb(self, sensor: Sensor) -> float:
@@ -96,8 +103,8 @@ class Selection:
         return hypot(*(converter.sigma_lsb(sensor) for _, converter in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
-        """Return the selection without some effects. The same object is returned to all callers,
-        because selections cache their parts."""
+        """Return the selection without some effects. Equal calls return the same object, because
+        selections cache their parts."""
         return _without(self, frozenset(names))
 
 
@@ -107,7 +114,7 @@ def _without(selection: Selection, names: frozenset[str]) -> Selection:
 
 
 def everything() -> Selection:
-    """Return a selection of all effects."""
+    """Return the selection of all effects."""
     return _all_of(registered())
 
 
@@ -126,8 +133,10 @@ def _parts_of_kind(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Ef
 
 def selected(text: str) -> Selection:
     """Parse a selection: `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
-    Changes alone start from `none` if the first one adds, from `all` if it removes. Raises Rejected
-    (NS0756, status 2) for other texts."""
+
+    Changes alone start from `none` if the first change adds, and from `all` if it removes. Raises
+    Rejected (NS0756, status 2) for any other text.
+    """
     return _selected(text, registered())
 
 
@@ -159,7 +168,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
 
 
 def named(name: str) -> Effect:
-    """Return an effect by name; NS0756 (status 2) for an unknown name."""
+    """Return the effect with this name. Raises Rejected (NS0756, status 2) for an unknown name."""
     effect = by_name().get(name)
     if effect is None:
         raise _invalid_selection(
