@@ -1,5 +1,8 @@
-"""Diagrams of sweeps: figures against an axis, a line for each value of other axes. Panels of equal
-quantities have equal scales: numbers, logarithmic if they span a decade, or names side by side."""
+"""Diagrams of sweeps: quantities against a setting, one line for each value of other settings.
+
+Panels of equal quantities have equal scales: numbers, logarithmic if they span a decade, or names
+side by side.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ _DECADE = 10.0
 _MARGIN = 0.06
 """Margin of an axis beyond its outermost points, relative to its length."""
 _MOST_NAMED = 6
-"""Most lines with names beside them; more have a legend."""
+"""Largest number of lines with names beside them; more lines have a legend."""
 
 Place = float | str
 """The position of a point on an axis: a number, or one of several names."""
@@ -61,7 +64,7 @@ class _Scale:
         return cls(low - room, high + room)
 
     def at(self, value: Place) -> float:
-        """Return the position of a value."""
+        """Return the position of a value on the axis."""
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:
@@ -77,10 +80,7 @@ class _Scale:
 
 
 def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
-    """Draw all panels, with one colour per name of lines.
-
-    Raises ValueError without points.
-    """
+    """Draw all panels, with one colour per name of lines. Raises ValueError without points."""
     from matplotlib.lines import Line2D
 
     filled_panels = [panel for panel in panels if any(panel.lines.values())]
@@ -127,7 +127,7 @@ def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
 ) -> list[ChartLabel]:
-    """Draw a panel's lines; return labels with their names at their ends."""
+    """Draw a panel's lines. Return labels with their names at their ends."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
     axes.set_xlabel(panel.across)
