@@ -7,8 +7,7 @@
     taken.frame     # uint8 (buckets, rows, cols)
 
 This package executes words. It imports the definitions of words and targets from `nscc`, but not
-the compiler. Most of it needs `nscc[run]`. `docs/python.md` describes the whole package.
-"""
+the compiler. Most of it needs `nscc[run]`. `docs/python.md` describes the whole package."""
 
 from __future__ import annotations
 

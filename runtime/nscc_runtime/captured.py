@@ -83,8 +83,7 @@ class Capture(Frame):
         """The light without shutters, in the unit of reconstructions.
 
         Electrons over the frame (rows, cols) for a still, electrons per slot (N, rows, cols) for a
-        clip.
-        """
+        clip."""
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property
@@ -109,8 +108,7 @@ class Capture(Frame):
 
         `any` is a bool. `events` is int32 (events, 2), columns and rows in reading order. `box`
         contains the smallest column and row and the largest column and row, or is None if no bit is
-        1. With `repeat`, each is a list.
-        """
+        1. With `repeat`, each is a list."""
         pictures = self.container.pictures
         reports: dict[str, Any] = {}
         for report in pictures.reports if pictures is not None else ():

@@ -3,8 +3,7 @@
     python -m nscc_runtime.compile_ahead nscc_runtime nscc_training
 
 This is the last step of an installation and takes half a minute. Loops are in modules whose names
-end in `loop` or `loops` (see `nscc_runtime.loop`).
-"""
+end in `loop` or `loops` (see `nscc_runtime.loop`)."""
 
 from __future__ import annotations
 

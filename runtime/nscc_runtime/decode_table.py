@@ -2,8 +2,7 @@
 frame.
 
 Without saturation, an exposure is bias + sum over slots of gain * shutter * light, and noise. All
-three depend only on the pixel's shutter and follow from the words (`nscc_runtime.response`).
-"""
+three depend only on the pixel's shutter and follow from the words (`nscc_runtime.response`)."""
 
 from __future__ import annotations
 
@@ -56,8 +55,7 @@ def decode_arrays(
     lowest bit. `decode_slot_us` float64 (N,): slot lengths. `decode_gain`, `decode_bias_e`,
     `decode_variance_e2` float32 (shutters, buckets): an exposure is bias + gain * (sum of the light
     of open slots), with this variance plus the variance of photon counts. `plan`: the plan in a
-    frame's meta; None for frames of a chip, which has every effect.
-    """
+    frame's meta; None for frames of a chip, which has every effect."""
     if container.pixel_codes is None or container.machine is not None:
         return {}
     kept_effects = everything() if plan is None else _kept_selection(plan)

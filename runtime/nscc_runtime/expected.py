@@ -21,8 +21,7 @@ def expected_noise(
     It includes photons, dark current, resets, reads, analog words and the converter, with the
     values of `sensor` (None: the target's defaults). It is relative to the light that a pixel
     collects while it is open. Returns None for a program without pixels, or whose shutters depend
-    on more than codes.
-    """
+    on more than codes."""
     sensor = sensor or default_sensor(converter_of(container))
     arrays = decode_arrays(container, sensor, None) if container.machine is None else {}
     if not arrays:

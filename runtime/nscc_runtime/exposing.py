@@ -7,8 +7,7 @@
     taken.frame, taken.exposure_e, taken.plan
 
 The functions have the options of `nscc run`, with the same names and defaults. `docs/emulator.md`
-describes plans and their promise.
-"""
+describes plans and their promise."""
 
 from __future__ import annotations
 

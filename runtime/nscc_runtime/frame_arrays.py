@@ -39,8 +39,7 @@ def read_frame_arrays(
 ) -> tuple[Arrays, dict[str, Any]]:
     """Read and check `frame`, the meta, and the arrays of a frame file for which `is_needed(name)`.
 
-    Raises InvalidArrays if the file is not a valid frame file, and OSError if it cannot be read.
-    """
+    Raises InvalidArrays if the file is not a valid frame file, and OSError if it cannot be read."""
     arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or is_needed(name))
     return arrays, checked_meta(arrays)
 
@@ -105,8 +104,7 @@ def image_of(frame: Path) -> NDArray[np.float32]:
     """Return the image that `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols).
 
     It is computed from the light in the frame file; repeats are averaged. Raises Rejected (NS0819,
-    status 2) if the file is not a frame file of pixels that look.
-    """
+    status 2) if the file is not a frame file of pixels that look."""
     reads(frame)
     try:
         arrays, meta = read_frame_arrays(frame, {LIGHT, DEVIATION}.__contains__)

@@ -26,8 +26,7 @@ clip; `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with th
 lowest bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
 `nscc_runtime.decode_table` describes the arrays `decode_..` for decoders.
 
-Equal frames give equal bytes: the archive contains no times, and its entries have a fixed order.
-"""
+Equal frames give equal bytes: the archive contains no times, and its entries have a fixed order."""
 
 from __future__ import annotations
 
@@ -71,8 +70,7 @@ class Frame:
     to it. 4 converter: the code is the last code. 8 reset level: PIX was full when the subtracted
     level was read, so the exposure may be anything down to 0. 16 black sun: that level was a reset
     level. `told`: further arrays of a program that looks (`states_NAME`, `open_slots`, its light)
-    or that has images, by key.
-    """
+    or that has images, by key."""
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
@@ -106,8 +104,7 @@ def read_out(
     frame = clip(round_half_even(exposure_e / electrons_per_lsb + noise_lsb) + offset, 0, top code),
     with the values of `sensor` (None: the target's defaults). NaN becomes 0 and is not valid;
     infinities become the ends of the scale. Raises Rejected (NS0742) for a target whose ADC has
-    more than 8 bits.
-    """
+    more than 8 bits."""
     sensor = sensor or default_sensor(target)
     check_adc(target)
     known = ~np.isnan(exposure.exposure_e)
@@ -139,8 +136,7 @@ def converted(
     """Convert the exposure of frame number `frame` to codes, with the noise of the converter in
     `effects`.
 
-    `seeds`: noise seed, device seed.
-    """
+    `seeds`: noise seed, device seed."""
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
     places = np.arange(shape[1] * shape[2], dtype=np.int64)
@@ -251,8 +247,7 @@ class Provenance:
     """The origin of a frame.
 
     `program_sha256`: digest of the container. Seeds are None if nothing was simulated. `plan`,
-    `audit`: JSON values.
-    """
+    `audit`: JSON values."""
 
     program_sha256: str
     sensor: Sensor
@@ -276,8 +271,7 @@ def unplanned(
     """Return the `plan` entry of a run without a plan, whose words were executed slot by slot.
 
     `chosen`: the selected effects. `moving`: whether the scene is sampled. `absent`: effects that
-    the chip cannot have, with the reason.
-    """
+    the chip cannot have, with the reason."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     return {
         **dict.fromkeys(_UNPLANNED),
@@ -323,8 +317,7 @@ def meta(
     """Return the `meta` of a frame file.
 
     `container`: None for a program on a device, whose buckets are numbered. `light`: None if the
-    scene is unknown.
-    """
+    scene is unknown."""
     sensor = origin.sensor
     numbered = [f"bucket{number}" for number in range(frame.frame.shape[-3])]
     return {
@@ -384,8 +377,7 @@ class FrameFile:
         """Return the file of a frame, with the contents named in `keep` (see KEEP).
 
         Without light, none is kept. `shutters`: the argument of `packed_shutters`, needed to keep
-        "shutter".
-        """
+        "shutter"."""
         kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:

@@ -24,8 +24,7 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
 
     If the arrays need more than `MOST_BYTES`, they are mapped to an unnamed file in the system's
     temporary folder, which is removed with the arrays. Raises Rejected (NS0784) if that folder has
-    no room.
-    """
+    no room."""
     rooms: dict[str, NDArray[Any]] = {}
     for number, frame in enumerate(frames):
         arrays = dict(_named_arrays(frame))

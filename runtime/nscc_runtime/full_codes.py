@@ -8,8 +8,7 @@ increasing brightness, with the sensor's mean values, until a frame would mark s
 
 Light that changes within the frame may fill PIX before a late shutter opens, and bright light may
 fill PIX before its reset level is read. Such a pixel has a lower code, which does not reveal the
-saturation.
-"""
+saturation."""
 
 from __future__ import annotations
 
@@ -48,8 +47,7 @@ def marked_by_codes(
     code.
 
     `frame`: codes (.., buckets, rows, cols). Raises Rejected (NS0442) for words that open no
-    shutters.
-    """
+    shutters."""
     marked = np.zeros(frame.shape, np.uint8)
     for bit, codes in full_codes(container, sensor).items():
         marked |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
@@ -61,8 +59,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     """Return the smallest codes (buckets, rows, cols) that may mean saturation, by bit of
     `saturated_by`.
 
-    A code is infinite if no code indicates saturation. Raises Rejected like `marked_by_codes`.
-    """
+    A code is infinite if no code indicates saturation. Raises Rejected like `marked_by_codes`."""
     program = analysed(container, sensor)
     used, places = np.unique(program.lanes, return_inverse=True)
     lane_batches = np.array_split(used, -(-len(used) // _MOST_LANES))

@@ -4,8 +4,7 @@ as their light is similar and not stronger.
 The error of dropped effects grows in proportion to light, to its differences between neighbours, or
 faster where pixels saturate. So a plan stays valid while none of these has grown by more than the
 margin that plans leave below their tolerance. If pixels look, the error also depends on how many
-pixels are close to a level, so the plan is tested on the new scene.
-"""
+pixels are close to a level, so the plan is tested on the new scene."""
 
 from __future__ import annotations
 
@@ -59,8 +58,7 @@ class Statistics:
     `sizes`, in electrons: mean, root mean square, eighth root of the mean eighth power, and maximum
     of the light of a pixel over the frame; the same for the light while pixels are open; the root
     mean square of differences between neighbours. `course` (frames,): fraction of all light that is
-    collected by the end of each of the scene's frames.
-    """
+    collected by the end of each of the scene's frames."""
 
     light: Light
     sizes: Values
@@ -78,8 +76,7 @@ class Statistics:
         """Return whether the other scene's light is similar to this scene's light and not stronger.
 
         More pixels may saturate only with `saturating`, that is, if saturation is simulated. The
-        other light must be at least `least` times this scene's.
-        """
+        other light must be at least `least` times this scene's."""
         own_sizes, other_sizes = self.sizes.tolist(), other_statistics.sizes.tolist()
         pairs = [*zip(own_sizes, other_sizes, strict=True)]
         return (
@@ -161,8 +158,7 @@ class KeptPlans:
     Frames that are exposed one after the other need no announcement. For scenes that are exposed at
     the same time, announce their numbers with `expect` before the first begins. Each scene then
     waits for the plans of lower numbers, so results do not depend on timing. A capture that fails
-    also releases the next scene.
-    """
+    also releases the next scene."""
 
     def __init__(self) -> None:
         self._last: dict[Hashable, _KeptPlan] = {}
@@ -194,8 +190,7 @@ class KeptPlans:
 
         A plan is valid if its statistics cover this scene and `serves(plan)` is true. `frames` is
         the expected number of frames with similar light: `turn.frames` at first, later the number
-        of scenes of the last kind. If no two scenes are similar, measuring does not pay.
-        """
+        of scenes of the last kind. If no two scenes are similar, measuring does not pay."""
         with self._changed:
             self._changed.wait_for(lambda: turn.number <= min(self._expected, default=turn.number))
         mine: Future[Plan] = Future()

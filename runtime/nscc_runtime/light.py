@@ -253,8 +253,7 @@ class Light:
     @property
     def sum_e(self) -> NDArray[np.float64]:
         """The sum of all slots (rows, cols), to float32 and at most 1e36, read-only. It adds up
-        frames instead of slots; `total_e` is more exact and slower.
-        """
+        frames instead of slots; `total_e` is more exact and slower."""
         return self._summed[0]
 
     @cached_property

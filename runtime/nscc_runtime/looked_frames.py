@@ -37,8 +37,7 @@ def next_planes(
 ) -> dict[str, NDArray[np.bool_]]:
     """Return the registers at the start of the next frame.
 
-    Kept states are taken from the `final_planes` of this frame, everything else from `loaded`.
-    """
+    Kept states are taken from the `final_planes` of this frame, everything else from `loaded`."""
     machine = container.machine
     assert machine is not None
     names = (state.name for state in machine.states if state.is_kept)
@@ -82,8 +81,7 @@ def exposer(
     """Return a function of (scene, loaded, seeds, frame, rows) that exposes with these effects.
 
     It uses the compiled loop, or the reference if the loop does not support an effect, or with
-    `by_words`.
-    """
+    `by_words`."""
     if by_words or looking_program.lacks(effects):
         return LookingReference(
             looking_program.container, looking_program.sensor, effects, threads
@@ -101,8 +99,7 @@ def frames(
     """Yield frames 0 to `count` - 1 of `light`; kept states continue from frame to frame.
 
     `by_words`: use the reference. Results do not depend on `threads` (None: all processors). Raises
-    Rejected, before the first frame, for programs and light that cannot run.
-    """
+    Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     check_adc(container.target)
     scene, threads = scene_of(container, light), threads_of(threads)

@@ -4,8 +4,7 @@ The estimate of a pixel uses no decoder and no neighbours. It is the maximum lik
 steady light: soft saturation is inverted, gain, leakage and dark charge are corrected with the
 sensor's mean values, and the result is divided by the open time. Its standard deviation includes
 photon counts, reads, words, converter and unequal pixels. It is infinite where a pixel was full,
-because the light is then only a lower bound.
-"""
+because the light is then only a lower bound."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ def told_by(
     """Return the arrays of a frame file that follow from the digital `planes` of one frame.
 
     These are `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows,
-    cols), and the light (see `light_of`).
-    """
+    cols), and the light (see `light_of`)."""
     machine = container.machine
     assert machine is not None
     assert container.pixel_codes is not None
@@ -65,8 +63,7 @@ def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) ->
     """Return the open time of each bucket of a pixel in microseconds, (buckets, rows, cols).
 
     It follows from the states in the arrays of `told_by`; -1 where no pixel can end in these
-    states.
-    """
+    states."""
     assert container.machine is not None
     assert container.pixel_codes is not None
     behaviour = container.table.shutter_of_code[container.pixel_codes]
@@ -82,8 +79,7 @@ def open_times(
     cols).
 
     They follow from the behaviour of each pixel and the states that were read; -1 where no pixel
-    can end in these states.
-    """
+    can end in these states."""
     last = machine.nodes(machine.stages - 1)
     read = [k for k, state in enumerate(machine.states) if state.read]
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
@@ -109,8 +105,7 @@ def light_of(
     read. `open_us` (buckets, rows, cols): -1 if no pixel can end in these states. `effects`: all
     effects for a chip, or those that the emulator simulated. Both results are NaN for a pixel that
     never opened or whose open time is unknown. The deviation is also NaN where the words that acted
-    in a pixel are unknown.
-    """
+    in a pixel are unknown."""
     codes = frame.frame.astype(np.float64)
     read_e = (codes - sensor.adc_offset_lsb) * sensor.electrons_per_lsb
     open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6

@@ -20,8 +20,7 @@ its shape if the declaration names its axes. Loops are called with keyword argum
 
 In a loop an array is a bare pointer, flat for any shape and without bounds. A loop allocates no
 memory, raises no exceptions, and calls only functions that are `compiled` or `inlined`. Importing a
-module of loops does not import numba; compiling does (see `nscc_runtime.machine_code`).
-"""
+module of loops does not import numba; compiling does (see `nscc_runtime.machine_code`)."""
 
 from __future__ import annotations
 
@@ -76,8 +75,7 @@ def record(cls: type[_T]) -> type[_T]:
 
     It is constructed with keyword arguments for all its fields. In a loop the fields are int64,
     float64 and uint64. An array of records has the dtype np.dtype(cls), and
-    `Annotated[NDArray[Any], cls]` in a loop's signature.
-    """
+    `Annotated[NDArray[Any], cls]` in a loop's signature."""
     fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
 
     def init(self: Any, **values: Any) -> None:
@@ -221,8 +219,7 @@ class ObjectFile:
     """The machine code of a module's loops.
 
     It is stored in `__pycache__` beside the module or, if that is not writable, in the user's cache
-    folder. Its name contains a digest of everything that it depends on.
-    """
+    folder. Its name contains a digest of everything that it depends on."""
 
     module: str
     loops: list[Loop[Any]] = field(default_factory=list)

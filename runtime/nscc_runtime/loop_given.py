@@ -22,8 +22,7 @@ class LoopParameter:
 
     `axes`: name and surplus of each axis, None to accept any shape. All axes of one name must have
     equal lengths, in all arrays, and equal the field of that name in a record. `lengths`: the
-    fields of the record that are lengths of axes.
-    """
+    fields of the record that are lengths of axes."""
 
     name: str
     kind: np.dtype[Any]
@@ -60,8 +59,7 @@ class LoopParameter:
     def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
         """Return the address of an argument. Raises TypeError if it does not match the declaration.
 
-        `axes`: the lengths known so far; new lengths are added.
-        """
+        `axes`: the lengths known so far; new lengths are added."""
         return (self._address(value, axes),)
 
     def _address(self, value: Any, axes: dict[str, int]) -> int:

@@ -34,8 +34,7 @@ def signature(parameters: Iterable[tuple[type | None, list[tuple[np.dtype[Any], 
     """Return the numba signature of a loop.
 
     For each parameter: the NamedTuple class or None, and for each of its arrays the dtype and
-    whether it is one record.
-    """
+    whether it is one record."""
     parameter_types = []
     for together, arrays in parameters:
         kinds = [_type(*array) for array in arrays]

@@ -2,8 +2,7 @@
 
 A process that finds the file needs neither numba nor a compiler, only llvmlite's linker, which
 takes a twentieth of a second. The file's name is a digest of everything that the code depends on.
-If no folder is writable, every process compiles the loops itself.
-"""
+If no folder is writable, every process compiles the loops itself."""
 
 from __future__ import annotations
 
@@ -107,8 +106,7 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
 def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
     """Link an object file into this process and return its functions, which run without the GIL.
 
-    `parameters`: number of addresses that each entry takes.
-    """
+    `parameters`: number of addresses that each entry takes."""
     import llvmlite.binding as llvm
 
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine(llvm))

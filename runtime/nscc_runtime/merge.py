@@ -3,8 +3,7 @@ times.
 
     response = response_of(program, sensor, taken.plan.kept)
     (readout,) = readouts(program, taken, response)   # one per bucket
-    light, known = light_estimate(readout)            # electrons per second (rows, cols)
-"""
+    light, known = light_estimate(readout)            # electrons per second (rows, cols)"""
 
 from __future__ import annotations
 
@@ -34,8 +33,7 @@ class BucketReadout:
     `frame` uint8: codes. `saturated` bool. `light_e`: electrons that were collected while each
     pixel was open, estimated from its code. `most_e`: the same for the last code. `open_s`: open
     time in seconds. `window` (rows, cols): size of a neighbourhood that contains pixels of every
-    code.
-    """
+    code."""
 
     name: str
     frame: NDArray[np.uint8]
@@ -49,8 +47,7 @@ class BucketReadout:
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
     """Return the buckets of one frame of a container with pixels.
 
-    Raises Rejected for programs with images or planes.
-    """
+    Raises Rejected for programs with images or planes."""
     refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
@@ -93,8 +90,7 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
 
     The estimate is the sum of electrons divided by the sum of open times, which is optimal for pure
     shot noise. If all open neighbours are saturated, it is the largest light that one of them can
-    represent. If pixels do not use neighbours, it is a lower bound from the pixel itself.
-    """
+    represent. If pixels do not use neighbours, it is a lower bound from the pixel itself."""
     opened = readout.open_s > 0
     usable = opened & ~readout.saturated
     time = _box(np.where(usable, readout.open_s, 0.0), readout)

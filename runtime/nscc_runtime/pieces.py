@@ -30,8 +30,7 @@ class Taken:
     `container`: has a code for every pixel of the picture. `program`: the container for one array.
     `light`: the scene's light, for a colour capture the red light. `laid`: metadata for the frame
     file. `placement`: how the picture lies on the arrays. `pieces`: number of exposures, all
-    colours together. The plan is that of the piece with the largest predicted error.
-    """
+    colours together. The plan is that of the piece with the largest predicted error."""
 
     simulated: Simulated
     container: Container
@@ -64,8 +63,7 @@ def simulate_scene(
     other; piece k has the noise seed `request.seed` + k. Pieces with similar light share a plan.
     The plan and audit of the result are those of the piece with the largest predicted error; a
     relative tolerance refers to the whole scene. Raises Rejected like `simulate`, and NS0739 for
-    options that support one exposure only.
-    """
+    options that support one exposure only."""
     listener = listener or Listener()
     placement = scene[0].placement
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
@@ -125,8 +123,7 @@ def _for_all(
 ) -> Request:
     """Return the request with one tolerance for all lights, which have equal sizes.
 
-    A fraction of the noise is converted to electrons only if plans are measured against it.
-    """
+    A fraction of the noise is converted to electrons only if plans are measured against it."""
     if not request.planned or container.target.streamed:
         return request
     from nscc_runtime.emulator.capture import check

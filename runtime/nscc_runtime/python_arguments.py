@@ -1,7 +1,6 @@
 """Convert arguments of Python users for the emulator, or raise an error that explains them.
 
-This package does not know `nscc.ShutterProgram`: any object with a `container` is a program.
-"""
+This package does not know `nscc.ShutterProgram`: any object with a `container` is a program."""
 
 from __future__ import annotations
 
@@ -65,8 +64,7 @@ def laid_of(
 
     `light`: a `Light`, a scene or its name, or an array of electrons per slot (N, rows, cols) or
     per second (rows, cols). `warn` is called with notes on changes of the scene. Raises
-    WrongArgument for other objects, and the errors of scenes (NS0730 .. NS0740).
-    """
+    WrongArgument for other objects, and the errors of scenes (NS0730 .. NS0740)."""
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
     if isinstance(light, Light):
@@ -90,8 +88,7 @@ def laid_of(
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     """Return a sensor, from its file, or from values by name; other values have their defaults.
 
-    Raises WrongArgument for other objects, and Rejected like `load_sensor`.
-    """
+    Raises WrongArgument for other objects, and Rejected like `load_sensor`."""
     if isinstance(sensor, Sensor):
         return sensor
     if sensor is None:

@@ -7,8 +7,7 @@ estimates, decode tables, calibration and the codes of full pixels are computed 
 
     response = response_of(program, sensor, taken.plan.kept)
     electrons = response.electrons(taken.frame)     # collected while pixels were open
-    light = electrons / response.open_s             # electrons per second, for steady light
-"""
+    light = electrons / response.open_s             # electrons per second, for steady light"""
 
 from __future__ import annotations
 
@@ -41,8 +40,7 @@ class ShutterResponse:
 
     `seen_s`: open time in seconds, weighted by the fraction of the light that reaches the exposure.
     The mean exposure in electrons is `bias_e` + `seen_s` x the light per second. Its variance is
-    `variance_e2` plus the variance of the photons.
-    """
+    `variance_e2` plus the variance of the photons."""
 
     seen_s: Values
     bias_e: Values
@@ -68,8 +66,7 @@ class ShutterResponse:
         """Return the fraction of the light, collected while shutters are open, that reaches the
         exposure.
 
-        `open_s` (shutters, buckets): open times. The gain is 1 for shutters that never open.
-        """
+        `open_s` (shutters, buckets): open times. The gain is 1 for shutters that never open."""
         return np.divide(self.seen_s, open_s, out=np.ones(open_s.shape), where=open_s > 0)
 
 
@@ -83,15 +80,13 @@ def _shutter_response(container: Container, sensor: Sensor, effects: Selection) 
 shutter_response = OfContainer(_shutter_response)
 """Return the `ShutterResponse` of a program whose pixels do not look, cached for its arguments.
 
-Arguments: container, sensor, effects. Raises Rejected (NS0442) for words that open no shutters.
-"""
+Arguments: container, sensor, effects. Raises Rejected (NS0442) for words that open no shutters."""
 
 
 def open_shutters(container: Container) -> NDArray[np.bool_]:
     """Return the shutters (shutters, buckets, N) of a program, from its table or from its words.
 
-    Raises Rejected (NS0442) for words that open no shutters.
-    """
+    Raises Rejected (NS0442) for words that open no shutters."""
     if container.has_table:
         return container.table.shutters
     return backward(container, analog_words(container)).open().transpose(1, 2, 0)
@@ -123,8 +118,7 @@ class Response:
     cols).
 
     `open_s`: open time in seconds. Without saturation, a mean exposure in electrons is `zero_e` +
-    `gain` x the light collected meanwhile.
-    """
+    `gain` x the light collected meanwhile."""
 
     open_s: Values
     gain: Values
@@ -142,8 +136,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     """Return the response of a program with pixels, under `effects` (None: all, like a chip).
 
     For pixels that look, the open time depends on the light: `open_s` is NaN, `gain` 1 and `zero_e`
-    0; see `nscc_runtime.looked_light` instead. Raises ValueError for a container without pixels.
-    """
+    0; see `nscc_runtime.looked_light` instead. Raises ValueError for a container without pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no response")
     effects = everything() if effects is None else effects

@@ -1,7 +1,6 @@
 """One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
 
-`nscc run` adds files to it, and `nscc_runtime.capture` is its Python interface.
-"""
+`nscc run` adds files to it, and `nscc_runtime.capture` is its Python interface."""
 
 from __future__ import annotations
 
@@ -51,8 +50,7 @@ class Request:
     effects or with all of `effects` exactly. `audit` compares frames under a plan with this
     reference. With a `turn`, the plan of an earlier scene is reused if it covers this scene.
     `repeat`: number of frames, None for a single frame. Results do not depend on `threads` (None:
-    all processors). `torch_device`: the torch device that computes frames by sums.
-    """
+    all processors). `torch_device`: the torch device that computes frames by sums."""
 
     effects: Selection
     planned: bool = True
@@ -85,8 +83,7 @@ class Request:
 
         `fidelity` "reference" simulates `effects` slot by slot. `mark`: prefix of option names in
         messages. Raises Rejected: NS0739 (status 2) for options that exclude each other, NS0756 for
-        unknown effects.
-        """
+        unknown effects."""
         tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
         tolerances = {name: value for name, value in tolerances.items() if value is not None}
         given_options = {"audit": audit, "plan": plan is not None}
@@ -127,8 +124,7 @@ class Listener:
     """The callbacks of a run.
 
     `say`: called with lines of text, None if nobody reads them. `warn`: called with warnings; it
-    may raise. `progress`: shows progress. `timings`: collects the seconds spent.
-    """
+    may raise. `progress`: shows progress. `timings`: collects the seconds spent."""
 
     say: Callable[[str], None] | None = None
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
@@ -144,8 +140,7 @@ class Simulated:
 
     `effects`: the effects that were simulated. With a plan: the plan, its audit if requested, the
     text of a plan file to write, and `broken`, the error to raise after writing the frame if the
-    audit failed.
-    """
+    audit failed."""
 
     frame: Frame
     origin: Provenance
@@ -350,8 +345,7 @@ def _make_plan(
 ) -> Plan:
     """Return a plan made for this scene, or an earlier plan that covers it.
 
-    If the user requests a plan file or an audit, every figure of the table is measured.
-    """
+    If the user requests a plan file or an audit, every figure of the table is measured."""
     from nscc_runtime.planning.make import PlanRequest, make_plan
 
     turn, repeat = request.turn, request.repeat or 1

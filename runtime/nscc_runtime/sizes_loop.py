@@ -90,8 +90,7 @@ def sum_light(
     """Set out[p] to the sum over k of weight[k] * frames[k, p], at most `most`.
 
     The sum is in float32 if all weights are equal. `capped`: set to the number of pixels above
-    `most`. `total_32`: working memory for `BLOCK` pixels.
-    """
+    `most`. `total_32`: working memory for `BLOCK` pixels."""
     capped[0] = 0
     for first in range(0, size.pixels, BLOCK):
         stop = min(first + BLOCK, size.pixels)
@@ -166,8 +165,7 @@ def sizes_of(
 
     These are the sums of `total`, of its squares and of its eighth powers, and its maximum; the
     same for `total` times `open_fraction`; and the sum of squared differences between neighbours.
-    Light is at most 1e36, so powers do not overflow. `lit`: working memory for `ROWS` rows.
-    """
+    Light is at most 1e36, so powers do not overflow. `lit`: working memory for `ROWS` rows."""
     rows, cols = pixels.rows, pixels.cols
     for i in range(KINDS * cols):
         column_sums[i] = 0.0

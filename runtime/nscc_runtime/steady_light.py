@@ -1,7 +1,6 @@
 """The behaviour of pixels in steady light in a frame of a program that looks, by amount of light.
 
-Comparators are exact here and light does not change, so only the program determines the result.
-"""
+Comparators are exact here and light does not change, so only the program determines the result."""
 
 from __future__ import annotations
 
@@ -24,8 +23,7 @@ class Courses:
     `wells` (lights,): the light of the whole frame in full wells. `opens` bool (lights, buckets,
     N), `resets` bool (lights, N): open slots, and slots that begin with a reset. `values` int64
     (lights, states): states at the end of the frame. `flips`: (boundary, light) of comparisons
-    whose answer changes between two lights.
-    """
+    whose answer changes between two lights."""
 
     wells: Values
     opens: NDArray[np.bool_]
@@ -37,8 +35,7 @@ class Courses:
 def courses(container: Container, behaviour: int, wells: Values, frame: int = 0) -> Courses:
     """Return the courses of a behaviour in frame number `frame`.
 
-    Kept states have the program's start values in frame 0 and continue from there.
-    """
+    Kept states have the program's start values in frame 0 and continue from there."""
     machine = container.machine
     assert machine is not None
     nodes = np.full(len(wells), machine.start_nodes()[behaviour])

@@ -14,8 +14,7 @@ class Chain:
     `reads`, `resets`: numbers of reads and resets of PIX, each weighted with its squared
     coefficient. `word_sum`: signed sum of the coefficients of all analog words, which scales errors
     common to all words. The default is one read and one word: sensor values then equal those of a
-    frame.
-    """
+    frame."""
 
     reads: float = 1.0
     resets: float = 1.0
@@ -26,8 +25,7 @@ class Chain:
         """Compute the factors of a program from its words, as the mean over the codes in use.
 
         The program must open all pixels alike. Raises Rejected like
-        `nscc_runtime.reference.trace.analog_words`.
-        """
+        `nscc_runtime.reference.trace.analog_words`."""
         import numpy as np
 
         from nscc_runtime.reference.trace import analog_words

@@ -20,8 +20,7 @@ class DarkFit:
     current in codes per second; `current_se`: its standard error including the spread. `offsets`,
     `currents` (2, rows, cols): maps from the even and from the odd frames. If all exposure times
     are equal or unknown, `current`, `current_se` and `currents` are None, and `offset` includes the
-    dark charge.
-    """
+    dark charge."""
 
     offset: float
     offset_se: float

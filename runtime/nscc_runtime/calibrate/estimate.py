@@ -37,8 +37,7 @@ class Quantity:
 
     `se`: standard error, None if not measured. `known`: "measured", a bound ("at least", "at
     most"), "given" by the user, or "unknown" (`value` is None). `remark`: explains the value or why
-    it is missing.
-    """
+    it is missing."""
 
     title: str
     unit: str
@@ -106,8 +105,7 @@ def calibrate_files(
 ) -> Calibration:
     """Calibrate from files, folders or PATH@TIME, one level each.
 
-    `crosstalk`: None to measure it. Raises Rejected for unreadable or unsuitable frames.
-    """
+    `crosstalk`: None to measure it. Raises Rejected for unreadable or unsuitable frames."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
@@ -122,8 +120,7 @@ def calibrated(
 
     `crosstalk`: a known value, or None to measure it; EMVA 1288 assumes 0. Raises Rejected (status
     2): NS0757 for frames that do not fit together, NS0758 for too few frames or levels, NS0759 for
-    frames that are not flats and darks.
-    """
+    frames that are not flats and darks."""
     light = [level_of(stack, top_code) for stack in flats]
     dim = [level_of(stack, top_code) for stack in darks]
     good_mask = good_pixels(light, dim)

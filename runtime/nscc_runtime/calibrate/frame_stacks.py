@@ -2,8 +2,7 @@
 
 Each file or folder is one level: frames of the same light and exposure time. The exposure time is
 taken from the first of: the name (PATH@TIME, TIME a number with s, ms or us), the key `exposure_us`
-of an .npz or .mat file, the `meta` of a frame file.
-"""
+of an .npz or .mat file, the `meta` of a frame file."""
 
 from __future__ import annotations
 
@@ -45,8 +44,7 @@ class Stack:
     """Frames of one light and one exposure time.
 
     `codes` uint16 (K, rows, cols): codes of the ADC. `valid` bool (rows, cols). `exposure_s`: None
-    if unknown. `origin`: identifies the run of a frame file; None for other frames.
-    """
+    if unknown. `origin`: identifies the run of a frame file; None for other frames."""
 
     name: str
     codes: Codes
@@ -59,8 +57,7 @@ def load_stack(source: str, top_code: int) -> Stack:
     """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`.
 
     Raises Rejected (status 2): NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable
-    pictures.
-    """
+    pictures."""
     path, time_s = _timed(source)
     name = str(path)
     if not path.exists():

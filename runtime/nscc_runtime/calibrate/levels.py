@@ -3,8 +3,7 @@
 The noise of a level is the residual of its frames after subtracting every pixel's mean and every
 frame's mean. For two frames this is half the squared difference, free of fixed patterns and of
 drifts of the light. Fixed patterns are estimated by the covariance of two halves of the frames,
-which is free of noise.
-"""
+which is free of noise."""
 
 from __future__ import annotations
 
@@ -33,8 +32,7 @@ class Level:
     Maps are (rows, cols). `halves` (2, rows, cols): the means of the even and of the odd frames.
     `variance`: variance over time. `beside` (rows, cols - 1), `below` (rows - 1, cols): covariance
     over time of a pixel and its neighbour. `at_zero`, `at_top`: number of frames in which the pixel
-    had code 0 or the top code.
-    """
+    had code 0 or the top code."""
 
     name: str
     exposure_s: float | None
@@ -62,8 +60,7 @@ class LevelMoments:
     `mean_se`: standard error of `mean` from noise and rounding. `mean_rounding`, `rounding`:
     standard deviations that rounding adds to `mean`, and to `variance` beyond 1/12. `neighbours`:
     covariance of neighbouring pixels. `share_at_zero`, `share_at_top`: fractions of samples at the
-    ends of the scale.
-    """
+    ends of the scale."""
 
     name: str
     exposure_s: float | None
@@ -161,8 +158,7 @@ def _rounding(variance: float, spread: float) -> tuple[float, float]:
     sin(2 pi f) / pi and that of the variance 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2
     v), without smaller terms. f is unknown. Pixels with different means have different fractions:
     their average adds a factor exp(-2 pi^2 spread), where `spread` is the variance of the pixels'
-    means.
-    """
+    means."""
     noise = max(variance - 1 / 12, 0.0)
     amplitude = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
     return float(amplitude / np.pi), float(amplitude * (4 * noise + np.pi**-2))

@@ -22,8 +22,7 @@ class Line:
     """A fitted line y = start + slope x, with the covariance (2, 2) of (start, slope).
 
     `misfit`: chi squared. `freedom`: degrees of freedom. `apart`: root mean square distance of the
-    points, relative to the fitted y.
-    """
+    points, relative to the fitted y."""
 
     start: float
     slope: float
@@ -53,8 +52,7 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
     fitted y.
 
     Weights use the fitted y instead of the measured y, because points that are low by chance would
-    get more weight and bias the line.
-    """
+    get more weight and bias the line."""
     fitted = y
     for _ in range(5):
         weight = 1.0 / errors(fitted) ** 2
@@ -91,8 +89,7 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
     error.
 
     `maps` is (2, rows, cols); independent noise of the two cancels in the mean. `parameter_count`:
-    number of parameters fitted and subtracted before, including the mean.
-    """
+    number of parameters fitted and subtracted before, including the mean."""
     even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
     product = even * odd
     count = len(product)
@@ -102,8 +99,7 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
 def root(variance: float, error: float) -> tuple[float, float]:
     """Return the square root of a variance, which may be negative, and its standard error.
 
-    Near 0 the error is the increase of the root if the variance grows by its error.
-    """
+    Near 0 the error is the increase of the root if the variance grows by its error."""
     value = sqrt(max(variance, 0.0))
     if value > 0 and variance > error:
         return value, error / (2 * value)

@@ -27,8 +27,7 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     """Return a mask of the pixels that are valid in all levels and not outliers.
 
     Raises Rejected: NS0757 for levels of different sizes or too few pixels; NS0759 if more than 1 %
-    of the pixels are outliers.
-    """
+    of the pixels are outliers."""
     first = darks[0]
     for level in (*flats, *darks):
         if level.variance.shape != first.variance.shape:

@@ -28,8 +28,7 @@ def response_variance(
 
     The response of a pixel is the weighted slope of its signal over the mean signal of the levels.
     With darks the line passes through them; without darks each pixel has its own intercept. A
-    smooth surface, the fall-off of the light, is subtracted.
-    """
+    smooth surface, the fall-off of the light, is subtracted."""
     halves = np.stack([_response(levels, level_moments, dark, good_mask, half) for half in (0, 1)])
     smooth = surface((halves[0] + halves[1]) / 2, good_mask)
     return shared_variance(halves - smooth, good_mask, SURFACE_TERMS)

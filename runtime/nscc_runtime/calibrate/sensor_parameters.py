@@ -3,8 +3,7 @@
 Photon transfer measures whole frames instead of the components of the sensor model. Noise of reads,
 resets, words and ADC is measured as one (`read_noise_e`), gain of words and ADC as one
 (`electrons_per_lsb`). The other components of such a sum are set to 0 so that they do not count
-twice.
-"""
+twice."""
 
 from __future__ import annotations
 
@@ -40,8 +39,7 @@ class ParameterChoice:
     """The value of a parameter and its source.
 
     `status`: "measured" with a standard error, from a "bound", "given" by the user, "contained" in
-    another parameter, or "default". `remark`: the reason.
-    """
+    another parameter, or "default". `remark`: the reason."""
 
     value: float
     se: float | None
@@ -121,8 +119,7 @@ def _pattern(
     """Set the code without charge and the fixed pattern of the pixels.
 
     Whole codes become the ADC's offset, which is added after rounding; the remainder and the
-    pattern become errors of the words.
-    """
+    pattern become errors of the words."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return

@@ -3,8 +3,7 @@
 Mean and variance of a count of electrons are equal. One electron is K codes, so the variance of a
 level increases with its mean with slope K, from the noise of a frame without charge. Charge that a
 pixel shares with its neighbours reduces the variance and appears in the covariance of neighbours
-(EMVA 1288 assumes no crosstalk).
-"""
+(EMVA 1288 assumes no crosstalk)."""
 
 from __future__ import annotations
 
@@ -44,8 +43,7 @@ class Transfer:
     `offset`: code without charge, None without darks. `noise`: variance of codes without charge
     including rounding, meaningless without an offset. `gain`: K in codes per electron. `covariance`
     (3, 3): of (gain, noise, crosstalk). `used`: the levels of the fit. `left_out`: the other levels
-    with the reasons. `saturation`: None if no flat is saturated.
-    """
+    with the reasons. `saturation`: None if no flat is saturated."""
 
     offset: float | None
     offset_se: float
@@ -75,8 +73,7 @@ def transfer(
 
     `offset`: code without charge with its standard error, or None. `crosstalk`: a known value, or
     None to measure it. Raises Rejected: NS0758 for fewer than two usable levels of light, NS0759 if
-    the variance does not increase with the mean.
-    """
+    the variance does not increase with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)

@@ -32,8 +32,7 @@ Scene = Callable[[Sequence[float]], "Light"]
 class ExecutedFrame:
     """One frame of the emulator. `frame`: its bytes as a loader sends them. `planes`: the code
     registers after the frame as bytes of PLANE objects, by register; kept states are stored in code
-    registers.
-    """
+    registers."""
 
     frame: bytes
     planes: Mapping[str, bytes]
@@ -44,8 +43,7 @@ class EmulatedChip:
     """A chip that exposes frames of `scene` with the emulator; slots of equal lengths see equal
     light.
 
-    `report` is called with each error, because the host only learns that an error occurred.
-    """
+    `report` is called with each error, because the host only learns that an error occurred."""
 
     scene: Scene
     target: Target
@@ -58,8 +56,7 @@ class EmulatedChip:
         """Expose one frame of a container with the requested `channels`.
 
         The bytes are all codes, then all exposures, by readout and column, then all planes of
-        states.
-        """
+        states."""
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:

@@ -56,8 +56,7 @@ class DeviceChip:
     """The chip behind an open link.
 
     `sensor` converts codes to electrons if the loader sends only codes; None for the values of the
-    target. All methods raise Rejected (status 3) if the device fails.
-    """
+    target. All methods raise Rejected (status 3) if the device fails."""
 
     def __init__(
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
@@ -97,8 +96,7 @@ class DeviceChip:
     def upload(self, container: Container) -> Upload:
         """Upload a program unless the device has it already.
 
-        A program that keeps states is always sent, which resets the states.
-        """
+        A program that keeps states is always sent, which resets the states."""
         program = self._program(container)
         info = self.info()
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
@@ -135,8 +133,7 @@ class DeviceChip:
         it.
 
         Raises NS0774 if a lost program keeps states from frame to frame, because these cannot be
-        restored.
-        """
+        restored."""
         program = self._program(container)
         return self._shot(container.target, container, program)
 
@@ -191,8 +188,7 @@ def frame_of(
     `shape`: (readouts, rows, cols). Without the channel EXPOSURE, electrons are computed from the
     codes. Codes decide which pixels are saturated: the last code of the scale and, with a program,
     the codes of a full well or register. With a program whose pixels look, the frame contains the
-    light that follows from the planes of STATES.
-    """
+    light that follows from the planes of STATES."""
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)

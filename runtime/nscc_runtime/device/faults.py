@@ -26,8 +26,7 @@ class LineFaults:
     `corrupt`, `drop`: rates per byte. `delay_s`: delay in both directions. `disconnect_after`:
     number of bytes, in both directions together, after which the line is interrupted for
     `outage_s`. `reboot_after`: number of bytes after which the loader reboots. Both happen once;
-    None for never.
-    """
+    None for never."""
 
     corrupt: float = 0.0
     drop: float = 0.0

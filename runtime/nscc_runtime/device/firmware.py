@@ -1,8 +1,7 @@
 """The firmware compiled for this machine, and communication with its process.
 
 The process runs the real core (`runtime/firmware`). The commands to its board arrive here as a job,
-word by word, and run on the emulator.
-"""
+word by word, and run on the emulator."""
 
 from __future__ import annotations
 

@@ -19,8 +19,7 @@ class FrameRequest:
     """A frame to be exposed, with a unique number. `received`: its bytes so far.
 
     `program` is None if only the device knows it; `pixels` is then the number of pixels of the
-    frame.
-    """
+    frame."""
 
     number: int
     channels: int
@@ -56,8 +55,7 @@ class FrameBytes:
     """The received bytes of a frame. `origin` identifies the exposure.
 
     They are kept when the line is lost, because a loader discards bytes that the host has
-    confirmed.
-    """
+    confirmed."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
         self.origin = origin

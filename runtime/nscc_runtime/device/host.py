@@ -2,8 +2,7 @@
 
 A `Host` runs one task at a time, a generator that sends packets and waits for replies. The caller
 passes received bytes (`receive`), fetches bytes to send (`poll`), and passes the time. Every wait
-is bounded: a task finishes, or raises an exception of this module.
-"""
+is bounded: a task finishes, or raises an exception of this module."""
 
 from __future__ import annotations
 
@@ -87,8 +86,7 @@ class Host:
     """The host's end of a line.
 
     `new_session` returns a different number in 1 .. 2^32 - 1 each time. `patience_s`: longest
-    silence. `line_s`: transfer time of a window of bytes, in seconds.
-    """
+    silence. `line_s`: transfer time of a window of bytes, in seconds."""
 
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
@@ -203,8 +201,7 @@ class Host:
     def ask(self, kind: PacketKind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
         """Send a request, repeatedly if necessary, and return its reply.
 
-        Raises RequestRefused, SessionLost, Silent or Stalled.
-        """
+        Raises RequestRefused, SessionLost, Silent or Stalled."""
         sent: dict[int, float] = {}
         wait = self.wait_s
         while True:
@@ -245,8 +242,7 @@ class Host:
         """Say hello and do `work`; after a lost session, start again from the loader's state.
 
         Raises Stalled if the loader keeps restarting, and Contested if other hosts take the
-        sessions of a loader that does not restart.
-        """
+        sessions of a loader that does not restart."""
         lost_sessions, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:

@@ -1,8 +1,7 @@
 """Measure the times of launches, words, waits and readouts of a device, as keys of its target.
 
 Each time is the difference of two frames that differ in nothing else, so common times cancel. The
-loader's clock measures the duration.
-"""
+loader's clock measures the duration."""
 
 from __future__ import annotations
 
@@ -68,8 +67,7 @@ class MeasuredTimes:
 def measured(link: SerialLink, target: Target) -> MeasuredTimes:
     """Measure the times of the device behind a link; its program is replaced.
 
-    Raises Rejected (NS0723, status 3) for a device on which words take no time.
-    """
+    Raises Rejected (NS0723, status 3) for a device on which words take no time."""
     register = target.digital_registers[-1]
     analog, digital = op("nop"), op("CLR", [register])
 

@@ -1,8 +1,7 @@
 """The bodies of requests and replies, as values. Integers are little endian.
 
 Each `unpack` raises ValueError for an invalid body. The checksum has been verified before, so an
-invalid body comes from another version of the protocol, or an attacker.
-"""
+invalid body comes from another version of the protocol, or an attacker."""
 
 from __future__ import annotations
 
@@ -118,8 +117,7 @@ class Info(_Body):
     number of unacknowledged bytes on the wire. `most_..`, `longest_ms`: limits of words, kernels,
     rows of the schedule, runs of equal slots, bytes of all channels of a frame, and milliseconds
     from first to last word. `hold`: number of bytes of a frame that stay available after the host
-    has confirmed them. `program`, `label`: zeros without a program.
-    """
+    has confirmed them. `program`, `label`: zeros without a program."""
 
     version: int
     state: int
@@ -250,8 +248,7 @@ class CaptureReply(_Body):
     longer available. `lasted_us`: time from first to last word. `readout_us`: time of readout so
     far. `late`: number of launches that exceeded the program's tolerance, the latest by
     `latest_us`. `crc32`, `adler32`: checksums of all `length` bytes, 0 until the loader has all of
-    them (`complete`).
-    """
+    them (`complete`)."""
 
     number: int
     ready: int

@@ -12,8 +12,7 @@
 Registers are numbered as in the target table. A row of the schedule is executed `times` times: the
 light of `advance` slots is collected, IN is set to the row's level (unless it is AS_IT_IS), and the
 kernel runs. Remaining slots follow the last row. A launch later than `grace` after its boundary is
-late. Only programs that look have LEVELS and STATES.
-"""
+late. Only programs that look have LEVELS and STATES."""
 
 from __future__ import annotations
 
@@ -83,8 +82,7 @@ class Upload:
 
     `words`, `kernels`, `rows`, `runs`: its demands on a loader's memory. `frame_ms`, `readout_ms`:
     its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`. `gains`:
-    whether readouts are scaled. `levels`: whether IN is set.
-    """
+    whether readouts are scaled. `levels`: whether IN is set."""
 
     target: bytes
     label: bytes
@@ -136,8 +134,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
     """Return a container in the form that is sent; `label` is 32 bytes.
 
     Raises Rejected: NS0741 for a program without pixel codes, NS0510 for a program with planes
-    instead of words.
-    """
+    instead of words."""
     refuse_planes(
         container.target,
         "the loader runs words, but this program has planes of bits",

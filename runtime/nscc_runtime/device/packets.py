@@ -1,8 +1,7 @@
 """Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end.
 
 A byte stream may lose, change or cut anything. `Unpacker` returns packets with a valid checksum,
-drops the rest, and buffers at most one packet.
-"""
+drops the rest, and buffers at most one packet."""
 
 from __future__ import annotations
 

@@ -39,8 +39,7 @@ class Port:
         """Return the received bytes; empty if there are none. Raises PortGone if the port is lost.
 
         Call it when select reports the port as readable: a port that is readable without bytes is
-        lost.
-        """
+        lost."""
         try:
             data = os.read(self.fileno(), _MOST_READ)
         except BlockingIOError:

@@ -1,7 +1,6 @@
 """The firmware compiled for a Cortex-M, on QEMU.
 
-Its first serial port is the line; the second one connects it to the emulator of the pixels.
-"""
+Its first serial port is the line; the second one connects it to the emulator of the pixels."""
 
 from __future__ import annotations
 

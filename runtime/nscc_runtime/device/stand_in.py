@@ -33,8 +33,7 @@ def emulated_chip(
 
     Raises Rejected now for a scene that suits no program. Later, `warn` is called with messages
     about the scene, and `failed` with the reason for a missing frame, because the host only learns
-    that it is missing.
-    """
+    that it is missing."""
     if scene.name.startswith("builtin:") or not Path(scene.name).exists():
         scene.light((1000.0,), target)
     return EmulatedChip(
@@ -54,8 +53,7 @@ def serve(
     """Serve a loader behind a pseudo-terminal, over a simulated line.
 
     `opened` is called with the name of the port, and `moved` with its new name if the old name is
-    taken. Ends after the first host with `once`, after `seconds`, or never.
-    """
+    taken. Ends after the first host with `once`, after `seconds`, or never."""
     server = StandInServer(loader, faults, moved)
     try:
         opened(server.terminal.name)
@@ -72,8 +70,7 @@ def loaded(
 
     `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is called with a text that
     describes the loader. Raises Rejected (NS0772, status 2) if the firmware cannot be compiled or
-    does not start.
-    """
+    does not start."""
     try:
         if machine == "host":
             built = firmware.built(target)

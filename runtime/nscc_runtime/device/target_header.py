@@ -1,8 +1,7 @@
 """Write the firmware's target table from nscc's own: `target.hpp` of `runtime/firmware`.
 
 Usage: python -m nscc_runtime.device.target_header scamp5 >
-runtime/firmware/targets/scamp5/target.hpp
-"""
+runtime/firmware/targets/scamp5/target.hpp"""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ def target_header(target: Target) -> str:
     """Return `target.hpp` for a target: the words that the loader accepts.
 
     Raises ValueError for a target with custom words, which the loader does not know, and for a
-    target whose pixels have no logic.
-    """
+    target whose pixels have no logic."""
     if target.streamed:
         raise ValueError(
             f"the loader's firmware runs words, but the pixels of {target.name} have no logic"

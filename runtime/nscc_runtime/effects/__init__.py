@@ -9,8 +9,7 @@ Let e_i be independent normal errors and c_i their coefficients in the exposures
 is L z with L L^T = sum c_i^2 sigma_i^2, and z is keyed by (seed, effect, frame, bucket). A plan
 that adds only the sum has the same numbers as the reference, which distributes it. The c_i use the
 sensor's analog gain and mean leakage even if these effects are off, so leaving one out changes no
-draw.
-"""
+draw."""
 
 from __future__ import annotations
 

@@ -4,8 +4,7 @@ The reference calls an effect's functions at their stages of a frame (`STAGES`).
 support the parts of `nscc_runtime.effects.parts` and simulate an effect by its parts. An effect
 without suitable parts declares that a path cannot simulate it; a run that keeps this effect uses a
 slower path, in the end the reference. Planning measures the change that an effect causes in a
-scene.
-"""
+scene."""
 
 from __future__ import annotations
 
@@ -69,8 +68,7 @@ class InLoop:
     Names are fields of the records in `nscc_runtime.execution.layout`. `switch`: turns the effect
     on. `numbers`: its values. `device_key`: the random key of its fixed pattern. `draws_key`: the
     random key of its draws at words, if it has no `Errors`. `function`: a function that the loop
-    calls.
-    """
+    calls."""
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)

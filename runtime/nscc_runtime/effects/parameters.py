@@ -1,8 +1,7 @@
 """Parameters of the sensor: name, default, unit, range and source of the default.
 
 Each effect declares its parameters. Reading and writing sensor files, overriding values, the
-attributes of a `Sensor` and `nscc effects` follow from the declarations.
-"""
+attributes of a `Sensor` and `nscc effects` follow from the declarations."""
 
 from __future__ import annotations
 
@@ -27,8 +26,7 @@ class Parameter(Key):
     """A row of the sensor's schema: a number with unit, range and default.
 
     Under a heading, parameters are sorted by `place`. Calling a parameter with a sensor returns its
-    value.
-    """
+    value."""
 
     kind: Number
     place: int = 0

@@ -2,8 +2,7 @@
 
 A sum over slots weights the light of every slot by the pixel's code, draws counts for groups of
 slots, and draws the errors of all words at once. Effects contribute to it by these parts. Each part
-belongs to one effect, except `Errors` and `Converter`, which several effects may have.
-"""
+belongs to one effect, except `Errors` and `Converter`, which several effects may have."""
 
 from __future__ import annotations
 
@@ -70,8 +69,7 @@ class CountedDark(Counted, stage="charge"):
 class Exchange(Part, stage="neighbours"):
     """A fraction of a pixel's charge moves to each of its four neighbours.
 
-    `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards.
-    """
+    `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]
@@ -121,8 +119,7 @@ class WordGain(Part, stage="words"):
 class Leak(Part, stage="hold"):
     """Registers decay exponentially at a rate `per_s` in 1/s that differs between pixels.
 
-    The rates are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`.
-    """
+    The rates are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`."""
 
     per_s: OnDevice
     tau_s: OfSensor

@@ -1,7 +1,6 @@
 """The registered effects: those of this package, then those of other distributions.
 
-Incomplete declarations are refused when they are registered, so other code can rely on them.
-"""
+Incomplete declarations are refused when they are registered, so other code can rely on them."""
 
 from __future__ import annotations
 

@@ -27,8 +27,7 @@ class Selection:
 
     `on`: names of the effects that are on, including those that are always on. `forced`: names that
     the user switched on or off. `auto`: whether a planner decides on the other effects; `on` then
-    contains all of these.
-    """
+    contains all of these."""
 
     on: frozenset[str]
     forced: frozenset[str]
@@ -135,8 +134,7 @@ def selected(text: str) -> Selection:
     """Parse a selection: `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
 
     Changes alone start from `none` if the first change adds, and from `all` if it removes. Raises
-    Rejected (NS0756, status 2) for any other text.
-    """
+    Rejected (NS0756, status 2) for any other text."""
     return _selected(text, registered())
 
 

@@ -11,8 +11,7 @@ register. It is small enough that a correct program, which subtracts the value, 
 for any amount of light. PIX and the reset level are positive, registers have either sign.
 
 Not emulated, because no program of this project uses it: addresses (SELECT reads 0) and the global
-DAC (IN reads 0).
-"""
+DAC (IN reads 0)."""
 
 from __future__ import annotations
 
@@ -51,8 +50,7 @@ def expose(
 
     Results do not depend on `threads` (None: all processors). Raises Rejected for a program without
     pixel codes (NS0741), for light of another size (NS0734), and for words that the target cannot
-    run (`nscc.words.legality`). Raises ValueError for an inconsistent container or light.
-    """
+    run (`nscc.words.legality`). Raises ValueError for an inconsistent container or light."""
     check(container, light)
     if container.target.streamed:
         return sorted_light(container, light)

@@ -8,8 +8,7 @@ do not depend on the block size.
 Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which changes
 at most the sign of a zero. Choosing between two computed values becomes a blend and a plain store.
 Choosing the loaded value itself would become a masked store, which takes twice as long (measured on
-AMD Zen 3).
-"""
+AMD Zen 3)."""
 
 from __future__ import annotations
 
@@ -260,8 +259,7 @@ def _start(
     """Set arbitrary initial values, as `nscc_runtime.emulator.capture` describes them.
 
     The row at `scale` contains the light of the whole frame, 0 outside the array. The reset level
-    is the row after PIX; the row after that is overwritten.
-    """
+    is the row after PIX; the row after that is overwritten."""
     for p in range(flag_plane + 1):
         for g in range(words):
             planes[p * words + g] = _hash(seed, p, first // 64 + g)
@@ -306,8 +304,7 @@ class PixelBlock:
     """A block of pixels, and sizes.
 
     `pixels`: number of pixels of the array. `first` (a multiple of 64), `length`: the pixels that
-    are exposed. `flag_plane`: FLAG's plane. `pix_row`: PIX's row.
-    """
+    are exposed. `flag_plane`: FLAG's plane. `pix_row`: PIX's row."""
 
     slots: int
     pixels: int
@@ -349,8 +346,7 @@ def expose_block(
     `frame_weight`: the weight of each frame in the light of the whole exposure. `code_planes`:
     initial values of the planes numbered `code_rows`. `planes`, `rows` and `charge` (block) are
     working memory, with two planes after FLAG's and four rows after PIX's
-    (`nscc_runtime.emulator.steps.Layout`).
-    """
+    (`nscc_runtime.emulator.steps.Layout`)."""
     slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
     seed, flag_plane, pix_row = block.seed, block.flag_plane, block.pix_row
     words = (length + 63) // 64

@@ -4,8 +4,7 @@ A word is one to a few steps, each of which writes one place: a plane (a one-bit
 pixels) or a row (an analog register of all pixels). A word's sources are read before any
 destination is written, so a word with several destinations uses the bus plane or the sum row.
 `nscc.operations` defines the words; this file only chooses the steps that
-`nscc_runtime.emulator.loops` executes.
-"""
+`nscc_runtime.emulator.loops` executes."""
 
 from __future__ import annotations
 
@@ -59,8 +58,7 @@ class Layout:
     Planes: the target's digital registers, then FLAG, the bus of half-word pairs, and a plane of
     zeros (SELECT: no address ever matches). Rows: the analog registers, then PIX, the reset level,
     the sum of a word with several destinations, a row of zeros (IN: the global DAC is at 0), and
-    the light that is being added to PIX.
-    """
+    the light that is being added to PIX."""
 
     planes: dict[str, int]
     rows: dict[str, int]
@@ -79,8 +77,7 @@ class Steps:
     """A container's kernels and schedule for the compiled loops.
 
     `steps` int64 (steps, COLUMNS): kernel k is steps[kernel_start[k] : kernel_start[k + 1]].
-    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order.
-    """
+    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order."""
 
     steps: NDArray[np.int64]
     operands: NDArray[np.int64]
@@ -93,8 +90,7 @@ def steps_of(container: Container, layout: Layout) -> Steps:
     """Decode every kernel and sort the launches by boundary.
 
     Raises Rejected like `nscc.words.legality.decoded`. The schedule must be sound
-    (`nscc.words.soundness`).
-    """
+    (`nscc.words.soundness`)."""
     translator = _Translator(container.target, layout)
     rows: list[tuple[int, ...]] = []
     kernel_start = [0]

@@ -14,8 +14,7 @@ def sorted_light(container: Container, light: Light) -> Exposure:
     """Return the exposure: for each bucket the light that its tap collects, times the tap's gain,
     in float64.
 
-    Raises ValueError for a container without planes. Other errors must be checked before.
-    """
+    Raises ValueError for a container without planes. Other errors must be checked before."""
     sent = container.stream
     if sent is None:
         raise ValueError("a container without planes")

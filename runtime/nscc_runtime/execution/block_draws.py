@@ -1,8 +1,7 @@
 """Counts and converter codes of a block of pixels, for the loops over the pixels of a frame.
 
 Random numbers are keyed by place, the index of a pixel on the chip. `scratch`, `pending_rates` and
-`pending_pixels` are working memory of the loops.
-"""
+`pending_pixels` are working memory of the loops."""
 
 from __future__ import annotations
 
@@ -29,8 +28,7 @@ FORMULA_FROM = 2.0
 MARGIN = 0.02
 """The formula's value is not used if it is nearer to a whole number than MARGIN (1 + |z|**5) /
 rate**1.5. Its error is at most 0.016 (1 + |z|**5) / rate**1.5 between FORMULA_FROM and
-SEARCH_BELOW.
-"""
+SEARCH_BELOW."""
 _UNSURE = -1.0
 _FEW = 8
 """The formula is used if more than one pixel in this number has a rate for the formula."""
@@ -73,8 +71,7 @@ def _searched(
 
     scratch[out + places[j]] is set to the count for the rate pending_rates[j] and the uniform
     number scratch[remainder_at + j]. All pixels advance together; finished pixels are removed in
-    between.
-    """
+    between."""
     for j in range(count):
         start = _exp_minus(pending_rates[j])
         scratch[mass_at + j] = start
@@ -111,8 +108,7 @@ def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
     scratch[out + i] is set to the Poisson quantile at the normal number scratch[i] and the rate
     rates[i], or SEARCH_BELOW if that is less. It is _UNSURE where the formula is uncertain, and 0
-    for rates of at least SETTLED_ABOVE, whose counts `_raised` computes.
-    """
+    for rates of at least SETTLED_ABOVE, whose counts `_raised` computes."""
     for i in range(count):
         rate, z = rates[i], scratch[i]
         known = rate if rate > FORMULA_FROM else FORMULA_FROM
@@ -130,8 +126,7 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
     """Raise scratch[out + i] to the formula's count for rates of at least SEARCH_BELOW.
 
     Up to SETTLED_ABOVE, scratch[out + i] contains the count at SEARCH_BELOW: the formula's error
-    must not give a larger rate a smaller count.
-    """
+    must not give a larger rate a smaller count."""
     for i in range(count):
         rate = rates[i]
         x = np.floor(quantile(scratch[i], rate if rate > SEARCH_BELOW else SEARCH_BELOW))
@@ -144,8 +139,7 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
     """Set out[i] to the normal number of places[first + i].
 
-    The two steps are separate loops, because a single loop runs out of processor registers.
-    """
+    The two steps are separate loops, because a single loop runs out of processor registers."""
     for i in range(count):
         out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
     for i in range(count):
@@ -160,8 +154,7 @@ def counted(
     """Replace the rates values[i] by Poisson counts drawn at places[first + i].
 
     The counts equal those of `nscc_runtime.noise.poisson_law.poisson_fast` for the same uniform
-    numbers. Rates are clipped to `top`.
-    """
+    numbers. Rates are clipped to `top`."""
     count, low, middle, high = stop - first, 0, 0, 0
     for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0
@@ -222,8 +215,7 @@ def read_out(
 ) -> None:  # fmt: skip
     """Set codes[out + i] to the converter code of the exposure values[at + i]; 0 for NaN.
 
-    The noise of the converter is drawn at places[first + i].
-    """
+    The noise of the converter is drawn at places[first + i]."""
     if noisy:
         drawn_normals(stream, places, first, count, scratch)
         for i in range(count):

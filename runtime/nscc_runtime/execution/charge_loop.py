@@ -2,8 +2,7 @@
 
 This is part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`). A site is a pixel
 or one of its neighbours. Its rate in a range of slots is its scale times a difference of cumulative
-sums.
-"""
+sums."""
 
 from __future__ import annotations
 
@@ -31,8 +30,7 @@ class Sites(NamedTuple):
 
     `number`: the row of each place in `rows` and `scales`. `rows`: where the cumulative sums of the
     site's light and dark charge start in `sums`. `scales`: the factors on these sums. `sums`: slots
-    + 1 cumulative sums for each group of slots.
-    """
+    + 1 cumulative sums for each group of slots."""
 
     number: Written[Annotated[Ints32, "rows cols"]]
     rows: Written[Annotated[Ints, "sites 2"]]
@@ -106,8 +104,7 @@ def _count_between(
     """Return the count of a group in the slots `first` to `stop` - 1.
 
     The heap from index `top` on contains the counts of tree nodes that were already split for this
-    pixel.
-    """
+    pixel."""
     total = 0.0
     low, high = first + sizes.padded_slots, stop + sizes.padded_slots
     while low < high:
@@ -214,8 +211,7 @@ def _charge_spread_evenly(
 ) -> float:  # fmt: skip
     """Return the charge of a site in the slots `begin` to `stop` - 1, from known counts.
 
-    The deviations in `away` are split between slots in proportion to their light.
-    """
+    The deviations in `away` are split between slots in proportion to their light."""
     slots, site, sums = sizes.slots, 2 * sites.number[place], sites.sums
     lit, dark, scale = sites.rows[site + LIT], sites.rows[site + DARK], sites.scales[site + LIT]
     pixels, total = sizes.rows * sizes.cols, 0.0
@@ -282,8 +278,7 @@ def least_charge(
 ) -> float:
     """Return a lower bound of the charge of a pixel in the slots `begin` to `stop` - 1.
 
-    The probability of a smaller charge is below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound).
-    """
+    The probability of a smaller charge is below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound)."""
     site, mean = 2 * sites.number[place] + LIT, 0.0
     row = sites.rows[site]
     for _ in range(sizes.groups):

@@ -46,8 +46,7 @@ class SimulatedChip:
 
     `requested_effects` also contains the effects that the planner dropped. Noise and patterns of
     words are weighted as under these effects, so that dropping an effect changes them least. Arrays
-    are computed on demand and must not be modified.
-    """
+    are computed on demand and must not be modified."""
 
     program: AnalysedProgram
     array: PixelArray
@@ -115,8 +114,7 @@ class SimulatedChip:
 
         If the rate differs between pixels, there are two Chebyshev nodes, and sums are interpolated
         linearly between them. The error is the square of the spread of rate times age, a few parts
-        in a million for the default sensor.
-        """
+        in a million for the default sensor."""
         leak, sensor = self.kept_effects.find_part(Leak), self.program.sensor
         if leak is None:
             return (0.0,)
@@ -198,8 +196,7 @@ class SimulatedChip:
         """Weights (counted groups, 4, buckets, pixels) of neighbours' counts in a pixel's
         exposures.
 
-        The neighbours are above, below, left and right.
-        """
+        The neighbours are above, below, left and right."""
         program, model = self.program, self.program.model(self.kept_effects)
         buckets = len(program.container.buckets)
         return self.array.recent.of(
@@ -244,8 +241,7 @@ class SimulatedChip:
         infinity.
 
         The first kind is PIX; the others are kinds of register content
-        (`execution.register_reach`).
-        """
+        (`execution.register_reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
         kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)

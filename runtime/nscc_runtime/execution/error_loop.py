@@ -1,7 +1,6 @@
 """Small errors of single words, consistent with the sum of errors that frames by sums draw at once.
 
-This is part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`).
-"""
+This is part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`)."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ class Lanes(NamedTuple):
 
     `of_pixel`: the lane of each pixel. The words of lane l are at start[l] to start[l + 1] - 1 of
     `word` (their index among the program's words), `flags`, and `weights` (the weights of their
-    draws in the buckets).
-    """
+    draws in the buckets)."""
 
     of_pixel: Annotated[Ints32, "rows cols"]
     start: Annotated[Ints, "lanes+1"]
@@ -39,8 +37,7 @@ class Lanes(NamedTuple):
 class ErrorScratch(NamedTuple):
     """Working memory: `streams`, cached random keys (0 at first); `missing`, the part of the
     buckets' draws that words do not explain; `drawn`, the errors of the words of a lane. `draws`,
-    `keys` and `normals` are the indices, keys and values of draws that are made together.
-    """
+    `keys` and `normals` are the indices, keys and values of draws that are made together."""
 
     streams: Written[Words]
     missing: Written[Floats]
@@ -69,8 +66,7 @@ def draw_errors(
     """Draw the unit normal errors of one kind for each word of a lane into `errors.drawn`.
 
     Q (z - Q^T x) is added to the draws x of the words, where z are the draws of the buckets and Q
-    are their weights. The weighted sum of the errors then equals z.
-    """
+    are their weights. The weighted sum of the errors then equals z."""
     # The streams of a kind are those of the buckets, then those of the words.
     row = kind * (buckets + sizes.words * sizes.numbered)
     count, first = 0, lanes.start[lane]

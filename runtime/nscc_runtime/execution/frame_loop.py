@@ -1,7 +1,6 @@
 """Loops for frames by weighted sums: counts, exposures from counts and noise, converter codes.
 
-`nscc_runtime.execution.summed` prepares the arguments that all frames of a scene share.
-"""
+`nscc_runtime.execution.summed` prepares the arguments that all frames of a scene share."""
 
 from __future__ import annotations
 
@@ -53,8 +52,7 @@ def draw_counts(
     """Set or increase away[g, p] by the deviation of a Poisson count from its mean rates[g, p].
 
     `values`, `pending_rates` and `pending_pixels` are working memory for `BLOCK` pixels, `scratch`
-    for five times as many.
-    """
+    for five times as many."""
     for first in range(counting.begin, counting.end, BLOCK):
         stop = min(first + BLOCK, counting.end)
         for group in range(counting.groups):
@@ -170,8 +168,7 @@ def add_up(
 
     `own_weights`: weights of a pixel's own deviations. `neighbour_weights` (groups, 4, buckets,
     pixels): weights of its neighbours' deviations, used if neighbours exchange counts. `total` and
-    `drawn` are working memory for `BLOCK` pixels, `total` for each bucket.
-    """
+    `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
@@ -227,8 +224,7 @@ def convert(
 ) -> None:
     """Convert exposures to codes (`frame`; 0 for NaN), and set `valid` where exposures are finite.
 
-    `scratch` is working memory for `BLOCK` pixels.
-    """
+    `scratch` is working memory for `BLOCK` pixels."""
     for first in range(reading.begin, reading.end, BLOCK):
         stop = min(first + BLOCK, reading.end)
         for bucket in range(reading.buckets):

@@ -2,8 +2,7 @@
 reference.
 
 Random numbers are those of the reference (`nscc_runtime.effects`). Frames differ from the reference
-only by dropped effects and by the approximations of sums.
-"""
+only by dropped effects and by the approximations of sums."""
 
 from __future__ import annotations
 
@@ -68,8 +67,7 @@ class ExecutedScene:
     """A scene that is exposed frame by frame.
 
     `threads`: number of threads; results do not depend on it. `torch_device`: the torch device that
-    computes sums; None for the processor.
-    """
+    computes sums; None for the processor."""
 
     program: AnalysedProgram
     light: Light
@@ -144,8 +142,7 @@ class ExecutedScene:
     ) -> None:
         """Replace the exposures of pixels near saturation by the results of their words.
 
-        Neighbours' counts are taken from sums if `counts_agree`.
-        """
+        Neighbours' counts are taken from sums if `counts_agree`."""
         assert self._near_saturation is not None
         running, places = self._near_saturation, self._near_saturation.chosen
         known_counts = (
@@ -222,7 +219,6 @@ def executed(
 ) -> ExecutedScene:
     """Return a scene to be exposed frame by frame.
 
-    Raises Rejected if light and program do not fit, like `nscc_runtime.emulator.expose`.
-    """
+    Raises Rejected if light and program do not fit, like `nscc_runtime.emulator.expose`."""
     check_size(program.container, light)
     return ExecutedScene(program, light, execution, device_seed, threads_of(threads), torch_device)

@@ -14,8 +14,7 @@ from nscc_runtime.loop import Floats, Ints, Written, record
 class Switches:
     """Switches of effects in the loops (0: off), and sizes.
 
-    Each effect names its switches, numbers and keys in an `nscc_runtime.effects.effect.InLoop`.
-    """
+    Each effect names its switches, numbers and keys in an `nscc_runtime.effects.effect.InLoop`."""
 
     registers: int
     buckets: int
@@ -74,8 +73,7 @@ class Sizes:
 class Numbers:
     """Parameters of effects. Variances are those of the logarithm.
 
-    `pix_start` and `register_start`: twice the largest content at the start of a frame.
-    """
+    `pix_start` and `register_start`: twice the largest content at the start of a frame."""
 
     pix_start: float
     register_start: float
@@ -119,8 +117,7 @@ class OnDevice:
 class Keys:
     """First halves of the random keys of a run: of counts (`count_`), of their splits over slots
     (`thin_`), of the sums of small errors in buckets (`sum_`), and of the errors of single words
-    (`part_`).
-    """
+    (`part_`)."""
 
     count_light: np.uint64
     count_dark: np.uint64

@@ -1,7 +1,6 @@
 """Find the pixels of a scene that may saturate; these pixels run through their words.
 
-The charge of pixels is computed with all requested effects.
-"""
+The charge of pixels is computed with all requested effects."""
 
 from __future__ import annotations
 
@@ -118,8 +117,7 @@ class _Search:
     def _candidates(self) -> Places:
         """Places whose upper bound of the charge reaches the limit. The bound adds up the dark
         charge of the frame, crosstalk, and the largest fraction of the light that PIX or a register
-        can contain.
-        """
+        can contain."""
         weights, _, limit = self._of_lanes
         lanes, seen_fraction = self.chip.array.flat_lanes, weights.of_frames(self.light).most_part
         most_e = seen_fraction.take(lanes) * self._total_e.reshape(-1)
@@ -130,8 +128,7 @@ class _Search:
     def _charges(self, places: Places) -> tuple[Values, Values]:
         """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
 
-        Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
-        """
+        Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours."""
         weights, dark_s, _ = self._of_lanes
         lanes = self.chip.array.flat_lanes[places]
         frames = self.light.ended.reshape(len(self.light.ended), -1)

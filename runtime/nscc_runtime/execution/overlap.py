@@ -1,8 +1,7 @@
 """Crosstalk of counts: the fraction of a neighbour's count that arrives in a pixel's open slots.
 
 A neighbour's charge is counted for the neighbour's own groups of slots. The fraction of a group's
-count in the open slots of another pixel is approximated by the fraction of the group's time.
-"""
+count in the open slots of another pixel is approximated by the fraction of the group's time."""
 
 from __future__ import annotations
 
@@ -77,8 +76,7 @@ def weights_beside(overlaps: Sequence[Overlap], buckets: int, lanes: NDArray[np.
     """Return the weights (groups, 4, buckets, pixels) of neighbours' counts in a pixel's exposures.
 
     `lanes` (rows, cols): the lane of each pixel. Neighbours are above, below, left and right;
-    beyond the border weights are 0.
-    """
+    beyond the border weights are 0."""
     all_weights = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
     for number, overlap in enumerate(overlaps):
         for side, (to, source) in enumerate(NEIGHBOURS):

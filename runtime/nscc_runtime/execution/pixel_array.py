@@ -81,8 +81,7 @@ def tile_places(corners: Places, side: int, shape: tuple[int, int]) -> Places:
 
     `corners` (tiles, 2): row and column of the upper left pixel of each tile, on a chip of `shape`
     (rows, cols). Outside the chip, the border pixel is repeated: exchanging charge with itself has
-    no effect.
-    """
+    no effect."""
     steps = np.arange(side)
     row = np.clip(corners[:, 0][None, :, None] + steps[:, None, None], 0, shape[0] - 1)
     col = np.clip(corners[:, 1][None, :, None] + steps[None, None, :], 0, shape[1] - 1)

@@ -3,8 +3,7 @@
 It computes the same as `nscc_runtime.reference`, with the same keyed random numbers, but moves from
 word to word instead of from slot to slot. The charge between two words results from halving counts
 (`nscc_runtime.noise.thin`), so programs with few words are fast for any number of slots.
-`nscc_runtime.execution.pixels` prepares the arguments.
-"""
+`nscc_runtime.execution.pixels` prepares the arguments."""
 
 from __future__ import annotations
 
@@ -110,8 +109,7 @@ def _fallen(
     slot.
 
     `of_slot`: the charge of the first slot. If PIX, which contains `pix_e`, certainly becomes full,
-    the returned charge is larger than the full well instead.
-    """
+    the returned charge is larger than the full well instead."""
     first = at if gone == 0.0 else at + 1
     if switches.holds:
         least = least_charge(sizes, numbers, counts.places[0], first, stop, sites)
@@ -211,8 +209,7 @@ def run_pixels(
 
     `group_ids`: numbers of the groups of slots in random keys. `start_keys`: random keys of
     register contents at the start of a frame. `counts` to `result` are working memory. Places in
-    ascending order find most of their neighbours' counts in the cache.
-    """
+    ascending order find most of their neighbours' counts in the cache."""
     streams_of(sizes, keys, group_ids, counts.streams)
     buckets, words = switches.buckets, program.words
     for i in range(sizes.pixels):

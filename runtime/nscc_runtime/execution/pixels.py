@@ -1,8 +1,7 @@
 """Run single pixels of a frame through all of their words: exact, and slow.
 
 The classes prepare the arguments of `nscc_runtime.execution.pixel_loop`. With the same effects the
-results equal those of `nscc_runtime.reference`, except for rounding.
-"""
+results equal those of `nscc_runtime.reference`, except for rounding."""
 
 from __future__ import annotations
 
@@ -73,8 +72,7 @@ class LaneWords:
     """The words of a program by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`.
 
     `groups` (lanes, N): the group of each slot. `group_ids`: the numbers of the groups in random
-    keys.
-    """
+    keys."""
 
     reference: Reference
     program: LoopProgram
@@ -163,8 +161,7 @@ class KnownCounts:
 class Wired:
     """The words of a program under some effects on one chip, bound to the loop, for any scene.
 
-    Raises ValueError for effects that the loop does not support.
-    """
+    Raises ValueError for effects that the loop does not support."""
 
     words: LaneWords
     effects: Selection
@@ -281,8 +278,7 @@ class Running:
 
     `chosen`: places of the pixels (row * cols + col). At most `_MOST_LIGHT` bytes of their light
     are stored; larger light is prepared again for every frame, in slices. Results do not depend on
-    `threads` or on the order of places.
-    """
+    `threads` or on the order of places."""
 
     wired: Wired
     light: Light
@@ -295,8 +291,7 @@ class Running:
         """Return exposures (buckets, pixels) of a frame in electrons, and their saturation marks.
 
         `known_counts`: counts of neighbours, split between slots in proportion to light. If None,
-        counts are drawn and halved, as in the reference.
-        """
+        counts are drawn and halved, as in the reference."""
         wired, words = self.wired, self.wired.words
         shape = len(words.reference.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)

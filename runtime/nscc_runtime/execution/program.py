@@ -160,8 +160,7 @@ class AnalysedProgram:
         and absolute.
 
         Multiplied by the light per second, the first is the variance of counts that one count per
-        group neglects, and the second is the whole variance of counts.
-        """
+        group neglects, and the second is the whole variance of counts."""
         weights, means = self.tables.weights(model).slots, self.mean_weights(model)
         uneven, square = np.zeros((2, weights.shape[2], weights.shape[1]))
         for group in self.open_groups:

@@ -1,8 +1,7 @@
 """Find the charge with which the registers of a program leave their linear range.
 
 The words run forwards over some lanes. Register values are linear functions of the charge of each
-stretch of slots between words, of the fixed error of a word, and of noise.
-"""
+stretch of slots between words, of the fixed error of a word, and of noise."""
 
 from __future__ import annotations
 
@@ -35,8 +34,7 @@ class RegisterReach:
     `held_weights` (kinds, N, lanes): largest weights of the slots' charge in any register.
     Registers stay linear while the charge weighted by each of them is below `least_e` (kinds,
     lanes), which is 0 where noise alone may leave the range. If `held_weights` is None, `least_e`
-    limits the charge that PIX has collected.
-    """
+    limits the charge that PIX has collected."""
 
     held_weights: Values | None
     least_e: Values
@@ -93,8 +91,7 @@ class _RegisterState:
     """The contents of registers, PIX and its reset level, as linear functions.
 
     `held_weights` (lanes, rows, columns): weights of the charge of each stretch and, in the last
-    column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise.
-    """
+    column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
 
     def __init__(self, tables: Tables, lanes: int, stretches: int, kept_effects: Selection) -> None:
         self._container, sensor = tables.container, tables.program.sensor
@@ -168,8 +165,7 @@ class _RegisterReach:
         """Take a written register into account.
 
         `lanes`: mask of the lanes that write it. `lit` (lanes, stretches), `fixed`: weights of
-        charge and of the fixed error in it. `sigma`: standard deviation of its noise.
-        """
+        charge and of the fixed error in it. `sigma`: standard deviation of its noise."""
         mean_e, spread_e = self.error_e
         low_e, high_e = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))
         above = self.linear_e - np.maximum(low_e, high_e) - _SIGMAS * sigma

@@ -91,8 +91,7 @@ def lay_out(
     If all slots have the same light (`laying.even`), the scale of a site is the light of a slot,
     and its sums are those of its lane. Otherwise each site has its own sums of light, shape (sites,
     groups, N + 1) at the beginning of `sums`, and scale 1. `of_lane`: where the sums of each lane
-    begin. `of_slot`: the group of each slot.
-    """
+    begin. `of_slot`: the group of each slot."""
     pixels, slots, count = laying.pixels, laying.slots, laying.groups
     number, rows, scales, sums = sites.number, sites.rows, sites.scales, sites.sums
     for i in range(laying.begin, laying.end):

@@ -68,8 +68,7 @@ class Times:
         begin.
 
         The sums (rows, groups, N + 1) are numbers of slots for the `used` lanes, then seconds. The
-        starts (lanes, 2) are indices into the flattened sums.
-        """
+        starts (lanes, 2) are indices into the flattened sums."""
         lanes, slots = self.of_slot.shape
         apart = self.of_slot[used, None, :] == np.arange(self.groups)[:, None]
         sums = np.zeros((2, len(used), self.groups, slots + 1))
@@ -93,8 +92,7 @@ def sites_of(
 ) -> Sites:
     """Return the sites at `places`, of a chip whose pixels have these `lanes` (rows, cols).
 
-    `switches`: the fields of `Laying` that effects set.
-    """
+    `switches`: the fields of `Laying` that effects set."""
     count, even, groups = len(places), light.even, times.groups
     row = groups * (light.slots + 1)
     tables = times.all_tables

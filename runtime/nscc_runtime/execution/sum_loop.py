@@ -1,7 +1,6 @@
 """The loop that adds up frames of light, weighted by the pixel's lane, with crosstalk.
 
-`nscc_runtime.execution.sums` checks the arguments of the loop.
-"""
+`nscc_runtime.execution.sums` checks the arguments of the loop."""
 
 from __future__ import annotations
 
@@ -34,8 +33,7 @@ class SceneSizes:
     """The size of the frames, and the rows `begin` to `end` - 1 to process.
 
     Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's light moves to
-    each neighbour.
-    """
+    each neighbour."""
 
     begin: int
     end: int
@@ -73,8 +71,7 @@ def _smear(
 ) -> None:  # fmt: skip
     """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame.
 
-    The border reflects. All pixels belong to one row.
-    """
+    The border reflects. All pixels belong to one row."""
     cols, c = sizes.cols, np.float32(sizes.fraction)
     row = first // cols
     up_step = -cols if row > 0 else 0
@@ -171,8 +168,7 @@ def scene_sums(
     float32. `share`: `scale` in float32, for sums with crosstalk. `lit_sums`: whether any lane has
     a nonzero weight. `alike`: number of consecutive frames from frame k on with equal weights;
     these are added up before they are weighted. `lit` and `gathered` are working memory for
-    `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels.
-    """
+    `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):

@@ -58,8 +58,7 @@ APPROXIMATIONS: Sequence[str] = (
 class SummedScene:
     """A scene on the pixels of a chip, whose frames are weighted sums with noise.
 
-    `known` caches sums of the light: planning compares sets of effects that share them.
-    """
+    `known` caches sums of the light: planning compares sets of effects that share them."""
 
     chip: SimulatedChip
     light: Light

@@ -63,8 +63,7 @@ class SlotWeights:
     """One or more weights (N, lanes) of slots.
 
     The weights of the last light's frames are cached, because series of frames have the same
-    timing.
-    """
+    timing."""
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
         self.slots = [*slots]
@@ -108,8 +107,7 @@ def scene_sums(
 
     `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
     and in float32. Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's
-    light moves to each neighbour. Results do not depend on `threads`.
-    """
+    light moves to each neighbour. Results do not depend on `threads`."""
     shape, count = light.shape, len(weights.slots)
     if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")

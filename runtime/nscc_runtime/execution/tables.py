@@ -1,8 +1,7 @@
 """The words of a program as weights of slots and of errors, for each lane (code number).
 
 Without saturation an exposure is a weighted sum of the charge of slots and of the errors of words.
-The weights depend on the pixel's code, on gain, leakage, dead time and decay.
-"""
+The weights depend on the pixel's code, on gain, leakage, dead time and decay."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ class Tables:
     exist.
 
     `fresh`: the analog words without decay of digital registers. `decayed`: the words with decay;
-    the same object as `fresh` if decay changes nothing.
-    """
+    the same object as `fresh` if decay changes nothing."""
 
     program: Reference
     fresh: tuple[AnalogWord, ...]
@@ -76,8 +74,7 @@ class Tables:
 
         The first array contains the coefficients (lanes, buckets, draws) of the keyed draws. The
         second contains the remaining variance (lanes, buckets). Both are for errors of standard
-        deviation 1.
-        """
+        deviation 1."""
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
         coefficients = self.numbered(at, full)
         drawn = self.program.draws[at]

@@ -2,8 +2,7 @@
 
 The results equal those of `nscc_runtime.execution.frame_loop` to about 1e-3 electrons, with the
 same keyed random numbers. Sums over slots, and pixels that run through their words, stay on the
-processor.
-"""
+processor."""
 
 from __future__ import annotations
 

@@ -4,8 +4,7 @@ Two loops run pixels through words: `nscc_runtime.execution.pixel_loop` runs sin
 fixed shutters, and `nscc_runtime.looking.path_loop` runs blocks of pixels that look. Both add
 charge to PIX and draw the normal numbers of a word before they call these functions. Register r of
 pixel i of a block is at index r * `block` + i. `count` is the number of pixels that run the word.
-`block` and `count` are constants for single pixels, so everything here is inlined.
-"""
+`block` and `count` are constants for single pixels, so everything here is inlined."""
 
 from __future__ import annotations
 

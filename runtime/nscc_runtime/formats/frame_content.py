@@ -30,8 +30,7 @@ def frame_content(
 
     Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side.
     Frames of --repeat make a clip, three colours a colour picture. `shutters` returns the distinct
-    shutters bool (shutters, buckets, N) of the container.
-    """
+    shutters bool (shutters, buckets, N) of the container."""
     frame, colour = file.frame, "colours" in file.meta
     return Content(
         {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
@@ -45,8 +44,7 @@ def _picture(values: NDArray[Any]) -> NDArray[Any]:
     """Reshape (buckets, rows, cols) to (rows, buckets * cols), with 0 for values that are not
     finite.
 
-    A leading axis of colours becomes the last axis.
-    """
+    A leading axis of colours becomes the last axis."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
     np.copyto(side, 0, where=~np.isfinite(side))
     return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
@@ -61,8 +59,7 @@ def benchmark_arrays(
     K is the number of frames. As in the benchmark 255 is white, and without effects meas = sum(mask
     * orig). `white_e` (1, 1): electrons per slot of white. For a clip it is the clip's white level,
     or its brightest value if larger; for an unknown scene it is the full well divided by T. Raises
-    Rejected (NS0786) for several buckets or colours, which the benchmark does not support.
-    """
+    Rejected (NS0786) for several buckets or colours, which the benchmark does not support."""
     exposures = exposure_e if exposure_e.ndim == 4 else exposure_e[None]
     if colour or exposures.shape[1] != 1:
         raise _one_bucket()
@@ -85,8 +82,7 @@ def shutter_content(arrays: Arrays) -> Content:
     """Return the content of `nscc shutters`.
 
     A .mat file contains `mask` (rows, cols, T), an .npy file (buckets, rows, cols, T), both of 0
-    and 1.
-    """
+    and 1."""
     count = int(arrays["shutter_shape"][3])
 
     def opened() -> NDArray[np.uint8]:

@@ -23,8 +23,7 @@ class Ends:
     """The ways in which a frame of a pixel can end.
 
     `outcomes` int64 (ends, 1 + states): the behaviour number, then the values of the states that
-    are read. `words`: the bus and reset words of one path to each end; their lanes are the ends.
-    """
+    are read. `words`: the bus and reset words of one path to each end; their lanes are the ends."""
 
     outcomes: NDArray[np.int64]
     words: tuple[AnalogWord, ...]
@@ -111,8 +110,7 @@ def row_of(
     """Return the index of the row of `rows` (R, K) that equals the values of K arrays, and where it
     exists.
 
-    Both results have the shape of the arrays; the index is arbitrary where no row matches.
-    """
+    Both results have the shape of the arrays; the index is arbitrary where no row matches."""
     number = np.zeros(len(rows), np.int64)
     row_number = np.zeros(columns[0].shape, np.int64)
     is_present = np.ones(row_number.shape, np.bool_)

@@ -99,8 +99,7 @@ class LookingProgram:
     ) -> Executed:
         """Return a frame, or consecutive rows of it, like `LookingReference.expose`.
 
-        Results do not depend on `threads`. Raises ValueError if `lacks` returns reasons.
-        """
+        Results do not depend on `threads`. Raises ValueError if `lacks` returns reasons."""
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
         joined = intervals.joined(scene)
 
@@ -125,8 +124,7 @@ class LookingProgram:
         """Return a frame like `expose`, with the charge of rows returned by `fall`.
 
         `among` (rows, cols): the pixels whose words run, None for all. The results of other pixels
-        are meaningless.
-        """
+        are meaningless."""
         lacking, paths = self.lacks(effects), self._paths(effects)
         if lacking or isinstance(paths, str):
             raise ValueError("; ".join(lacking))

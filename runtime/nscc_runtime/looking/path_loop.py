@@ -3,8 +3,7 @@
 It computes the same as `nscc_runtime.reference.looks`, with the same keyed random numbers. All
 pixels of a block that are in one segment run each of its words together. The answer of the
 comparison at its end selects the next segment. `nscc_runtime.looking.looking_program` prepares the
-arguments.
-"""
+arguments."""
 
 from __future__ import annotations
 
@@ -85,8 +84,7 @@ class Segments(NamedTuple):
     """Segments of paths. The words of segment k are acting[start[k] : start[k + 1]].
 
     Pixels whose comparison has the answer a continue with following[k, a]: a segment, or -1 - e for
-    ending e.
-    """
+    ending e."""
 
     start: Annotated[Ints, "segments+1"]
     acting: Ints
@@ -116,8 +114,7 @@ class BlockScratch(NamedTuple):
     `head`: the first pixel that waits before each segment, -1 if none. `behind`: the next waiting
     pixel after each pixel. `reached`: the interval that each pixel has reached. `fallen_fraction`:
     the fraction of this interval that is collected. `normals`: the normal numbers of a word, by
-    draw.
-    """
+    draw."""
 
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
@@ -289,8 +286,7 @@ def run_paths(
     saturation marks, and ends[i] to its ending.
 
     `begins`: the first segment of each pixel, or -1 - e for ending e. `of_word` to `result` are
-    working memory.
-    """
+    working memory."""
     _name(sizes, keys, of_word)
     for first in range(0, sizes.pixels, BLOCK):
         count, place = min(BLOCK, sizes.pixels - first), sizes.first_place + first

@@ -6,8 +6,7 @@ answers. The result are segments: analog words that end with a comparison, whose
 of two further segments or to the end of the frame. Words that influence no exposure and no
 comparison are dropped, and so are comparisons whose answers lead to the same segment. A bit that
 was neither loaded nor written is unknown. If a program depends on an unknown bit, there are no
-paths, and the reason is returned.
-"""
+paths, and the reason is returned."""
 
 from __future__ import annotations
 
@@ -42,8 +41,7 @@ class Paths:
     compare. `following` int64 (segments, 2): the next segment for the answers 0 and 1, or -1 - e
     for ending e; without a comparison both are equal. `starts`: bits (starts,) at the start of a
     frame, by loaded register. `first` int64 (starts,): the first segment of each start. `endings`:
-    bits (endings,) at the end of a frame, by state register.
-    """
+    bits (endings,) at the end of a frame, by state register."""
 
     words: tuple[RunningWord, ...]
     start: NDArray[np.int64]
@@ -58,8 +56,7 @@ class Paths:
         """Return the paths of a container with a state machine. Raises Pathless if they cannot be
         followed.
 
-        A digital register reads 0 if no word wrote it for more than `retention_us`.
-        """
+        A digital register reads 0 if no word wrote it for more than `retention_us`."""
         starts = _starts(container)
         walk = _PathReplay(container, starts, retention_us)
         words = walk.run()
@@ -77,8 +74,7 @@ class Paths:
     ) -> NDArray[np.int64]:
         """Return the first segment of pixels of a `shape` with the `loaded` bits.
 
-        Raises ValueError for bits that belong to no code and no kept state.
-        """
+        Raises ValueError for bits that belong to no code and no kept state."""
         numbers, first = self._packed
         loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
@@ -101,8 +97,7 @@ paths_of = OfContainer(_paths_of)
 """Return the paths of a container with a state machine, or a text with the reason why there are
 none.
 
-Arguments: container, microseconds for which digital registers keep their values.
-"""
+Arguments: container, microseconds for which digital registers keep their values."""
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:

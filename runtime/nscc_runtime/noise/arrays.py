@@ -2,8 +2,7 @@
 
 `pixels` are indices row * cols + col in the whole array, in any order and of any shape; results
 have the same shape. A call uses one thread and releases the GIL. Splitting `pixels` over threads
-does not change results.
-"""
+does not change results."""
 
 from __future__ import annotations
 
@@ -31,8 +30,7 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
 def normals(key: np.uint64, pixels: Pixels) -> Floats:
     """Return standard normal numbers: the normal quantiles of `uniforms` of the same key and pixel.
 
-    The relative error is below 1e-12 within +-8.21, and numbers are monotonic in `uniforms`.
-    """
+    The relative error is below 1e-12 within +-8.21, and numbers are monotonic in `uniforms`."""
     from nscc_runtime.noise.noise_loops import Draws, fill_normals
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -50,8 +48,7 @@ def poisson(
     `nscc_runtime.noise.poisson_law` invert the distribution function at `uniforms` of the same key
     and pixel. With `exact`, `poisson_exact` is used. Otherwise rates from 10 on use the formula of
     `poisson_fast`, whose total variation distance from the Poisson distribution is at most 2e-4.
-    Raises ValueError for a rate of another shape.
-    """
+    Raises ValueError for a rate of another shape."""
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
     from nscc_runtime.noise.noise_loops import BLOCK, Counts, fill_poisson
@@ -77,8 +74,7 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
     in the first half, monotonic in that half's share, so the charge of a range of slots needs one
     draw for each halving that it cuts. Raises ValueError for other shapes, for counts that are not
     whole numbers in 0 .. 2**53, for shares that are negative or not finite or whose sum is not
-    finite, and for a positive count whose shares are all 0.
-    """
+    finite, and for a positive count whose shares are all 0."""
     counts, shares = _floats(counts), _floats(shares)
     pixel_count, slots = len(counts), shares.shape[-1] if shares.ndim else 0
     if np.shape(pixels) != counts.shape or counts.ndim != 1:

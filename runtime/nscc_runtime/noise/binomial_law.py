@@ -126,8 +126,7 @@ def quantile(z: float, n: float, p: float) -> float:
     least SEARCH_BELOW.
 
     It is the Cornish-Fisher expansion, to order 1 / sigma, of the smooth distribution that agrees
-    at all k + 1/2 (Sheppard's correction of the cumulants).
-    """
+    at all k + 1/2 (Sheppard's correction of the cumulants)."""
     q = 1.0 - p
     spread = n * p * q
     variance = spread - 1 / 12
@@ -162,8 +161,7 @@ def binomial(u: float, n: float, p: float) -> float:
     """Return the number of successes in n trials: the smallest count whose distribution function
     reaches u.
 
-    n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53].
-    """
+    n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
     if n <= 0.0 or p <= 0.0:
         return 0.0
     if p >= 1.0:

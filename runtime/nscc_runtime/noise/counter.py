@@ -2,8 +2,7 @@
 
 Philox4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC
 2011, which passes BigCrush. `nscc_runtime.noise.keys.philox` is the same function for Python. The
-functions are scalar; loops (`nscc_runtime.loop`) call them, and LLVM vectorises the loops.
-"""
+functions are scalar; loops (`nscc_runtime.loop`) call them, and LLVM vectorises the loops."""
 
 from __future__ import annotations
 
@@ -41,8 +40,7 @@ def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
 def unit(random: np.uint64) -> float:
     """Return the odd multiple of 2**-53 inside (0, 1) given by the upper 52 bits of `random`.
 
-    The numbers are symmetric about 1/2, and 1 - u is exact.
-    """
+    The numbers are symmetric about 1/2, and 1 - u is exact."""
     # The bits become the fraction of a number in [1, 2): no conversion of integers, which not
     # every processor has for vectors.
     fraction = np.uint64((random >> _SHIFT_52) | _ONE_TO_TWO).view(np.float64) - 1.0

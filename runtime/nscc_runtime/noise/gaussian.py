@@ -5,8 +5,7 @@ For v = min(u, 1 - u) the quantile is a Taylor polynomial about the upper end of
 coefficients are positive, so rounding keeps each polynomial increasing, and no cell ends above the
 start of the next: the result never decreases in u. The coefficients follow from the differential
 equation of the quantile: Steinbrecher and Shaw, "Quantile mechanics", European Journal of Applied
-Mathematics 19 (2008).
-"""
+Mathematics 19 (2008)."""
 
 from __future__ import annotations
 

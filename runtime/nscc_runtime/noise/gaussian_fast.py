@@ -1,8 +1,7 @@
 """Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans.
 
 The quantile is a parabola about the middle of each of 32 cells per octave. The table is small
-enough for the fastest cache. The error is below 2e-6 for |z| < 6.
-"""
+enough for the fastest cache. The error is below 2e-6 for |z| < 6."""
 
 from __future__ import annotations
 

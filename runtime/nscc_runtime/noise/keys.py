@@ -1,8 +1,7 @@
 """Keys of random streams: seed, effect, source, frame and group.
 
 A random number depends only on its key and pixel index, so dropping one effect changes no draw of
-another.
-"""
+another."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0)
 
     `seed`, `frame` and `group` lie in 0 .. 2**64 - 1, `effect` and `source` in 0 .. 2**32 - 1;
     other values raise ValueError. Among m different streams, two share a key with a probability of
-    about m**2 / 2**65.
-    """
+    about m**2 / 2**65."""
     values = {"seed": seed, "effect": effect, "source": source, "frame": frame, "group": group}
     for name, value in values.items():
         if not 0 <= value < 1 << _LIMITS[name]:
@@ -49,8 +47,7 @@ def philox(counter: tuple[int, int, int, int], key: tuple[int, int]) -> tuple[in
     """Return four 32-bit words from a counter and a key, by Philox4x32-10.
 
     Reference: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC
-    2011.
-    """
+    2011."""
     a, b, c, d = counter
     k, m = key
     for _ in range(_ROUNDS):

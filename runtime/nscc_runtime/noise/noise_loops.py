@@ -1,8 +1,7 @@
 """The loops over pixels that draw random numbers, called by `nscc_runtime.noise.arrays`.
 
 Every number depends only on its key and pixel, and vectors round like scalars, so splitting pixels
-over calls does not change results.
-"""
+over calls does not change results."""
 
 from __future__ import annotations
 
@@ -55,8 +54,7 @@ def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> No
     """Replace the uniform numbers out[i] by counts of the formula.
 
     There are no branches, so LLVM vectorises the loops. Rates below SEARCH_BELOW count as
-    SEARCH_BELOW.
-    """
+    SEARCH_BELOW."""
     for i in range(first, stop):
         out[i] = normal(out[i])
     for i in range(first, stop):
@@ -72,8 +70,7 @@ def _searched(
 ) -> None:  # fmt: skip
     """Replace the uniform numbers out[i] by counts of `search`, step by step for the whole block.
 
-    Rates are below SEARCH_BELOW. LLVM vectorises each step.
-    """
+    Rates are below SEARCH_BELOW. LLVM vectorises each step."""
     count = stop - first
     for i in range(count):
         rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
@@ -138,8 +135,7 @@ def fill_poisson(
     """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
     is a number.
 
-    Arguments from `rates` on are working memory for `BLOCK` pixels each.
-    """
+    Arguments from `rates` on are working memory for `BLOCK` pixels each."""
     count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, BLOCK):
         stop = min(first + BLOCK, count)
@@ -199,8 +195,7 @@ def fill_thin(
 ) -> None:  # fmt: skip
     """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
 
-    Tree nodes are numbered as in a heap: 1 is the root.
-    """
+    Tree nodes are numbered as in a heap: 1 is the root."""
     slots, stride, stream = spread.slots, spread.stride, spread.key
     leaf_count = 1
     while leaf_count < slots:

@@ -1,8 +1,7 @@
 """The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device.
 
 Uniform numbers are identical, normal numbers agree to 1e-12, and counts equal those of
-`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides.
-"""
+`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
     """Return the uniform number of each key (..) at each place: float64 (.., places).
 
     This is Philox4x32-10 like `nscc_runtime.noise.counter`; 32-bit products overflow in int64 with
-    the same bits as in uint64.
-    """
+    the same bits as in uint64."""
     keys = keys[..., None]
     k, m = keys & _MASK, (keys >> 32) & _MASK
     a, b = places & _MASK, (places >> 32) & _MASK
@@ -53,8 +51,7 @@ def poisson(
 ) -> torch.Tensor:
     """Return Poisson counts (.., places) of rates that broadcast to this shape.
 
-    Rates above `cap` count as `cap`, NaN as 0.
-    """
+    Rates above `cap` count as `cap`, NaN as 0."""
     u = uniforms(keys, places)
     rate = torch.where(rate > 0.0, rate, 0.0).clamp(max=cap).expand(u.shape)
     counts = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)

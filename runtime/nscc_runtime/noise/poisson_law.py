@@ -4,8 +4,7 @@ The counts of both samplers never decrease with the uniform number for a fixed r
 rate for a fixed uniform number. So a small change of the rate is a small change of the counts. This
 holds up to rounding: if u is within about 1e-13 of a step of the distribution function, the order
 of rates that differ by less than that may be reversed. Rates are finite and at least 0; u lies in
-[2**-53, 1 - 2**-53].
-"""
+[2**-53, 1 - 2**-53]."""
 
 from __future__ import annotations
 
@@ -119,8 +118,7 @@ def search(u: float, rate: float) -> float:
 def _walk(u: float, rate: float, start: float) -> float:
     """Return the smallest count whose distribution function reaches u, searching from `start`.
 
-    The smaller tail is added up, so that both tails are as accurate as the middle.
-    """
+    The smaller tail is added up, so that both tails are as accurate as the middle."""
     k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:
@@ -154,8 +152,7 @@ def quantile(z: float, rate: float) -> float:
 
     It is the Cornish-Fisher expansion to order 1/rate (Giles, "Algorithm 955: approximation of the
     inverse Poisson cumulative distribution function", ACM TOMS 42 (2016)). Its error is below 0.012
-    (1 + |z|**5) / rate**1.5 where the result is above 1/2 (measured to |z| = 8.2).
-    """
+    (1 + |z|**5) / rate**1.5 where the result is above 1/2 (measured to |z| = 8.2)."""
     root, square = math.sqrt(rate), z * z
     inverse = 1.0 / root
     order_1 = 1 / 3 + square * (1 / 6)
@@ -170,8 +167,7 @@ def poisson_exact(u: float, rate: float) -> float:
 
     Below SEARCH_BELOW it is searched from 0. Above, it is `quantile` rounded down; if that is so
     close to a whole number that its error may matter, the distribution function decides. From
-    EXACT_BELOW on only the formula is used.
-    """
+    EXACT_BELOW on only the formula is used."""
     if rate < SEARCH_BELOW:
         return search(u, rate)
     z = normal(u)
@@ -190,8 +186,7 @@ def poisson_fast(u: float, rate: float) -> float:
     """Return the count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above.
 
     The total variation distance from the Poisson distribution is below 2e-4 from rate 10 on, and 0
-    below.
-    """
+    below."""
     if rate < SEARCH_BELOW:
         return search(u, rate)
     k = max(math.floor(quantile(normal(u), rate)), 0.0)

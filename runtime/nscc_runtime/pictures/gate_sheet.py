@@ -3,8 +3,7 @@ row.
 
 A value is a bar on its register's line, from its write to its last read. A gate is a box on the
 line that it writes, with a dot on every line that it reads; a comparison of light is drawn in the
-same way. A triangle below the line of FLAG marks a value that the program needs in FLAG.
-"""
+same way. A triangle below the line of FLAG marks a value that the program needs in FLAG."""
 
 from __future__ import annotations
 

@@ -2,8 +2,7 @@
 
 Every text takes the first free position around its anchors, from near to far: inside the panel, and
 not on a text, mark or line. The name of a line may be written on other lines if there is no free
-position.
-"""
+position."""
 
 from __future__ import annotations
 
@@ -47,8 +46,7 @@ class ChartLabel:
     """A text to place beside one of its `anchors` (x, y) in data coordinates, best first.
 
     `name`: whether it is the name of a line, which is larger. `sought`: whether readers look for
-    it. Both kinds may be further away, joined to their anchor by a thin line.
-    """
+    it. Both kinds may be further away, joined to their anchor by a thin line."""
 
     text: str
     anchors: Sequence[tuple[float, float]]
@@ -65,8 +63,7 @@ class ChartLabel:
 def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
     """Write the labels in this order, and return those for which there is no free position.
 
-    The figure must have its final layout (`sheet.lay_out`).
-    """
+    The figure must have its final layout (`sheet.lay_out`)."""
     drawn = _Drawn(axes)
     return [label for label in labels if label.text and not drawn.write(label)]
 

@@ -20,8 +20,7 @@ class Look:
     """The colours of a picture, all as `#rrggbb`.
 
     `paper`: background. `ink`, `faint`: type. `grid`: thinnest lines. `closed`: empty areas. `bar`:
-    bars behind marks. `series`: seven colours that colour-blind readers can distinguish.
-    """
+    bars behind marks. `series`: seven colours that colour-blind readers can distinguish."""
 
     paper: str
     ink: str

@@ -2,8 +2,7 @@
 
 Settings of a method are marks joined in order, each on a band from its shortest to its longest
 time; hollow marks are dominated. Dashed lines in a method's colour are proved bounds. Names are
-beside their lines; names without room are in the legend.
-"""
+beside their lines; names without room are in the legend."""
 
 from __future__ import annotations
 
@@ -57,8 +56,7 @@ class PointReading:
 
     `time`: label of the time axis. `per_ms`: its units per millisecond. `line`: returns the name of
     a point's line (empty: the point only counts for dominance). `text`: returns a point's label.
-    `linear`: whether the error axis, in decibels, is linear instead of logarithmic.
-    """
+    `linear`: whether the error axis, in decibels, is linear instead of logarithmic."""
 
     time: str
     per_ms: float = 1.0
@@ -85,8 +83,7 @@ def precision_diagram(
 ) -> Figure:
     """Draw all panels, with one scale of time, and one scale of errors per label.
 
-    Raises ValueError without points.
-    """
+    Raises ValueError without points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]

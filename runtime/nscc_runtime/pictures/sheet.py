@@ -1,8 +1,7 @@
 """Common parts of all pictures: type, heading, placement in inches, and saving.
 
 A kind of picture is a function that returns a matplotlib figure of the size of its panels.
-Headings, legends and row names extend outside the panels, and saving includes them.
-"""
+Headings, legends and row names extend outside the panels, and saving includes them."""
 
 from __future__ import annotations
 
@@ -130,8 +129,7 @@ def _round_to_dots(inches: float) -> float:
 def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
     """Return width and height in inches of an image (rows, cols) in a square of side `room`.
 
-    The image is magnified by a whole number if possible, to avoid moire.
-    """
+    The image is magnified by a whole number if possible, to avoid moire."""
     dots = room * DPI / max(shape[:2])
     zoom = max(1, int(dots)) / DPI
     return shape[1] * zoom, shape[0] * zoom

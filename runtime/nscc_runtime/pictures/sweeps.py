@@ -1,8 +1,7 @@
 """Diagrams of sweeps: quantities against a setting, one line for each value of other settings.
 
 Panels of equal quantities have equal scales: numbers, logarithmic if they span a decade, or names
-side by side.
-"""
+side by side."""
 
 from __future__ import annotations
 

@@ -17,8 +17,7 @@ def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device:
     """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, one line per
     lowering.
 
-    `words` names the words that are counted. `repeats` compilations were timed on `device`.
-    """
+    `words` names the words that are counted. `repeats` compilations were timed on `device`."""
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
     ]

@@ -51,8 +51,7 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
     """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours.
 
     `white`: the light shown as white; None for the percentile `WHITE_PERCENTILE`. Raises Rejected
-    like `check_tone`.
-    """
+    like `check_tone`."""
     check_tone(tone)
     values = np.asarray(light, np.float64).ravel()
     values = np.maximum(values[np.isfinite(values)], 0.0)

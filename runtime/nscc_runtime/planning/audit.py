@@ -3,8 +3,7 @@ numbers.
 
 Of large frames, the reference exposes only some bands of rows: evenly spaced bands, and the band of
 the brightest pixel. The exposures of a band equal those of the whole frame, including crosstalk
-from rows outside the band.
-"""
+from rows outside the band."""
 
 from __future__ import annotations
 
@@ -51,8 +50,7 @@ class Audit:
     has no noise. `samples`: pixels x buckets x frames. `holds`: whether every error is within its
     tolerance. `other_states`: the fraction of pixels that end in other states than in the
     reference, with standard error `other_states_mc_error`; both are None for programs without
-    states. Errors are those of the remaining pixels.
-    """
+    states. Errors are those of the remaining pixels."""
 
     measured_rms_e: float
     mc_error_e: float
@@ -111,8 +109,7 @@ class Compared(NamedTuple):
     """One frame, exposed with the plan and with the reference.
 
     `planned_e`, `full_e`: exposures in electrons, shape (buckets, rows, cols). `same`: where a
-    pixel ends in the same states in both, shape (rows, cols); None for programs without states.
-    """
+    pixel ends in the same states in both, shape (rows, cols); None for programs without states."""
 
     planned_e: Values
     full_e: Values
@@ -131,8 +128,7 @@ def audit(
     `compare(frame, row_ranges)` exposes these rows of one frame with the plan and with the
     reference. It is called in the order of frames. `slots`: number of slots or intervals that the
     reference simulates. `frames`: requested number of frames; at least 2 and at most 8 are
-    compared, more if frames have few pixels.
-    """
+    compared, more if frames have few pixels."""
     rows = compared_rows(slots, light.total_e())
     count, pooled = compared_frames(frames, light.shape)
     runs, mine, full, other_states_by_frame = [*bands(rows)], [], [], []
@@ -169,8 +165,7 @@ def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan
     reference.
 
     NaN marks pixels to leave out. `weight` (rows,): the fraction of the frame that each row
-    represents. `pooled`: number of consecutive frames whose errors are averaged.
-    """
+    represents. `pooled`: number of consecutive frames whose errors are averaged."""
     error, buckets = mine - full, mine.shape[1]
     is_compared = np.isfinite(error)
     error = np.where(is_compared, error, 0.0)
@@ -240,8 +235,7 @@ def _std_ratio(
     """Return the ratio of the standard deviations over frames (axis 0) and its standard error.
 
     Variances are averaged over the `known` pixels. Both results are None if the reference has no
-    noise.
-    """
+    noise."""
     mine, theirs = (values[:, known].var(axis=0, ddof=1) for values in (plan, full))
     if not (theirs.size and theirs.mean() > _NO_NOISE_E2):
         return None, None

@@ -35,8 +35,7 @@ class Limits:
 
     `square_e2`: mean square error in square electrons. `sure_e2`: mean square error plus two
     standard errors. `other_states`: fraction of pixels in other states. `max_e`: largest error of a
-    pixel, in electrons; infinite without a `--tolerance-max`.
-    """
+    pixel, in electrons; infinite without a `--tolerance-max`."""
 
     square_e2: float
     sure_e2: float
@@ -55,8 +54,7 @@ class Limits:
         largest fraction of pixels in other states.
 
         Errors of effects that the user forced off are added to the limits: the effects that the
-        planner drops have to keep the tolerance by themselves.
-        """
+        planner drops have to keep the tolerance by themselves."""
         forced, tolerance_e = measured.forced, allowed.electrons
         square_e2, sure_e2 = (MARGIN * tolerance_e) ** 2, (_SURE * tolerance_e) ** 2
         if forced.likely_e2(0.0) > square_e2:
@@ -83,8 +81,7 @@ class Together:
 
     `difference`: error relative to the simulation with all effects. `approximations`: independent
     error of the approximations of sums, or None. `unseen_e2`: allowance for rare pixels that the
-    sample does not contain, in square electrons.
-    """
+    sample does not contain, in square electrons."""
 
     setting: Setting
     difference: Difference
@@ -121,8 +118,7 @@ def choose_cheapest(
     """Return the sets of effects that save most time and whose added-up errors are within `limits`.
 
     The result is sorted by saved time, largest first. It contains at most `_TRIED` sets, or `_FEW`
-    without measurements near saturation; it is empty if no set fits.
-    """
+    without measurements near saturation; it is empty if no set fits."""
     fitting = [move for move in moves if _alone_e2(trial, measured, move) <= limits.square_e2]
     fitting = sorted(fitting, key=lambda move: -move.saved_ns)[:_MOST_MOVES]
     squares, unsure, saved_ns, other_states = _sums_of_subsets(trial, measured, fitting)
@@ -161,8 +157,7 @@ def _sums_of_subsets(
 
     Returns the mean square error and the sum of its standard errors, both of shape (outputs,
     subsets), then the saved nanoseconds and the fraction of pixels in other states, both of shape
-    (subsets,).
-    """
+    (subsets,)."""
     products = measured.products_e2
     squares, cross = products[:, :1, 0], products[:, :1, :]
     unsure, saved_ns, other_states = np.zeros((len(products), 1)), np.zeros(1), np.zeros(1)

@@ -30,8 +30,7 @@ class Demands:
     `effects`: the selected effects. `forced`: names of the effects that the user switched on or
     off. `allowed`, `most`: tolerances of the RMS error and of the largest error, None if unknown or
     not requested. `tolerance_text`: text of the tolerance, used if `allowed` is None. `reason`:
-    reason shown for forced decisions.
-    """
+    reason shown for forced decisions."""
 
     effects: Selection
     forced: Names
@@ -94,8 +93,7 @@ def unmeasured(trial: Trial, demands: Demands, path: Path, why: str, reason: str
     """Return a plan without measured errors that simulates every effect except those forced off.
 
     `path`: how frames are executed, because of `why`. `reason`: reason shown for effects that the
-    user did not force.
-    """
+    user did not force."""
     setting = Setting(NONE)
     decisions = []
     for effect in registered():

@@ -43,8 +43,7 @@ class WeightedPixels:
     def standard_error(self, values: Values) -> Values:
         """Return the standard error of `mean(values)`; 0 without pixels.
 
-        A pixel of weight 1 was certain to be drawn and adds no sampling error.
-        """
+        A pixel of weight 1 was certain to be drawn and adds no sampling error."""
         if not values.size:
             return np.zeros(values.shape[:-1])
         not_sampled = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
@@ -65,8 +64,7 @@ class ExposureErrors:
 
     `size_e` (outputs, pixels): error in electrons, 0 where not compared; an output is a bucket of
     one frame. `compared` (outputs, pixels): False where the pixel ended in another state than in
-    the true exposure, or where a value is not finite. `states`: whether the program has states.
-    """
+    the true exposure, or where a value is not finite. `states`: whether the program has states."""
 
     size_e: Values
     compared: NDArray[np.bool_]
@@ -76,8 +74,7 @@ class ExposureErrors:
     def of(cls, exposure_e: Values, truth_e: Values) -> ExposureErrors:
         """Return the errors of exposures (outputs, pixels) of a program without states.
 
-        Pixels whose true exposure is not finite are not compared.
-        """
+        Pixels whose true exposure is not finite are not compared."""
         compared = np.isfinite(truth_e)
         with np.errstate(invalid="ignore"):
             away_e = np.where(np.isfinite(exposure_e), exposure_e - truth_e, _NO_NUMBER_E)

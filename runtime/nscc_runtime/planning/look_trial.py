@@ -3,8 +3,7 @@
 If a pixel ends in another state, its exposure is a different measurement instead of an error.
 Therefore two figures are measured: the fraction of such pixels, and the error of the remaining
 pixels. If a program has kept states, later frames of a series begin in other states than the first
-frame, so a whole series is simulated.
-"""
+frame, so a whole series is simulated."""
 
 from __future__ import annotations
 
@@ -110,8 +109,7 @@ class LookTrial(Trial):
         result.
 
         The series ends when nearly all pixels begin a frame with register values that they had
-        before.
-        """
+        before."""
         container, all_effects = self.program.container, everything()
         weight = np.zeros(self._places.size)
         inner_weight = self.sample.weight[: len(self.sample.inner)]
@@ -248,8 +246,7 @@ def _difference(exposed: Executed, full: Executed) -> tuple[Values, Bits]:
     pixels).
 
     A difference is valid if both exposures are finite and the pixel ends in the same states.
-    Invalid differences are 0.
-    """
+    Invalid differences are 0."""
     valid = exposed.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
     same = valid & same_states(exposed, full)
     with np.errstate(invalid="ignore"):

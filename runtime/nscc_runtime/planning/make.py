@@ -8,8 +8,7 @@ plus two standard errors exceeds the tolerance, try the next set. 5. `decisions`
 effect whether it is simulated, its measured error and the reason.
 
 Effects are only measured if that saves more time than it takes, or if the user requests the table.
-Otherwise every effect is simulated.
-"""
+Otherwise every effect is simulated."""
 
 from __future__ import annotations
 
@@ -62,8 +61,7 @@ class PlanRequest:
     """The request for a plan.
 
     `frames`: number of frames that share the plan; it decides whether measuring saves time.
-    `figures`: measure every figure of the table, even if that saves no time.
-    """
+    `figures`: measure every figure of the table, even if that saves no time."""
 
     effects: Selection
     tolerance: ToleranceInput = DEFAULT
@@ -76,8 +74,7 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
 
     If measuring would take longer than it saves, the plan simulates every effect instead. Raises
-    Rejected (NS0746) for an invalid tolerance.
-    """
+    Rejected (NS0746) for an invalid tolerance."""
     effects = request.effects
     forced = frozenset(e.name for e in registered() if not effects.auto or e.name in effects.forced)
     forced_off = frozenset(

@@ -2,8 +2,7 @@
 
 Each effect is dropped alone, on the same pixels with the same random numbers. If errors add up, the
 mean square error of dropping a set of effects is the sum of the mean products of their single
-errors.
-"""
+errors."""
 
 from __future__ import annotations
 
@@ -67,8 +66,7 @@ def measure_effects(
     """Measure the error of dropping each of the `effects` that is not absent on the scene.
 
     `approximations`: also measure the error of sums. `near_saturation`: also measure on pixels near
-    saturation, if dropping the effect there saves time.
-    """
+    saturation, if dropping the effect there saves time."""
     errors: dict[str, ExposureErrors] = {}
     for effect in registered():
         if effect.name in effects and effect.name not in trial.absent and effect.kind != "after":

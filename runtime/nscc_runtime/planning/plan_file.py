@@ -27,8 +27,7 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     """Read a plan file for a given program and sensor.
 
     Raises Rejected (status 2): NS0747 if the file does not contain a plan of this version, NS0748
-    if the plan was made for another program or sensor.
-    """
+    if the plan was made for another program or sensor."""
     plan, made_for = _read(path)
     is_for = program_sha256, sensor_sha256(sensor)
     for plan_sha256, actual_sha256, kind in zip(

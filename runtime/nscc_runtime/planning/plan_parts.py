@@ -28,8 +28,7 @@ class Decision:
     buckets, of the change of exposures by the effect, in electrons. `predicted_if_dropped_e`: RMS
     error of the plan without this effect. `cost_ms_model`: milliseconds per frame saved by dropping
     it, from the shipped prices. `other_states`: fraction of pixels that end in other states because
-    of the effect, for programs that look. Figures that were not measured are None.
-    """
+    of the effect, for programs that look. Figures that were not measured are None."""
 
     name: str
     kind: str
@@ -62,8 +61,7 @@ class Cost:
     shipped prices.
 
     `saturating_ms`: running the words of pixels near saturation. `all_ms`: the same frame with
-    every effect, including `all_planning_ms` of planning (None in older plan files).
-    """
+    every effect, including `all_planning_ms` of planning (None in older plan files)."""
 
     total_ms: float
     saturating_ms: float
@@ -76,8 +74,7 @@ class Cost:
 
         Together with `effects_ms`, the time of the kept effects, they add up to the total. The
         remainder may be negative if all pixels run through their words, because several effects
-        share photon counts. `lack`: effects that are not simulated for pixels near saturation.
-        """
+        share photon counts. `lack`: effects that are not simulated for pixels near saturation."""
         rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
         words = "their words one by one" + (f", without {', '.join(lack)}" if lack else "")
         saturating_rows = (

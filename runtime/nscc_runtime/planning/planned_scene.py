@@ -28,8 +28,7 @@ class PlannedScene(ABC):
 
     `threads`: number of threads (None: all processors); results do not depend on it.
     `torch_device`: the torch device that draws noise and adds up frames of programs with fixed
-    shutters; None for the processor.
-    """
+    shutters; None for the processor."""
 
     container: Container
     sensor: Sensor
@@ -74,8 +73,7 @@ class PlannedScene(ABC):
         """Return whether the approximations of sums are certainly small.
 
         They are compared with `tolerance_e`, or, if that is None, with the fraction `noise_part` of
-        the noise.
-        """
+        the noise."""
         return True
 
     @abstractmethod
@@ -93,8 +91,7 @@ class PlannedScene(ABC):
         """Return whether a plan for a scene with similar light, at least as strong, is valid for
         this scene.
 
-        This is always true for fixed shutters, because errors by sums grow with light.
-        """
+        This is always true for fixed shutters, because errors by sums grow with light."""
         return True
 
     @abstractmethod

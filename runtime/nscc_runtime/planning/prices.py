@@ -1,8 +1,7 @@
 """Predicted times of each kind of simulation, called prices.
 
 Plans are chosen by the prices in `SHIPPED` instead of measured times, so that the same input gives
-the same plan on every machine.
-"""
+the same plan on every machine."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ class Prices:
     light; `looked`, a pixel that looks; `sampled`, a pixel of a planning sample, with and without
     every effect; `sampled_light`, each frame of its light.
 
-    In milliseconds: `frame_ms`, each frame; `plan_ms`, each plan.
-    """
+    In milliseconds: `frame_ms`, each frame; `plan_ms`, each plan."""
 
     slot_of_reference: float
     pixel: float
@@ -78,8 +76,7 @@ class Work:
     """The work of a pixel in the loop over words, as means over codes of pixels.
 
     `words`: words that act. `boundaries`: boundaries with such words. `groups`: groups of slots.
-    `slots`: number of slots of a frame.
-    """
+    `slots`: number of slots of a frame."""
 
     words: float
     boundaries: float
@@ -112,8 +109,7 @@ class Work:
         `kept_effects`.
 
         `beside`: how its neighbours' counts are obtained: "sums" provides them, "all" pixels run
-        and share them, or with "nothing" the pixel draws them itself.
-        """
+        and share them, or with "nothing" the pixel draws them itself."""
         prices, runs = SHIPPED, self.groups * self.boundaries
         own_ns = prices.pixel + self.words * (
             prices.word + prices.error * len(kept_effects.errors())

@@ -5,8 +5,7 @@ most of the error. Therefore tiles of 2 x 2 pixels are drawn partly evenly and p
 to light and differences (`chances`). Each is the centre of a tile of 4 x 4 pixels that contains its
 neighbours. Two strata are drawn separately, pixel by pixel: pixels near saturation, and pixels that
 only the light of their neighbours brings near saturation. They are ordered by charge and drawn with
-the same chances.
-"""
+the same chances."""
 
 from __future__ import annotations
 
@@ -167,8 +166,7 @@ def _inner_pixels(
     """Return the inner pixels of tiles that are not near saturation.
 
     Returns their indices in the array of all tiles side by side, their indices in the flattened
-    scene, and their tile numbers.
-    """
+    scene, and their tile numbers."""
     tile, row, col = (
         axis.reshape(-1) for axis in np.mgrid[: len(corners), 1 : side - 1, 1 : side - 1]
     )
@@ -250,8 +248,7 @@ def drawn_by(chance: Values, count: int) -> NDArray[np.intp]:
     deterministically.
 
     One point is drawn in each of `count` equal strata, by an additive recurrence, so that the
-    points do not align with tiles of codes.
-    """
+    points do not align with tiles of codes."""
     points = np.arange(count) + (np.arange(count) * _GOLDEN) % 1.0
     upto = np.cumsum(chance)
     drawn = np.searchsorted(upto, points * (upto[-1] / count), side="right")
@@ -273,8 +270,7 @@ def chances(contrasts: tuple[Values, Values], never: Places) -> Values:
 
     Of seven draws, four are even, two are proportional to the contrast of light up to the full
     well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
-    mean square error.
-    """
+    mean square error."""
     within_well, squares = contrasts
     drawn = np.ones(squares.shape)
     drawn.reshape(-1)[never] = 0.0

@@ -2,8 +2,7 @@
 
 Tiles are exposed side by side as a separate array, with the random numbers of their places on the
 chip. Their exposures therefore equal those of the whole frame. Pixels near saturation run through
-their words on the whole array.
-"""
+their words on the whole array."""
 
 from __future__ import annotations
 

@@ -87,8 +87,7 @@ class FixedShutters(PlannedScene):
         """Return the next trial if weighted sums are not accurate enough; None if there is none.
 
         The next trial runs all pixels word by word. If only the reference supports an effect, or if
-        the reference is faster, it uses the reference.
-        """
+        the reference is faster, it uses the reference."""
         if not isinstance(trial, SummedTrial) or isinstance(trial, WordTrial):
             return None
         values = trial.forced_off, self.program, self.light, self.device_seed, trial.threads
@@ -114,8 +113,7 @@ class FixedShutters(PlannedScene):
         the noise.
 
         The error is the variance of counts due to slots of a group whose weights differ from the
-        mean weight of the group.
-        """
+        mean weight of the group."""
         uneven, square = self.program.uneven_seconds(self.program.full)
         if tolerance_e is None:
             noise_fraction = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
@@ -240,8 +238,7 @@ def planning_of(
     """Return a program on a scene, to be planned, exposed and audited.
 
     Programs whose pixels look are always exposed on the processor; `torch_device` is ignored.
-    Raises Rejected for programs with images or planes.
-    """
+    Raises Rejected for programs with images or planes."""
     refuse_pictures(container, "there is no plan of this program", "simulate all its effects")
     if container.machine is None:
         return FixedShutters(container, sensor, light, device_seed, threads, torch_device)

@@ -209,8 +209,7 @@ class SummedTrial(Trial):
         near it.
 
         If all saturating effects are dropped, noise dominates the error; several frames are then
-        exposed as additional outputs.
-        """
+        exposed as additional outputs."""
         execution = self.execution(setting)
         by = self.exposures
         near_pixels = self.sample.near_pixels
@@ -245,8 +244,7 @@ class SummedTrial(Trial):
         """Return an allowance for pixels near saturation that are too few to be drawn, in square
         electrons.
 
-        Each of these pixels is assumed to lose as much as a pixel whose PIX is just full.
-        """
+        Each of these pixels is assumed to lose as much as a pixel whose PIX is just full."""
         sample, lacking = self.sample, setting.near_dropped
         if not lacking or not sample.drawn_near:
             return 0.0
@@ -338,8 +336,7 @@ class SummedTrial(Trial):
         """Return settings that drop these effects, cheapest first.
 
         For pixels near saturation, the dropped effects that cost them time are dropped as well; or
-        the same without crosstalk; or none.
-        """
+        the same without crosstalk; or none."""
         all_effects = everything()
         slow_words = all_effects.names(SlowWords) | all_effects.names(LitLevel)
         costly = (

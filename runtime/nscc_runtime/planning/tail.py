@@ -31,8 +31,7 @@ def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
 
     `weights` (sampled pixels,): the fraction of the `pixels` of a frame that each sampled pixel
     represents. An exponential tail is fitted beyond the sample: losses near saturation are large
-    for a few pixels, so a normal tail is too short.
-    """
+    for a few pixels, so a normal tail is too short."""
     sizes = np.abs(errors)
     rare = min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(sizes)))
     p999_e, max_e = (

@@ -34,8 +34,7 @@ class Tolerance:
     """A tolerance as the user entered it (`text`), and in electrons before the ADC.
 
     `signal_e`, `noise_e`: the mean signal or the noise of the scene that a relative tolerance
-    refers to, in electrons; both are None for an absolute tolerance.
-    """
+    refers to, in electrons; both are None for an absolute tolerance."""
 
     text: str
     electrons: float
@@ -96,8 +95,7 @@ def tolerance_of(
     The signal or noise of the scene is computed only for a relative tolerance. Raises Rejected
     (NS0746, status 2) for any other text, for values outside LEAST_E to MOST_E electrons, and for a
     percentage of a scene without signal. `option` is the command-line option that the message
-    names.
-    """
+    names."""
     if isinstance(requested, Tolerance):
         return requested
     if not isinstance(requested, str):
@@ -155,8 +153,7 @@ def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
     """Return the mean absolute exposure in electrons, each clipped to the full well; NaN is
     ignored.
 
-    `exposure_e`: exposures without effects, any shape. Returns 0 if all are NaN.
-    """
+    `exposure_e`: exposures without effects, any shape. Returns 0 if all are NaN."""
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
     most_e = everything().require_part(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0

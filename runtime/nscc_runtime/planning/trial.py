@@ -23,8 +23,7 @@ class Setting:
     """The effects that an execution leaves out.
 
     `dropped`: for all pixels, except that pixels near saturation only lack `near_dropped`. `exact`:
-    see `nscc_runtime.execution.frames.Execution`.
-    """
+    see `nscc_runtime.execution.frames.Execution`."""
 
     dropped: Names
     near_dropped: Names = NONE
@@ -39,8 +38,7 @@ class Move:
     """Effects that can only be dropped together.
 
     `names`: the effects. `saved_ns`: nanoseconds saved per pixel of a frame. `field`: the effect
-    whose measured error stands for the move; None if `Trial.square_e2` computes the error.
-    """
+    whose measured error stands for the move; None if `Trial.square_e2` computes the error."""
 
     names: Names
     saved_ns: float
@@ -52,8 +50,7 @@ class Trial(ABC):
     """Measurements of settings on a sample of the pixels of a scene.
 
     Errors are relative to the exposure by the reference with every effect. `forced_off`: names of
-    the effects that the user switched off.
-    """
+    the effects that the user switched off."""
 
     forced_off: Names
 
@@ -106,8 +103,7 @@ class Trial(ABC):
         """Return the error of dropping one effect while every other requested effect is simulated.
 
         `near_saturation`: also measure pixels near saturation, if dropping the effect there saves
-        time.
-        """
+        time."""
 
     @abstractmethod
     def together(self, setting: Setting) -> ExposureErrors:

@@ -3,8 +3,7 @@
 A frame starts with arbitrary values in PIX and the analog registers, determined by the device seed.
 The charge of slot n reaches PIX between boundaries n and n + 1. PIX counts relative to its reset
 level. All random numbers are keyed (`nscc_runtime.noise`), so a draw depends neither on the other
-effects nor on how the array is cut into rows.
-"""
+effects nor on how the array is cut into rows."""
 
 from __future__ import annotations
 
@@ -45,8 +44,7 @@ class Reference:
     """A program prepared for simulation with the given effects.
 
     `words`: its analog words. `groups`: its groups of slots. `draws`: the weights of small errors
-    in its exposures, by kind (`nscc_runtime.effects.parts.Errors.at`) and draw number.
-    """
+    in its exposures, by kind (`nscc_runtime.effects.parts.Errors.at`) and draw number."""
 
     container: Container
     sensor: Sensor
@@ -128,8 +126,7 @@ def expose(
 
     `frame`: number of the repeat of the scene. `threads`: None for all processors; results do not
     depend on it. Raises Rejected like `nscc_runtime.emulator.expose`, and NS0442 for words that
-    open no shutters.
-    """
+    open no shutters."""
     check(container, light)
     scene = scene_of(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
@@ -148,8 +145,7 @@ def frames(
 ) -> Iterator[Frame]:
     """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`.
 
-    Raises Rejected, before the first frame, for programs and light that cannot run.
-    """
+    Raises Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     reference = Reference.of(container, sensor, effects)
     scene = scene_of(container, light)

@@ -27,8 +27,7 @@ class Groups:
 
     `of_slot` int64 (lanes, N): bit b is set if the slot is open in bucket b. `lane` intp (rows,
     cols): the lane (code number) of each pixel. `places` int64 (rows * cols,): the place of each
-    pixel on the chip; None for all pixels in order.
-    """
+    pixel on the chip; None for all pixels in order."""
 
     of_slot: NDArray[np.int64]
     lane: NDArray[np.intp]
@@ -46,8 +45,7 @@ class Fallen(NamedTuple):
     """The charge of some rows.
 
     `charge` float64 (N, rows, cols): electrons that reach PIX in each slot. `light` (N, rows,
-    cols): the electrons of the scene alone. `valid` (rows, cols): where all values are numbers.
-    """
+    cols): the electrons of the scene alone. `valid` (rows, cols): where all values are numbers."""
 
     charge: Charge
     light: Charge
@@ -70,8 +68,7 @@ def charge_of_rows(
     """Return the charge of consecutive rows.
 
     `groups`: None to draw the counts of each slot separately. `seeds`: noise seed, device seed. The
-    charge of a pixel does not depend on how the array is cut into rows.
-    """
+    charge of a pixel does not depend on how the array is cut into rows."""
     height, cols = scene.light.shape
     halo = bool(effects.at("neighbours"))
     begin, end = max(rows.start - halo, 0), min(rows.stop + halo, height)

@@ -21,8 +21,7 @@ class Digital:
     """The one-bit registers of pixels while words run, including SELECT and the bus.
 
     `bits`: values (pixels,) by register. A register reads 0 if no word wrote it for more than
-    `retention_us`. Where the mask register disables a write, the register keeps its value.
-    """
+    `retention_us`. Where the mask register disables a write, the register keeps its value."""
 
     def __init__(
         self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float

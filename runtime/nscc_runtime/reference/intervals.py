@@ -2,8 +2,7 @@
 
 Between these boundaries charge is collected, registers leak and PIX may saturate, so the charge of
 an interval is counted at once, which changes no distribution. While the words of a boundary run,
-the fraction of the interval's charge that is collected follows from the light of its first slot.
-"""
+the fraction of the interval's charge that is collected follows from the light of its first slot."""
 
 from __future__ import annotations
 
@@ -59,8 +58,7 @@ class Intervals:
         The function returns the fraction of an interval's light that is collected per microsecond
         while words run, shape (intervals + 1, pixels), or (intervals + 1, 1) if all pixels have the
         same. The last row is for the words after the last slot, as if the light of that slot
-        continued. All fractions are 0 if words take no time.
-        """
+        continued. All fractions are 0 if words take no time."""
         for choose in effects.at("scene"):
             scene = choose(scene)
         light = scene.light

@@ -5,8 +5,7 @@ register contents, a launch sets IN, and FLAG decides whether a word acts in a p
 are keyed by word. A frame starts with arbitrary bits in registers that contain neither codes nor
 kept states. Slots between two boundaries with words are one interval
 (`nscc_runtime.reference.intervals`). Without effects every slot is added separately, as the
-exposure is defined.
-"""
+exposure is defined."""
 
 from __future__ import annotations
 
@@ -50,8 +49,7 @@ class LookingReference:
     """A program whose pixels look, prepared for simulation with the given effects.
 
     Raises Rejected for words that cannot run. Results do not depend on `threads` (None: all
-    processors).
-    """
+    processors)."""
 
     container: Container
     sensor: Sensor
@@ -86,8 +84,7 @@ class LookingReference:
 
         `loaded`: the digital registers (rows, cols) at the start (`Container.planes`, then
         `next_planes`). `seeds`: noise seed, device seed. Rows are identical to these rows of the
-        whole frame.
-        """
+        whole frame."""
         container, cols = self.container, scene.light.shape[1]
         rows = range(scene.light.shape[0]) if rows is None else rows
         pace = self.intervals.paced(scene, self.effects)

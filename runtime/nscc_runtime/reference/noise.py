@@ -2,8 +2,7 @@
 
 Let e be the unit normal errors of the words, and Q the orthonormal weights of the buckets. Then e =
 x + Q (z - Q^T x), where x is drawn for each word and z for each bucket. The errors e are
-independent, and Q^T e = z for any words: a plan that needs only the sum draws only z.
-"""
+independent, and Q^T e = z for any words: a plan that needs only the sum draws only z."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ class SpreadNoise:
     """The errors of one effect in one frame at some pixels.
 
     `weights`: orthonormal weights by draw number. `lanes`, `pixels` (P,): the lane and the place of
-    each pixel.
-    """
+    each pixel."""
 
     seed: int
     stream: int

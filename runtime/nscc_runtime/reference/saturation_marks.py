@@ -65,8 +65,7 @@ class Marks:
         """Return the marks and lost electrons that a bus word's result inherits from its sources.
 
         `unseen`: where the word does not read the charge of PIX. `lit`: where it reads a reset
-        level with light.
-        """
+        level with light."""
         full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
             source_full = self.full[name]

@@ -3,8 +3,7 @@
 In float64 with the given effects. Taps are emptied at the start of a frame, with reset noise. They
 collect the charge of their slots, may saturate, leak, and are read once with their gain. Such chips
 run no words, so effects of words, registers and comparisons have no influence. If light is not
-collected while planes are loaded, this is the chip's dead time.
-"""
+collected while planes are loaded, this is the chip's dead time."""
 
 from __future__ import annotations
 
@@ -60,8 +59,7 @@ def stream_frames(
 ) -> Iterator[Frame]:
     """Yield frames 0 to `count` - 1 of `light` with converter codes.
 
-    Raises Rejected, before the first frame, for programs and light that cannot run.
-    """
+    Raises Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     scene = scene_of(container, light)
     seeds = seed, device_seed
@@ -84,8 +82,7 @@ def expose_stream(
     """Return the exposure of frame number `frame` of a scene.
 
     `seeds`: noise seed, device seed. Results do not depend on `threads` (None: all processors).
-    Raises ValueError for a container without planes.
-    """
+    Raises ValueError for a container without planes."""
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
         raise ValueError("a container without planes")

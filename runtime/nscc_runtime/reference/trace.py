@@ -2,8 +2,7 @@
 
 A lane is a row of the container's encoding: all pixels with that code run the same words. Undefined
 bits (registers that no word wrote, SELECT) read 0 here; the compiler's proof finds programs that
-depend on them.
-"""
+depend on them."""
 
 from __future__ import annotations
 
@@ -44,8 +43,7 @@ class RunningWord:
     """A word executed at `boundary`, ending `after_us` microseconds after it.
 
     `number`: number among the analog words of a frame (bus, reset and compare words). `in_e`: value
-    of IN in electrons.
-    """
+    of IN in electrons."""
 
     number: int
     boundary: int
@@ -112,8 +110,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
     """Return every bus and reset word of a frame in the order of execution.
 
     A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected
-    like `nscc.words.legality.decoded`, and NS0442 if FLAG depends on the light.
-    """
+    like `nscc.words.legality.decoded`, and NS0442 if FLAG depends on the light."""
     target, encoding = container.target, container.encoding
     nothing = np.zeros(len(encoding), np.bool_)
     column = {name: i for i, name in enumerate(target.digital_registers)}

@@ -2,8 +2,7 @@
 words backwards over the lanes.
 
 Words are linear, so without saturation an exposure is a weighted sum of the charge of slots and of
-all errors.
-"""
+all errors."""
 
 from __future__ import annotations
 
@@ -30,8 +29,7 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
     """Weights (lanes, buckets) by name. Names whose weights are all 0 are missing.
 
     In long frames most words act in one lane of thousands. Only nonzero rows are stored, and arrays
-    are built on access; they must not be modified.
-    """
+    are built on access; they must not be modified."""
 
     def __init__(self) -> None:
         self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
@@ -71,8 +69,7 @@ class WeightModel:
 
     `gain`: gain of a word. `leak_per_s`: leakage rate of registers. `dead_time`: whether light is
     collected while words run. `decay`: whether digital registers decay. `lit_level`: whether a
-    reset level is read with the light collected since.
-    """
+    reset level is read with the light collected since."""
 
     gain: float = 1.0
     leak_per_s: float = 0.0
@@ -100,8 +97,7 @@ class Backward:
     `slots` (N, ..): weights of each slot's charge. The others map the number of an analog word to
     the weight of its error: `reads`, the noise of reading PIX; `resets`, the noise that PIX keeps
     after a reset; `errors`, the error added to the result, keyed by word number and destination
-    index (signed by `error_sign`).
-    """
+    index (signed by `error_sign`)."""
 
     slots: Weights
     reads: ByName[int]
@@ -141,8 +137,7 @@ def backward(
     Each word multiplies its result by the model's gain, and analog registers leak at the rate
     `leak_per_s`. With `dead_time`, a slot's charge reaches PIX at a constant rate while the words
     of its boundary run. With `lit_level`, words that read PIX after its reset at the same boundary
-    also read this charge. Decay must already be contained in the words.
-    """
+    also read this charge. Decay must already be contained in the words."""
     gain, leak_per_s, dead_time = model.gain, model.leak_per_s, model.dead_time
     if container.target.streamed:
         return _of_taps(container, leak_per_s, dead_time)
@@ -256,8 +251,7 @@ def orthonormal(weights: ByName[int]) -> ByName[int]:
     """Return the weights with orthonormal columns in each lane, by Gram-Schmidt over the buckets in
     order.
 
-    A bucket whose weights depend linearly on earlier buckets becomes 0.
-    """
+    A bucket whose weights depend linearly on earlier buckets becomes 0."""
     if not weights:
         return weights
     names = list(weights)

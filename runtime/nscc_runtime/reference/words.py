@@ -49,8 +49,7 @@ def most_destinations(target: Target) -> int:
     """Return the difference between the draw numbers of consecutive words.
 
     Draws of errors are numbered by word and destination. The result is a power of two of at least
-    the largest number of destinations, so that a target's own words rarely change other draws.
-    """
+    the largest number of destinations, so that a target's own words rarely change other draws."""
     rows = (*OPERATIONS, *target.words)
     most = max(row.destinations[1] or 0 for row in rows if row.effect is WordEffect.BUS)
     return 1 << (most - 1).bit_length()
@@ -66,8 +65,7 @@ def in_rows(
     """Return the exposure of consecutive rows of a frame, computed in strips of rows.
 
     `fall` returns the charge of a strip, and `run` its exposures. `shape`: buckets, cols, and the
-    number of slots or intervals that are processed at once.
-    """
+    number of slots or intervals that are processed at once."""
     buckets, cols, slots = shape
     exposure = np.empty((buckets, len(rows), cols))
     saturated_by = np.empty(exposure.shape, np.uint8)

@@ -35,8 +35,7 @@ def motion(
 
     `share`: the fraction of the motion that is shown, around its middle, correspondingly slower.
     The clip has 64 to 256 pictures: a multiple of the number of slots if that is below 256, so that
-    equal slots contain whole pictures. Slots integrate them as piecewise constant.
-    """
+    equal slots contain whole pictures. Slots integrate them as piecewise constant."""
     slots = len(slot_us)
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]

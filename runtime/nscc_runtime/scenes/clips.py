@@ -25,8 +25,7 @@ def open_clip(path: Path) -> Pages:
     """Open the frames of a clip, (R, C, 3) red, green, blue.
 
     A truncated file yields the frames before its end, with a note. The number of frames of a .gif
-    is unknown and given as 0. Raises Rejected (NS0732) if no frame can be decoded.
-    """
+    is unknown and given as 0. Raises Rejected (NS0732) if no frame can be decoded."""
     if path.suffix.lower() == ".gif":
         return Pages(0, lambda: _read_gif(path))
     try:

@@ -31,8 +31,7 @@ def linear(
 
     Samples are fractions of `white` (None: `white_of` their type). The curves are those of IEC
     61966-2-1 (`srgb`), SMPTE ST 2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene). sRGB
-    is continued beyond 0..1 by its own formulas.
-    """
+    is continued beyond 0..1 by its own formulas."""
     scale = white or white_of(values.dtype)
     if values.dtype.kind in "ui" and transfer != "linear" and values.dtype.itemsize == 1:
         table = _INVERSES[transfer](np.arange(256, dtype=np.float64) / scale)

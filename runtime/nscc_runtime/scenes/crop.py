@@ -21,8 +21,7 @@ class Window:
         """Return row and column of the top left corner in a picture of size `have`.
 
         If the margins of a centred window cannot be equal, the smaller ones are above and to the
-        left. Raises Rejected (NS0734) if the window does not fit.
-        """
+        left. Raises Rejected (NS0734) if the window does not fit."""
         need = (self.rows, self.cols)
         if have[0] < need[0] or have[1] < need[1]:
             raise rejected(

@@ -65,8 +65,7 @@ class Census:
         """Count the invalid values of `block`, whose first axis begins at `start` (a 2-D block at
         0).
 
-        Values above float32's range count as infinite.
-        """
+        Values above float32's range count as infinite."""
         if block.size == 0:
             return
         top = np.float64(np.finfo(np.float32).max)

@@ -78,8 +78,7 @@ def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_
     """Return the factor from `open_sum` (rows, cols), in the scene's unit, to electrons.
 
     Percentiles between two pixels are interpolated linearly. Raises Rejected (NS0738) if the scene
-    is dark at the percentile, or if its electrons exceed float32.
-    """
+    is dark at the percentile, or if its electrons exceed float32."""
     level = float(np.percentile(open_sum, exposure.percentile))
     if level <= 0.0:
         lit = int(np.count_nonzero(open_sum > 0))

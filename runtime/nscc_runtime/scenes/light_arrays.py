@@ -1,8 +1,7 @@
 """Read scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
 
 An .npz or .npy array is checked by its header before its data is read. It is read block by block
-into float32, so a clip needs little more memory than its float32 size.
-"""
+into float32, so a clip needs little more memory than its float32 size."""
 
 from __future__ import annotations
 
@@ -54,8 +53,7 @@ def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
 def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
     """Raise Rejected (NS0733 to NS0735) for a `light` array that does not fit.
 
-    It must fit a program with `slots` slots and an array of size `need` (rows, cols).
-    """
+    It must fit a program with `slots` slots and an array of size `need` (rows, cols)."""
     _refuse_other_axes(name, shape, slots, need)
     if len(shape) not in (2, 3):
         raise rejected(
@@ -118,8 +116,7 @@ def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray
     """Read the array `light` of an .npz or .npy file: float32, (T, rows, cols) or (rows, cols).
 
     Raises Rejected: NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers,
-    NS0736 for values that are not light, and the errors of `check` for the shape.
-    """
+    NS0736 for values that are not light, and the errors of `check` for the shape."""
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
@@ -208,8 +205,7 @@ def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     """Read the scene in a .mat file: ("light", float32 array) or ("orig", array (rows, cols, T) as
     stored).
 
-    `light` has precedence. Raises Rejected like `read_light`.
-    """
+    `light` has precedence. Raises Rejected like `read_light`."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
         names = mat_names(path)

@@ -212,8 +212,7 @@ def light_of_array(
     """Return the light of an array: electrons per slot (N, rows, cols), or per second (rows, cols).
 
     float32 arrays are not copied, and must not be modified while the light is in use. Raises
-    Rejected (status 2, NS0733 to NS0736) for arrays that do not fit or that are not light.
-    """
+    Rejected (status 2, NS0733 to NS0736) for arrays that do not fit or that are not light."""
     request = _Request(name, tuple(slot_us), Window(rows, cols))
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)

@@ -1,7 +1,6 @@
 """Read arrays in MATLAB files: version 5 by scipy, version 7.3 (HDF5) by h5py.
 
-The size of arrays is checked before they are unpacked.
-"""
+The size of arrays is checked before they are unpacked."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
     """Return the shapes of the variables in a .mat file of any version; () for variables that are
     not arrays.
 
-    Raises the exceptions of scipy and h5py for a damaged file.
-    """
+    Raises the exceptions of scipy and h5py for a damaged file."""
     if is_hdf5(path):
         import h5py
 
@@ -79,8 +77,7 @@ def mat_arrays(
     skipped.
 
     Raises InvalidArrays for more than `most_bytes`, and the exceptions of scipy and h5py for a
-    damaged file.
-    """
+    damaged file."""
     if is_hdf5(path):
         return _of_hdf5(path, names, most_bytes)
     from scipy.io import loadmat, whosmat
@@ -105,8 +102,7 @@ def mat_arrays(
 def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
     """Unpack the compressed elements of a version 5 file block by block, and yield the block sizes.
 
-    The size in the header of an element may be wrong.
-    """
+    The size in the header of an element may be wrong."""
     head = file.read(_HEADER_BYTES)
     orders = {b"IM": "<", b"MI": ">"}
     if head[-2:] not in orders:

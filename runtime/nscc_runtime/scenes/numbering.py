@@ -19,8 +19,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
 
     `pictures`: names of the files that are read, in order. `names`: names of all files in the
     folder. A file counts as an unread frame if its ending is that of a picture, or if its number
-    belongs to the numbering and no picture has this number.
-    """
+    belongs to the numbering and no picture has this number."""
     stems = {Path(name).stem for name in pictures}
     split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
     place = _counting_part(split_names)

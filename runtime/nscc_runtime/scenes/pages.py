@@ -18,8 +18,7 @@ Note = tuple[str, str]
 class Pages:
     """The `count` pictures of a file. `read` decodes them one after the other, each (R, C) grey or
     (R, C, 3) red, green, blue as stored. `transfer`: the transfer curve that the file names, or
-    None. `notes`: unexpected choices of the reader.
-    """
+    None. `notes`: unexpected choices of the reader."""
 
     count: int
     read: Callable[[], Iterator[NDArray[Any]]]

@@ -2,8 +2,7 @@
 
 OpenEXR reads .exr. Pillow reads .jpg and .webp, because it detects truncated files, and .avif.
 rawpy reads raw files of cameras. OpenCV reads the rest, because it keeps 16 bits per sample and
-reads Radiance and PFM.
-"""
+reads Radiance and PFM."""
 
 from __future__ import annotations
 
@@ -52,8 +51,7 @@ def open_pages(path: Path, large: bool = False) -> Pages:
 
     Alpha is dropped; the rotation noted in a photograph is applied. `large` admits single pictures
     of 8 bits per sample with up to `MOST_LARGE_PIXELS`. Raises Rejected (NS0732) for a damaged
-    file, or a file of a kind that is not decoded.
-    """
+    file, or a file of a kind that is not decoded."""
     reads(path)
     with _readable(path):
         pages = large_pages(path) if large else None
@@ -248,8 +246,7 @@ def read_folder(
     """Yield the frames of a folder as stored.
 
     With `skip`, damaged files are reported to `warn` (NS0776) and left out. Raises Rejected
-    (NS0734) if one differs in size from the first.
-    """
+    (NS0734) if one differs in size from the first."""
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
         for path in pictures:
@@ -286,8 +283,7 @@ def quiet() -> Iterator[None]:
     """Suppress the output of decoding libraries about damaged files.
 
     They write to the process's standard error below Python, so the file descriptor is replaced.
-    OpenCV and its FFmpeg read their own switches at first use.
-    """
+    OpenCV and its FFmpeg read their own switches at first use."""
     import io
     import os
     import sys

@@ -79,8 +79,7 @@ def read_radiance(
     """Read the picture of a Radiance file in any of its eight orientations.
 
     `decode` decodes the bytes of a file whose rows run from top to bottom and left to right. Raises
-    UnsupportedPicture for colours other than red, green, blue.
-    """
+    UnsupportedPicture for colours other than red, green, blue."""
     head, blank, body = data.tobytes().partition(b"\n\n")
     line, newline, samples = body.partition(b"\n")
     if b"FORMAT=32-bit_rle_xyze" in head:

@@ -87,8 +87,7 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
     """Return the size (rows, cols) of the largest window of an OpenEXR file's parts; None if it
     cannot be read.
 
-    Raises Rejected (NS0734) for too many samples in all parts, which are decoded together.
-    """
+    Raises Rejected (NS0734) for too many samples in all parts, which are decoded together."""
     import OpenEXR
 
     try:

@@ -2,8 +2,7 @@
 
 With `scale` and `tiles` the frame has the size of the picture, which lies in the top left corner of
 as many arrays as needed, side by side. The remaining pixels see its mirror image, and are cut off
-afterwards.
-"""
+afterwards."""
 
 from __future__ import annotations
 

@@ -89,8 +89,7 @@ class Scene:
         """Return the light in slots of these lengths on the array of `target`.
 
         It is the luminance, or three lights (red, green and blue) at the exposure of the luminance.
-        Raises Rejected like `laid_scene`.
-        """
+        Raises Rejected like `laid_scene`."""
 
         def load(tell: Callable[[Diagnostic], None], **options: Any) -> PlacedLight:
             return laid_scene(

@@ -1,8 +1,7 @@
 """Read the pages of TIFF files: by Pillow if samples have at most 8 bits, else by OpenCV.
 
 OpenCV multiplies 8-bit colours by alpha, and does not invert 16-bit pictures in which 0 is white;
-Pillow does not support 16-bit colours.
-"""
+Pillow does not support 16-bit colours."""
 
 from __future__ import annotations
 

@@ -49,8 +49,7 @@ def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
 
     Frame k covers [k / fps, (k + 1) / fps); time beyond the last frame, number `frames_needed` - 1,
     counts as the last frame. Boundaries are exact fractions, so a slot that ends with a frame
-    contains nothing of the next, for any number of slots.
-    """
+    contains nothing of the next, for any number of slots."""
     per_us = fps / 1_000_000
     last = frames_needed(slot_us, fps) - 1
     row_start, frame_index, seconds = [0], [], []
@@ -81,8 +80,7 @@ def spread(
     """Return the light of a clip in electrons per second, up to a factor, integrated as piecewise
     constant.
 
-    `factor_of` returns the factor for the light of all slots (rows, cols).
-    """
+    `factor_of` returns the factor for the light of all slots (rows, cols)."""
     share = np.bincount(overlap.frame_index, overlap.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):
@@ -99,8 +97,7 @@ def with_motion(
 
     Frame k is the light at the start of its time. Each entry of the light's matrix covers `seconds`
     of its frame, whose length is 1 / `fps`; entries follow each other without a gap. If `seconds`
-    is None, each entry is its whole frame. Within the last frame the light is constant.
-    """
+    is None, each entry is its whole frame. Within the last frame the light is constant."""
     entries = len(light.frame_index)
     begin, end = np.zeros(entries), np.ones(entries)
     if seconds is not None:

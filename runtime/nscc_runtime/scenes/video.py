@@ -54,8 +54,7 @@ def video_pages(path: Path) -> Pages:
     """Open the frames of a video, uint8 or uint16 (R, C, 3), at equal times.
 
     Frames of unequal duration are repeated or skipped. A truncated file yields the frames before
-    its end. Raises ValueError without frames, and Rejected (NS0734) for large frames.
-    """
+    its end. Raises ValueError without frames, and Rejected (NS0734) for large frames."""
     timing = _timing_of(path)
     with _opened(path) as container:
         context = container.streams.video[0].codec_context
@@ -176,8 +175,7 @@ def picture_of(frame: Any) -> NDArray[Any]:
     """Return red, green and blue (R, C, 3) of a decoded frame, by the matrix and the range that the
     frame names.
 
-    Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits.
-    """
+    Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))

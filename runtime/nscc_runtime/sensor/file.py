@@ -1,7 +1,6 @@
 """Read `--sensor FILE.toml` and `--sensor-set NAME=VALUE`, and write a complete sensor file.
 
-A missing parameter has its default; an unknown key is an error.
-"""
+A missing parameter has its default; an unknown key is an error."""
 
 from __future__ import annotations
 
@@ -46,8 +45,7 @@ def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str]
 
     Raises Rejected (status 2) with all errors at once: NS0751 for a file that cannot be read,
     NS0752 if it is not TOML, NS0753 for unknown names, NS0754 for wrong values, NS0755 for a change
-    that is not NAME=VALUE.
-    """
+    that is not NAME=VALUE."""
     data = b"" if path is None else read_sensor(path)
     return parse_sensor(target, data, str(path), changes)
 
@@ -80,8 +78,7 @@ def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
 def completed(given_values: Mapping[str, float], target: Target) -> Sensor:
     """Return the sensor of checked values; other parameters have their defaults.
 
-    The default of `electrons_per_lsb` maps the full well to the top code.
-    """
+    The default of `electrons_per_lsb` maps the full well to the top code."""
     values: dict[str, float] = {}
     for row in schema().keys:
         known = row.name in given_values
@@ -95,8 +92,7 @@ def sensor_toml(
     """Return a complete, commented sensor file that `load_sensor` reads back as this sensor.
 
     `sources`: where values come from that are not defaults, by parameter. `heading`: lines at the
-    beginning.
-    """
+    beginning."""
     origin = "the value" if sources else "the default"
 
     def remark(row: Parameter) -> str:

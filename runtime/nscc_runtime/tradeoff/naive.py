@@ -43,8 +43,7 @@ class Naive:
         """Return a frame that sums numpy's Poisson counts over the open slots, without other
         effects.
 
-        Raises ValueError for light beyond the range of numpy, about 9e18 electrons per slot.
-        """
+        Raises ValueError for light beyond the range of numpy, about 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
         total = self._dark(np.float64)
         for light, opened in self._slots():

@@ -58,8 +58,7 @@ class StudySettings:
     `tolerances`: tolerances to plan for; percentages refer to the mean signal of each scene.
     `budget`: the tolerance whose plan is shown effect by effect. `frames`: number of frames that
     errors are averaged over, at least 2; more for small scenes, up to 65536 pixels or 64 frames.
-    `repeats`: number of times of which the median is taken.
-    """
+    `repeats`: number of times of which the median is taken."""
 
     tolerances: tuple[str | float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
     budget: str | float = 5.0
@@ -95,8 +94,7 @@ class Study:
 
     `resolution_e`, `resolution_lsb`: RMS difference of two reference frames with different draws.
     `floor_ms`: time to read the scene from memory once. `budget`: the plan for the error budget.
-    `missing`: methods that could not run, with the reasons.
-    """
+    `missing`: methods that could not run, with the reasons."""
 
     scene: str
     points: tuple[Point, ...]
@@ -126,8 +124,7 @@ def measure(
     the seeds of `settings`: plan and reference draw the same numbers. The time of analysing the
     program is not included. Results in `rows` are not computed again; names of scenes must differ.
     Before measuring, raises ValueError for less than 2 frames and Rejected (NS0746) for an invalid
-    tolerance.
-    """
+    tolerance."""
     if settings.frames < 2 or settings.repeats < 1:
         raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
     watch, rows = Stopwatch(), rows or Rows()
@@ -294,8 +291,7 @@ def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float
     """Return the RMS difference in electrons and in codes, each of the worst bucket.
 
     Only pixels that are valid in both frames count. Both are infinite if a bucket has no valid
-    pixel.
-    """
+    pixel."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
     for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid
