@@ -98,8 +98,7 @@ class Capture(Frame):
 
     @property
     def margin(self) -> NDArray[np.bool_] | None:
-        """Mask of pixels whose images and planes depend on light beyond the array; None without
-        any."""
+        """Pixels whose images and planes depend on light beyond the array; None without any."""
         return self.told.get("margin")
 
     @property
@@ -251,8 +250,7 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:
-    """Return a grey picture (rows, cols), or a picture (rows, cols, 3) of red, green and blue, as
-    PNG."""
+    """Return a grey picture (rows, cols) or a colour picture (rows, cols, 3) as PNG."""
     import cv2
 
     _, data = cv2.imencode(

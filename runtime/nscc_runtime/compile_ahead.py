@@ -16,8 +16,7 @@ from nscc_runtime.loop import object_file
 
 
 def modules(package: str) -> Iterator[str]:
-    """Yield the names of the modules of a package that contain loops. The package is imported, its
-    modules are not."""
+    """Import a package, and yield the names of its modules with loops without importing them."""
     (root,) = import_module(package).__path__
     for path in sorted(Path(root).rglob("*.py")):
         if path.stem.endswith(("loop", "loops")):

@@ -400,8 +400,7 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
 
 
 def _text(call: str, name: str, value: object, count: int) -> str | None:
-    """Return a value as command-line text: `count` numbers separated by commas, text as it is, or
-    None."""
+    """Return `count` numbers as command-line text; texts and None are returned unchanged."""
     if value is None or isinstance(value, str):
         return value
     items = value if isinstance(value, tuple | list) else [value]

@@ -119,8 +119,7 @@ def read_out(
 
 
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
-    """Return the bits of `saturated_by` that follow from codes alone: the code is the last of the
-    scale."""
+    """Return the bits of `saturated_by` of codes that are the last of the scale."""
     bit = marks()["codes"].bit
     return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
@@ -179,8 +178,7 @@ def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray
 
 
 def repeated(frame: Frame, count: int) -> Frame:
-    """Return the same frame `count` times, with a leading axis: without effects frames do not
-    differ."""
+    """Return the frame `count` times with a leading axis: frames without effects are equal."""
 
     def stack(values: NDArray[Any]) -> NDArray[Any]:
         return np.broadcast_to(values, (count, *values.shape))
@@ -395,8 +393,7 @@ class FrameFile:
         return cls(frame, meta, kept_arrays, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
-        """Write the archive. Light is written slot by slot and repeats block by block, to limit
-        memory."""
+        """Write the archive, light slot by slot and repeats block by block, to limit memory."""
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
                 _write_array(archive, key, getattr(self.frame, key))
@@ -427,8 +424,7 @@ def _write_entry(
     dtype: np.dtype[Any],
     blocks: Iterator[NDArray[Any]],
 ) -> None:
-    """Write one array as the entry KEY.npy: row-major, little-endian, dated 1980, the epoch of
-    zip."""
+    """Write an array as the entry KEY.npy: row-major, little-endian, dated 1980."""
     little = dtype.newbyteorder("<")
     entry = zipfile.ZipInfo(f"{key}.npy")
     entry.external_attr = 0o600 << 16

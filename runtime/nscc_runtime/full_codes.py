@@ -104,8 +104,7 @@ def _noise_e(program: AnalysedProgram) -> Values:
 def _steady(
     program: AnalysedProgram, lanes: NDArray[np.integer]
 ) -> tuple[Values, NDArray[np.uint8]]:
-    """Return the mean exposures (buckets, levels, lanes) of steady light, and their saturation
-    marks."""
+    """Return mean exposures (buckets, levels, lanes) of steady light, and saturation marks."""
     container, sensor, effects = program.container, program.sensor, everything()
     seen_s = program.slot_s @ program.tables.seen_slots()[:, lanes]
     never = seen_s <= 0
@@ -127,8 +126,7 @@ def _steady(
 
 
 class _SteadyPixels:
-    """Pixels in steady light of `rate` electrons per second while words run; arrays are
-    (pixels,)."""
+    """Pixels in steady light of `rate` electrons per second while words run."""
 
     def __init__(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> None:
         self.program, self.rate, self.lanes = program, rate, lanes

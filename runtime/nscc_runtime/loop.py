@@ -98,8 +98,7 @@ def compiled(function: _F) -> _F:
 
 
 def inlined(function: _F) -> _F:
-    """Mark a function that is inlined into each loop that calls it. LLVM vectorises only inlined
-    calls."""
+    """Mark a function that is inlined into loops, because LLVM vectorises only inlined calls."""
     return cast(_F, _LoopFunction(cast(FunctionType, function), partial(_jitted, forceinline=True)))
 
 
@@ -123,8 +122,7 @@ class Loop(Generic[_P]):
         object_file(self.module).loops.append(self)
 
     def __call__(self, *args: _P.args, **values: _P.kwargs) -> None:
-        """Run the loop without the GIL. Raises TypeError for arguments that do not match the
-        declaration."""
+        """Run the loop without the GIL. Raises TypeError for arguments that do not match."""
         if args:
             raise TypeError(f"{self.name} takes what it is given by name")
         if values.keys() != self.parameters.keys():
@@ -302,8 +300,7 @@ def _for_numba(function: FunctionType) -> FunctionType:
 
 
 def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
-    """Add to `known` everything that the machine code of a function depends on: code, constants,
-    functions."""
+    """Add to `known` all code, constants and functions that a function's machine code needs."""
     if function in known:
         return
     known[function] = ""

@@ -52,8 +52,7 @@ class LoopParameter:
         return (self,)
 
     def sized(self, axes: set[str]) -> LoopParameter:
-        """Return the parameter with `lengths`: the fields of its record that are named in
-        `axes`."""
+        """Return the parameter with `lengths`: fields of its record that are named in `axes`."""
         return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
 
     def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:

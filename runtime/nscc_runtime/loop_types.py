@@ -16,8 +16,7 @@ extending: Any = _extending
 types: Any = _types
 
 Records: Any = type("Records", (types.CPointer,), {})
-"""A pointer to records. Indexing returns a reference to a record; numba's own pointers would copy
-it."""
+"""A pointer to records. Indexing returns a reference; numba's own pointers would copy."""
 
 extending.register_model(Records)(extending.models.PointerModel)
 

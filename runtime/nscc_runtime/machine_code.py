@@ -28,15 +28,13 @@ def working_s() -> float:
 
 
 def folders(module: str) -> tuple[Path, ...]:
-    """Return the folders for the machine code of the module in file `module`, in order of
-    preference."""
+    """Return the folders for the machine code of a module's file, in order of preference."""
     user = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
     return Path(module).parent / "__pycache__", Path(user) / "nscc"
 
 
 def can_keep(places: Sequence[Path]) -> bool:
-    """Return whether object files can be written to one of the folders, which may have to be
-    created."""
+    """Return whether object files can be written to one of the folders."""
     for place in places:
         existing = next(path for path in (place, *place.parents) if path.exists())
         if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
@@ -45,8 +43,7 @@ def can_keep(places: Sequence[Path]) -> bool:
 
 
 def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
-    """Return the object file `name`: read from the first folder that has it intact, else built and
-    stored."""
+    """Return the object file `name`: read from the first intact copy, else built and stored."""
     stored = read_object_file(name, places)
     if stored is not None:
         return stored
@@ -122,8 +119,7 @@ def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., 
 
 
 def name(stem: str, sources: Iterable[str]) -> str:
-    """Return the object file's name, with a digest of the compiled sources, LLVM and the
-    processor."""
+    """Return the object file's name, with a digest of the sources, LLVM and the processor."""
     import llvmlite
     import llvmlite.binding as llvm
 
@@ -164,8 +160,7 @@ def _machine(llvm: Any) -> Any:
 
 
 def _write(path: Path, data: bytes) -> None:
-    """Write a file completely or not at all, because another process may be reading or writing
-    it."""
+    """Write a file completely or not at all: other processes may be reading or writing it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(dir=path.parent)
     try:

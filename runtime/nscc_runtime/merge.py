@@ -125,8 +125,7 @@ def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
 
 
 def _spread(inside: Field, readout: BucketReadout) -> Field:
-    """Assign values of windows inside the picture to pixels; pixels at the edge use the nearest
-    window."""
+    """Assign values of windows to pixels; pixels at the edge use the nearest window."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2
         inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)

@@ -104,8 +104,7 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
 
 
 def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
-    """Return sensor values as arguments of `--sensor-set`. Raises WrongArgument for values that are
-    not numbers."""
+    """Return values as arguments of `--sensor-set`. Raises WrongArgument for other values."""
     return [f"{name} = {number(call, str(name), value)!r}" for name, value in values.items()]
 
 

@@ -277,8 +277,7 @@ def _exact(
 def _looking(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Iterable[Frame]:
-    """Return the frames of a program whose pixels look; kept states continue from frame to
-    frame."""
+    """Return frames of a program whose pixels look; kept states continue from frame to frame."""
     from nscc_runtime.looked_frames import frames
     from nscc_runtime.looking.path_loop import run_paths
     from nscc_runtime.noise.noise_loops import fill_normals

@@ -138,8 +138,7 @@ def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
 
 @compiled
 def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats) -> None:
-    """Add the squared differences to the right neighbour and, except in the last row, to the
-    neighbour below."""
+    """Add the squared differences to the right neighbour and to the neighbour below."""
     if last:
         for col in range(cols - 1):
             right = total[first + col + 1] - total[first + col]

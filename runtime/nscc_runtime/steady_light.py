@@ -100,8 +100,7 @@ def _run_frame(
 
 
 def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
-    """Return the nodes in which the next frame starts: kept states continue, others have their
-    start values."""
+    """Return the nodes in which the next frame starts: kept states continue, others restart."""
     is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)
     first = slice(0, int(machine.first[1]))

@@ -32,8 +32,7 @@ class DarkFit:
     times_s: tuple[float, ...]
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return the codes (2, rows, cols) of a frame without light, from the even and the odd
-        frames."""
+        """Return the codes (2, rows, cols)without light, from the even and the odd frames."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
@@ -46,8 +45,7 @@ class DarkFit:
 def dark_of(
     levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
 ) -> DarkFit | None:
-    """Fit codes over exposure time through the darks that are not clipped; None if all are
-    clipped."""
+    """Fit codes over exposure time through the unclipped darks; None if all are clipped."""
     usable = [
         (level, moments)
         for level, moments in zip(levels, level_moments, strict=True)

@@ -23,8 +23,7 @@ from nscc_runtime.progress import Progress, unseen
 ROUNDING = 1 / 12
 """Variance of rounding by the ADC, in squared codes."""
 _SURE = 4.0
-"""The spread of the dark current is estimated only if the current is at least this number of
-standard errors."""
+"""Smallest dark current, in standard errors, whose spread is estimated."""
 _MOST_PRNU = 0.2
 _CUT_OFF = "the codes of every dark reach the end of the ADC's scale: raise its offset"
 
@@ -79,8 +78,7 @@ def _unknown(why: str, *names: str) -> dict[str, Quantity]:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """The result of a calibration. `pixels`: number of pixels used. `defects`: number of valid
-    pixels that were excluded."""
+    """The result of a calibration. `pixels`: number of pixels used. `defects`: excluded pixels."""
 
     quantities: dict[str, Quantity]
     curve: Transfer

@@ -106,8 +106,7 @@ def grouped(stacks: Iterable[Stack]) -> list[Stack]:
 
 
 def _timed(source: str) -> tuple[Path, float | None]:
-    """Split PATH@TIME into path and seconds (None without TIME). An existing file named PATH@TIME
-    has precedence."""
+    """Split PATH@TIME into path and seconds (None without TIME), unless a file has this name."""
     match = _TIMED.fullmatch(source)
     if match is None or Path(source).exists():
         return Path(source), None
@@ -129,8 +128,7 @@ def _time_of_key(name: str, value: NDArray[Any]) -> float:
 
 
 def _is_time(us: float) -> bool:
-    """Return whether an exposure time in microseconds is valid: 0, or from a picosecond to thirty
-    years."""
+    """Return whether an exposure time is valid: 0, or from a picosecond to thirty years."""
     return us == 0 or 1e-6 <= us <= 1e15
 
 
@@ -275,8 +273,7 @@ def _pictures(path: Path) -> NDArray[Any]:
 
 
 def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
-    """Return codes (K, rows, cols). Raises Rejected (NS0757) for values that are not codes of the
-    ADC."""
+    """Return codes (K, rows, cols). Raises Rejected (NS0757) for other values."""
     if values.ndim == 2:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:

@@ -21,8 +21,7 @@ Mask = NDArray[np.bool_]
 QUIET = 0.24
 """Variance in squared codes below which rounding of the ADC hides the noise (EMVA 1288)."""
 CLIPPED = 1e-4
-"""A level counts as clipped if more than this fraction of its samples is at an end of the ADC's
-scale."""
+"""A level is clipped if more than this fraction of its samples is at an end of the scale."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,8 +121,7 @@ def level_of(stack: Stack, top_code: int) -> Level:
 
 
 def moments(level: Level, good_mask: Mask) -> LevelMoments:
-    """Return the moments over the pixels of `good_mask`. Covariances use pairs in which both pixels
-    are good."""
+    """Return the moments over the pixels of `good_mask`. Covariances use pairs of good pixels."""
     pixels = int(np.count_nonzero(good_mask))
     variance = float(level.variance[good_mask].mean())
     pairs = (
@@ -165,8 +163,7 @@ def _rounding(variance: float, spread: float) -> tuple[float, float]:
 
 
 def _refuse_twice(codes: Codes, level: Level) -> None:
-    """Raise Rejected (NS0757) if a level contains the same frame twice, which would underestimate
-    its noise."""
+    """Raise NS0757 if a level contains a frame twice, which would underestimate its noise."""
     if level.variance.mean() < QUIET:
         return  # frames with little noise may be equal by chance
     if len({frame.tobytes() for frame in codes}) < len(codes):

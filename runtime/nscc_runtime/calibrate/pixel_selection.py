@@ -76,8 +76,7 @@ def valid_pixels(levels: Sequence[Level]) -> Mask:
 
 
 def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
-    """Raise Rejected (NS0759) for a flat whose light varies too much over the array. `zero`: code
-    without charge."""
+    """Raise NS0759 for a flat whose light varies too much. `zero`: code without charge."""
     for level in flats:
         smooth = surface(level.mean_map, good_mask)
         light = float(level.mean_map[good_mask].mean()) - zero

@@ -28,8 +28,7 @@ _STILL = 0.1
 
 @dataclass(frozen=True)
 class Saturation:
-    """The saturation of flats: mean code and its standard error. `of_pixel`: whether the pixels
-    saturate before the ADC."""
+    """The mean code of saturated flats. `of_pixel`: whether pixels saturate before the ADC."""
 
     mean: float
     mean_se: float
@@ -164,8 +163,7 @@ def _solved(slopes: Vector, known: float | None) -> Vector:
 
 
 def kept_variance(crosstalk: float) -> float:
-    """Return the factor on the variance of independent pixels due to crosstalk to each
-    neighbour."""
+    """Return the factor by which crosstalk to each neighbour changes the variance of pixels."""
     return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
 
 

@@ -109,21 +109,18 @@ class EmulatedChip:
 
 
 def in_columns(frame: NDArray[Any]) -> bytes:
-    """Return the bytes of values (readouts, rows, cols) in the order in which a loader sends them:
-    column by column."""
+    """Return the bytes of values (readouts, rows, cols) column by column, as loaders send them."""
     return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
 
 
 def looks(container: Container) -> bool:
-    """Return whether words of the container compare analog values, so that each pixel has its own
-    FLAG."""
+    """Return whether words compare analog values, so that each pixel has its own FLAG."""
     words = (word for kernel in container.kernels for word in kernel.words)
     return any(decode(word).operation.effect is WordEffect.FLAG_ANALOG for word in words)
 
 
 def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
-    """Run `work` in a daemon thread, which does not delay the end of the process, and return its
-    future."""
+    """Run `work` in a daemon thread, which does not delay exit, and return its future."""
     future: Future[ExecutedFrame] = Future()
 
     def run() -> None:

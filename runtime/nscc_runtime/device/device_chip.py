@@ -68,8 +68,7 @@ class DeviceChip:
         """SHA-256 of the container whose frames the device exposes."""
 
     def expose(self, container: Container, light: Light | None = None) -> Exposure:
-        """Expose one frame of `container`. `light` is ignored, because the device sees its own
-        scene."""
+        """Expose one frame of `container`. `light` is ignored: the device sees its own scene."""
         self.upload(container)
         shot = self.capture(container)
         return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)

@@ -28,8 +28,7 @@ _STAND_IN = "`nscc device serve --scene SCENE` starts a simulated device and pri
 
 
 def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
-    """Return a failure of the device (exit status 3). `options`: see
-    `nscc.diagnostics.rejection`."""
+    """Return a device failure (exit status 3). `options`: see `nscc.diagnostics.rejection`."""
     return rejection.rejected(code, message, helps=helps, status=FAILED, **options)
 
 
@@ -207,8 +206,7 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
 
 
 def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
-    """Raise Rejected (NS0764, NS0765, NS0767), before sending, for programs that the loader would
-    refuse."""
+    """Raise NS0764 or NS0765, before sending, for programs that the loader would refuse."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols

@@ -51,8 +51,7 @@ NAMES = {
 
 
 def parse_faults(text: str) -> LineFaults:
-    """Parse a list of faults such as EXAMPLE. Raises Rejected (NS0769, status 2) for other
-    texts."""
+    """Parse a list of faults such as EXAMPLE. Raises NS0769 (status 2) for other texts."""
     values: dict[str, Any] = {}
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
@@ -134,8 +133,7 @@ class Spoiler:
 
 
 class Accidents:
-    """Decides, from the number of transferred bytes, when the line breaks and the loader
-    reboots."""
+    """Decides, by the number of transferred bytes, when the line breaks or the loader reboots."""
 
     def __init__(self, faults: LineFaults) -> None:
         after = {"disconnect": faults.disconnect_after, "reboot": faults.reboot_after}
@@ -143,8 +141,7 @@ class Accidents:
         self._passed = 0
 
     def passed(self, count: int) -> list[str]:
-        """Return the accidents, "disconnect" and "reboot", that happen within the next `count`
-        bytes."""
+        """Return the accidents ("disconnect", "reboot") within the next `count` bytes."""
         self._passed += count
         due = [name for name, after in self._to_come.items() if self._passed >= after]
         for name in due:

@@ -59,8 +59,7 @@ class Built(NamedTuple):
 
 
 def compiler() -> str | None:
-    """Return the name of a C++ compiler on this machine: `CXX`, g++ or clang++; None if there is
-    none."""
+    """Return the name of a C++ compiler (`CXX`, g++ or clang++); None if there is none."""
     names = [os.environ.get("CXX", ""), "g++", "clang++"]
     return next((name for name in names if name and shutil.which(name)), None)
 
@@ -82,8 +81,7 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """Return the executable of `subfolders` of the firmware for a target, compiled now or cached.
-    Raises NotBuilt."""
+    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]
@@ -196,8 +194,7 @@ class Firmware:
         return frame
 
     def close(self) -> int:
-        """End the process and return its exit status, which is not 0 if a sanitizer found an
-        error."""
+        """End the process and return its exit status, not 0 if a sanitizer found an error."""
         with suppress(OSError):
             self._in.close()
         try:

@@ -36,8 +36,7 @@ class FrameRequest:
         return matches * frame_bytes(self.channels, program.pixels, readouts, program.states)
 
     def exposure_s(self, captured: CaptureReply) -> float:
-        """Return the expected exposure time in seconds: the shorter of the loader's and the host's
-        estimates."""
+        """Return the shorter of the loader's and the host's estimates of the exposure time."""
         own_ms = captured.estimate_ms if self.program is None else self.program.frame_ms
         return min(own_ms, captured.estimate_ms) / 1000
 

@@ -22,25 +22,21 @@ from nscc_runtime.device.packets import REPLY, VERSION, Packet, PacketKind, Unpa
 
 Result = TypeVar("Result")
 Task = Generator[float, "Packet | None", Result]
-"""A generator that yields the deadline of its wait, and receives a packet, or None at the
-deadline."""
+"""A generator that yields deadlines, and receives a packet, or None at the deadline."""
 
 FIRST_WAIT_S = 0.25
 LONGEST_WAIT_S = 0.5
-"""Longest interval between retries, short compared with the two seconds for resuming a lost
-link."""
+"""Longest interval between retries, short compared with two seconds for resuming a link."""
 _SHORTEST_WAIT_S = 0.05
 _MOST_RESTARTS = 40
 _MOST_TAKEN = 4
-"""Number of sessions lost to other hosts, while the loader keeps running, after which Contested is
-raised."""
+"""Number of sessions lost to other hosts after which Contested is raised."""
 _STALL_FACTOR = 6
 
 
 @dataclass(eq=False)
 class Silent(Exception):
-    """No reply arrived within the patience. `ever`: whether a reply arrived before. `noise`: number
-    of damaged packets."""
+    """No reply arrived in time. `ever`: whether one came before. `noise`: damaged packets."""
 
     ever: bool
     noise: int

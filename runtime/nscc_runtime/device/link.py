@@ -61,8 +61,7 @@ class SerialLink:
             self._turn()
 
     def run(self, work: Callable[[], Task[Result]]) -> Result:
-        """Run `work`, a task of this host, to its end, despite interruptions of the line, and
-        return its result."""
+        """Run the task `work` to its end, despite interruptions of the line; return its result."""
         for _ in self.steps(work, lambda: 0):
             pass
         return self.host.result  # type: ignore[return-value]

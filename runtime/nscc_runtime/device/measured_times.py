@@ -43,8 +43,7 @@ _LONGEST_MS = 10_000
 
 @dataclass(frozen=True)
 class MeasuredTimes:
-    """Measured times in microseconds: a launch, an analog and a digital word, the loop at a
-    boundary, a readout."""
+    """Times of a launch, an analog word, a digital word, the loop at a boundary, a readout."""
 
     launch_us: float
     analog_word_us: float

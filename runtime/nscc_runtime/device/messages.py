@@ -65,8 +65,7 @@ class Channel(IntFlag):
 
 
 def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
-    """Return the number of bytes of a frame: all readouts in these channels, and `states`
-    planes."""
+    """Return the bytes of a frame: all readouts in these channels, and `states` planes."""
     bytes_per_pixel = (1 if channels & Channel.CODES else 0) + (
         8 if channels & Channel.EXPOSURE else 0
     )
@@ -177,8 +176,7 @@ class Begin(_Body):
 
 @dataclass(frozen=True)
 class ObjectEntry(_Body):
-    """The announcement of an object: its kind, the register of a plane, its number of bytes and
-    their SHA-256."""
+    """The announcement of an object: kind, register of a plane, number of bytes, SHA-256."""
 
     kind: int
     register: int

@@ -117,8 +117,7 @@ class Upload:
 
 
 def program_digest(target: bytes, label: bytes, entries: bytes) -> bytes:
-    """Return the SHA-256 digest of a program from its target's digest, its label and its packed
-    entries."""
+    """Return the digest of a program from its target's digest, label and packed entries."""
     return sha256(b"nscc-program-1" + target + label + entries).digest()
 
 
@@ -232,8 +231,7 @@ def _kernels(container: Container) -> bytes:
 
 
 def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """Yield rows (advance, kernel, times, level) of the schedule. Launches at equal distances are
-    merged."""
+    """Yield schedule rows (advance, kernel, times, level), merging launches at equal distances."""
     at = 0
     steps = []
     for launch in container.launches:

@@ -43,8 +43,7 @@ REPLY = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A packet. `session`: the host's number of the session. `sequence`: number of the request. A
-    reply repeats both."""
+    """A packet with numbers of the host's session and of the request; a reply repeats both."""
 
     kind: int
     sequence: int
@@ -52,8 +51,7 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """Return the bytes of the packet on the line, between zero bytes. The first zero byte ends
-        any noise before."""
+        """Return the packet's bytes between zero bytes, the first of which ends noise before it."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 

@@ -51,8 +51,7 @@ class Port:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write bytes and return how many the port accepted. Raises PortGone if the port is
-        lost."""
+        """Write bytes and return how many were accepted. Raises PortGone if the port is lost."""
         try:
             return os.write(self.fileno(), data)
         except BlockingIOError:

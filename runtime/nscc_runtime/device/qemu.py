@@ -60,8 +60,7 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
 
 
 def command(core: Core, image: Path, time: str) -> list[str]:
-    """Return the command that runs an image, without its serial ports. `time`: value of QEMU's
-    -icount."""
+    """Return the command that runs an image without serial ports; `time`: QEMU's -icount."""
     return [
         EMULATOR, "-M", _MACHINES[core], "-kernel", str(image), "-icount", time,
         "-display", "none", "-monitor", "none",

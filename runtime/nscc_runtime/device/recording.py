@@ -77,8 +77,7 @@ class Recording:
         return None
 
     def keep(self, job: BoardJob, planes: Mapping[str, bytes]) -> None:
-        """Store the code registers after a frame; the next frame of the program starts with
-        them."""
+        """Store the code registers after a frame, with which the program's next frame starts."""
         if job is self._latest:
             names = self.target.digital_registers
             self._planes = {names.index(name): plane for name, plane in planes.items()}

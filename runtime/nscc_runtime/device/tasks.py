@@ -40,8 +40,7 @@ _LONGEST_POLL_S = 0.25
 _LONGEST_SILENCE_S = 5.0
 _BUSY_WAIT_S = 0.1
 _FIRST_WINDOW = 2048
-"""Initial number of bytes in flight. The window grows without losses, and is halved after a loss,
-for slow lines."""
+"""Initial number of bytes in flight: grows without losses, is halved after a loss."""
 
 Watch = Callable[[int], None]
 """A function that is called with the number of bytes transferred so far."""
@@ -102,8 +101,7 @@ def pause(host: Host, seconds: float) -> Task[None]:
 
 
 class _Chunk:
-    """The number of bytes per packet: halved after a loss, doubled after some packets without a
-    loss."""
+    """The bytes per packet: halved after a loss, doubled after some packets without a loss."""
 
     def __init__(self, most: int) -> None:
         self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
@@ -119,8 +117,7 @@ class _Chunk:
 
 
 class _Sender:
-    """Sends a stream with many packets in flight, and goes back after a loss. The loader accepts
-    bytes only in order."""
+    """Sends a stream with many packets in flight; goes back after a loss, to keep the order."""
 
     def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
         assert host.info is not None
@@ -203,8 +200,7 @@ class _Sender:
             self._advance(progress.position)
 
     def _acknowledge_late(self, sequence: int, progress: UploadProgress) -> None:
-        """Process an acknowledgement that arrived after its timeout: the line is slower than
-        estimated."""
+        """Process an acknowledgement after its timeout: the line is slower than estimated."""
         since = self.given_up.pop(sequence, None)
         if since is not None:
             self.host.timed(self.host.now - since)

@@ -13,8 +13,7 @@ THINNED = 2
 
 
 def count_key(seed: int, stream: int, source: int, frame: int, group: int) -> np.uint64:
-    """Return the random key of the counts of a group of slots; `stream` is the stream of the effect
-    that counts."""
+    """Return the random key of a group's counts; `stream` belongs to the effect that counts."""
     return key(seed, stream, source, frame, group)
 
 

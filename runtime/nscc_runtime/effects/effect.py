@@ -127,8 +127,7 @@ class Effect:
     marks: Mapping[str, Mark] = field_of(default_factory=dict)
 
     def summed_ns(self, frames: int) -> float:
-        """Return the nanoseconds per pixel saved by leaving the effect out of sums over `frames`
-        frames of light."""
+        """Return the nanoseconds per pixel saved by leaving the effect out of sums."""
         return self.cost_ns + self.light_ns * frames
 
     def parts_of_kind(self, kind: type[P]) -> list[P]:
@@ -138,8 +137,7 @@ class Effect:
         return [member for member in self.sums if isinstance(member, kind)]
 
     def lacks(self) -> list[str]:
-        """Return the missing or wrong entries of the declaration as texts; empty if it is
-        complete."""
+        """Return the missing or wrong entries of the declaration; empty if it is complete."""
         missing = [
             f"`{name}`, a text"
             for name in ("name", "title", "model", "size", "cost", "applied", "absent")

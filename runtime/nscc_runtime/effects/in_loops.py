@@ -51,8 +51,7 @@ def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
 
 
 def draws_keys(record: Record, seed: int, source: int) -> dict[str, np.uint64]:
-    """Return the first halves of the random keys of draws at words for the fields of `record`.
-    Small errors use `source`."""
+    """Return first halves of random keys of draws at words, for the fields of `record`."""
     keys_by_name: dict[str, np.uint64] = {
         error_part.at: base(seed, effect.stream, source)
         for effect in registered()

@@ -36,8 +36,7 @@ class Moving(Part, stage="scene"):
 
 @dataclass(frozen=True)
 class Echo(Part, stage="light"):
-    """A fraction of the light of the previous frame is added; the previous frame shows the same
-    scene."""
+    """A fraction of the light of the previous frame, of the same scene, is added."""
 
     fraction: OfSensor
 
@@ -88,8 +87,7 @@ class Well(Saturates, stage="well"):
 
 @dataclass(frozen=True)
 class Soft(Saturates, stage="registers"):
-    """Registers are linear up to `linear_e` electrons. `lost_e(sensor, values)` returns the loss of
-    larger values."""
+    """Registers are linear up to `linear_e` electrons, and lose `lost_e` of larger values."""
 
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]

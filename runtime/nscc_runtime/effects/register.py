@@ -42,8 +42,7 @@ def soft(value: Values, sensor: Sensor) -> Values:
 
 @compiled
 def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
-    """Return the content of a register after `value` is written, as `soft` does, for the compiled
-    loops."""
+    """Return the same as `soft` for one value, in compiled loops."""
     limit = -low if value < 0.0 else high
     size = abs(value)
     if size <= knee * limit:

@@ -47,8 +47,7 @@ _complete = False
 
 
 def register(effect: Effect) -> None:
-    """Register an effect. Raises Rejected (NS0905) with all missing entries if the declaration is
-    incomplete."""
+    """Register an effect. Raises NS0905 with all missing entries of its declaration."""
     lacking = (
         effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is not an Effect"]
     )

@@ -35,8 +35,7 @@ class Selection:
 
     @property
     def noiseless(self) -> bool:
-        """Whether only effects that are always on are selected: the exposure is the sum of
-        light."""
+        """Whether only permanent effects are selected, so that the exposure is the sum of light."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
@@ -60,8 +59,7 @@ class Selection:
         return [does for _, does in self.acting(stage)]
 
     def marking(self, at: str) -> Mark | None:
-        """Return the mark of a kind (`nscc_runtime.effects.marks`); None if no effect that is on
-        sets it."""
+        """Return the saturation mark of a kind; None if no effect that is on sets it."""
         return next((effect.marks[at] for effect in self.effects if at in effect.marks), None)
 
     @remembered
@@ -93,8 +91,7 @@ class Selection:
         return effect_part
 
     def errors(self) -> list[tuple[Effect, Errors]]:
-        """Return the effects with small errors, and their parts: of reads, then of resets, then of
-        words."""
+        """Return the effects with small errors and their parts: reads, then resets, then words."""
         return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
     def converter_lsb(self, sensor: Sensor) -> float:

@@ -18,8 +18,7 @@ from nscc_runtime.method_cache import remembered
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 OnDevice = Callable[[Sensor, int, Places], Values]
-"""A function of a sensor, the device seed and places (row * cols + col) that returns a fixed
-pattern of a chip."""
+"""A function of sensor, device seed and places that returns a chip's fixed pattern."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,8 +64,7 @@ class Word(Protocol):
 
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
-    """Complete rows of pixels in all slots. Arrays are (N, rows, cols); fixed patterns are (rows,
-    cols)."""
+    """Complete rows of pixels. Arrays are (N, rows, cols); fixed patterns are (rows, cols)."""
 
     scene: Scene
 

@@ -144,15 +144,13 @@ def _check_matrix(light: Light) -> None:
 
 
 def check(container: Container, light: Light) -> None:
-    """Check a program and its light before exposing. Raises Rejected or ValueError, see
-    `check_program` and `check_size`."""
+    """Raise like `check_program` and `check_size` for a program or light that cannot run."""
     check_program(container)
     check_size(container, light)
 
 
 def check_program(container: Container) -> None:
-    """Raise Rejected (NS0741) for a program without pixel codes, and ValueError for an inconsistent
-    container."""
+    """Raise NS0741 without pixel codes, and ValueError for an inconsistent container."""
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",

@@ -44,8 +44,7 @@ _FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
 
 @compiled
 def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
-    """Return 64 pseudo-random bits of (seed, stream, counter): two rounds of splitmix64's
-    finaliser."""
+    """Return a 64-bit hash of (seed, stream, counter): two rounds of splitmix64's finaliser."""
     z = seed + np.uint64(stream + 1) * np.uint64(0x9E37_79B9_7F4A_7C15)
     for step in range(2):
         z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58_476D_1CE4_E5B9)
@@ -58,8 +57,7 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
 
 @compiled
 def _any_all(planes: Words, flag: int, words: int) -> int:
-    """Return `_NONE`, `_SOME` or `_ALL`: how many pixels of the plane that starts at `flag` are
-    1."""
+    """Return `_NONE`, `_SOME` or `_ALL`: how many pixels of the plane at `flag` are 1."""
     any_bits, all_bits = _ZERO, _FULL
     for i in range(words):
         any_bits |= planes[flag + i]
@@ -210,8 +208,7 @@ def _run_steps(
     flag_plane: int,
     state: int,
 ) -> int:
-    """Run one kernel and return the new `state` of FLAG: `_NONE`, `_SOME` or `_ALL` pixels are
-    1."""
+    """Run a kernel and return the new `state` of FLAG: `_NONE`, `_SOME` or `_ALL` pixels are 1."""
     flag, pixels = flag_plane * words, 64 * words
     for s in range(first, stop):
         at = s * COLUMNS

@@ -44,8 +44,7 @@ class Step(IntEnum):
     COMPARE_MASKED = 7
     """(first, count): like COMPARE, but FLAG stays 0 where it was 0."""
     BUS = 8
-    """(first, count): row := -(the sum of the rows operands[first : first + count]) where FLAG = 1.
-    """
+    """(first, count): row := -(sum of the rows operands[first : first + count]) where FLAG = 1."""
 
 
 COLUMNS = 6
@@ -160,8 +159,7 @@ class _Translator:
                 return self._digital(op, op.destinations)
 
     def _listed(self, sources: tuple[str, ...], places: dict[str, int]) -> tuple[int, int]:
-        """Append the places of sources to the operands. Return the index of the first, and their
-        number."""
+        """Append the places of sources to the operands. Return their first index and number."""
         first = len(self.operands)
         self.operands.extend(places[name] for name in sources)
         return first, len(sources)

@@ -38,8 +38,7 @@ FIRST_LANE = np.uint64(0)
 
 @inlined
 def _exp_minus(x: float) -> float:
-    """Return exp(-x) for x in [0, 16] with error 2e-16. It has no branches, so LLVM vectorises
-    it."""
+    """Return exp(-x) for x in [0, 16], to 2e-16, without branches, so that LLVM vectorises it."""
     n = np.floor(0.5 - x * 1.4426950408889634)
     r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
     p = 1.0 / 6227020800.0

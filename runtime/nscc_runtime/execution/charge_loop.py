@@ -168,8 +168,7 @@ def _charge_of_source(
 
 @compiled
 def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> None:
-    """Set `streams` to the random keys of a frame's counts and of their splits, for each source and
-    group."""
+    """Set `streams` to the random keys of counts and of their splits, by source and group."""
     count = sizes.groups
     for group in range(count):
         name = group_ids[group]

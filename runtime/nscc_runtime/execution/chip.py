@@ -61,8 +61,7 @@ class SimulatedChip:
 
     @property
     def factor(self) -> float:
-        """Factor on the light of every pixel due to lag, assuming that the previous frame has the
-        same light."""
+        """Factor on all light due to lag, if the previous frame has the same light."""
         echo = self.kept_effects.find_part(Echo)
         return 1.0 + (0.0 if echo is None else echo.fraction(self.program.sensor))
 
@@ -81,8 +80,7 @@ class SimulatedChip:
 
     @cached_property
     def exchanged(self) -> float:
-        """Fraction of a pixel's charge that moves to each of its neighbours; 0 without
-        crosstalk."""
+        """Fraction of a pixel's charge that moves to each neighbour; 0 without crosstalk."""
         exchange = self.kept_effects.find_part(Exchange)
         return 0.0 if exchange is None else exchange.fraction(self.program.sensor)
 
@@ -96,8 +94,7 @@ class SimulatedChip:
 
     @cached_property
     def counted(self) -> tuple[int, ...]:
-        """Numbers of the groups of slots whose charge is drawn as counts; empty without such
-        effects."""
+        """Numbers of the groups of slots whose charge is drawn as counts; may be empty."""
         return () if self.kept_effects.find_part(Counted) is None else self.program.open_groups
 
     @cached_property
@@ -130,8 +127,7 @@ class SimulatedChip:
 
     @cached_property
     def leak_weights(self) -> Values:
-        """Weights (rates, pixels) that interpolate the sums of `leak_rates` at each pixel's
-        rate."""
+        """Weights (rates, pixels) that interpolate sums of `leak_rates` at each pixel's rate."""
         leak = self.kept_effects.find_part(Leak)
         if leak is None or len(self.leak_rates) == 1:
             return np.ones((1, 1))
@@ -141,8 +137,7 @@ class SimulatedChip:
 
     @cached_property
     def dark_e(self) -> Values | None:
-        """Mean dark charge in exposures (buckets, pixels), without saturation; None if the effect
-        is not simulated."""
+        """Mean dark charge (buckets, pixels) without saturation; None without this effect."""
         if self.kept_effects.find_part(CountedDark) is None:
             return None
         exchange = self.kept_effects.find_part(Exchange)
@@ -179,8 +174,7 @@ class SimulatedChip:
 
     @cached_property
     def own_weights(self) -> NDArray[np.float32]:
-        """Mean weights (counted groups, buckets, pixels) of a pixel's own counts in its
-        exposures."""
+        """Mean weights (counted groups, buckets, pixels) of a pixel's counts in its exposures."""
         program, model = self.program, self.program.model(self.kept_effects)
 
         def make() -> NDArray[np.float32]:

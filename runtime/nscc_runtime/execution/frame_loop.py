@@ -72,8 +72,7 @@ def draw_counts(
 
 @record
 class Adding:
-    """Sizes for `add_up`: rows `begin` to `end` - 1 of the frame, and the numbers of terms to add
-    up."""
+    """Sizes for `add_up`: rows `begin` to `end` - 1 of a frame, and numbers of terms."""
 
     begin: int
     end: int
@@ -96,8 +95,7 @@ def _beside(
     adding: Adding, direction: int, group: int, bucket: int, first: int, stop: int,
     own_weights: Floats32, neighbour_weights: Floats32, away: Floats, total: Floats,
 ) -> None:  # fmt: skip
-    """Add to total[bucket, i] the charge received from one neighbour minus the charge given to
-    it."""
+    """Add to total[bucket, i] the charge from one neighbour minus the charge given to it."""
     rows, cols, pixels = adding.rows, adding.cols, adding.pixels
     row, begin, end = first // cols, first, stop
     step = -cols

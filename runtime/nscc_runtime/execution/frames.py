@@ -126,8 +126,7 @@ class ExecutedScene:
         return SummedScene(self.chip, self.light, self.threads)
 
     def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:
-        """Return exposures (buckets, pixels) of a frame by sums or by words, and their saturation
-        marks."""
+        """Return exposures (buckets, pixels) by sums or by words, and their saturation marks."""
         if self.execution.path == "words":
             return self._all_by_words.expose(seed, frame)
         away = self.summed.away(seed, frame)

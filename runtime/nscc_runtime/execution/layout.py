@@ -63,8 +63,7 @@ class Sizes:
     words divide, are split in proportion to light. Otherwise counts are drawn and halved."""
     frame: int
     counts_light: int
-    """Whether photons (`counts_light`) and dark electrons (`counts_dark`) are drawn as whole
-    numbers."""
+    """Whether photons are drawn as counts; `counts_dark`: whether dark electrons are."""
     counts_dark: int
     exchanges: int
 
@@ -159,8 +158,7 @@ OfWords = Annotated[NDArray[Any], LoopWord]
 
 
 class LoopProgram(NamedTuple):
-    """The words of a program, their `operands`, and the `signs` of the errors written to each
-    register."""
+    """The words of a program, their `operands`, and the `signs` of errors in each register."""
 
     words: OfWords
     operands: Ints

@@ -33,8 +33,7 @@ _WORD = np.dtype(LoopWord)
 def program_of(
     container: Container, words: Sequence[RunningWord], starts: Sequence[int]
 ) -> LoopProgram:
-    """Return the words as arrays for the loops; `starts` are the first slots of the frame's
-    intervals."""
+    """Return the words as arrays for loops; `starts`: first slots of the frame's intervals."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     ends, slot_us = [*starts, container.slots], container.slot_us
     start_s = np.concatenate(([0.0], np.cumsum(slot_us)))[ends] * 1e-6
@@ -123,8 +122,7 @@ class Turns:
 
     @property
     def flags(self) -> NDArray[np.uint8]:
-        """Flags of each word. `ACTS`: it acts. `SEEN`: the charge before it is read before PIX is
-        reset."""
+        """Flags of each word: `ACTS` and `SEEN` (the charge before it is read before a reset)."""
         is_read = self._then(self._turns & ~self._resets, 0)
         return np.asarray(ACTS * self._acts + SEEN * is_read, np.uint8)
 

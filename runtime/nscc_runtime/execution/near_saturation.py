@@ -55,8 +55,7 @@ NO_PIXELS = NearSaturation(
 def near_saturation(
     program: AnalysedProgram, light: Light, device_seed: int, requested_effects: Selection
 ) -> NearSaturation:
-    """Return the pixels of a scene that may saturate under `requested_effects`; cached with the
-    light."""
+    """Return the pixels that may saturate under `requested_effects`; cached with the light."""
     if not requested_effects.names(Saturates):
         return NO_PIXELS
     source = (requested_effects.find_part(Moving) and light.motion) or light

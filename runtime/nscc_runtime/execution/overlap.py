@@ -61,8 +61,7 @@ class Overlap:
 
     @cached_property
     def _table(self) -> Weights | None:
-        """Weights (buckets, lanes, lanes) of all pairs of lanes; None if there are too many
-        pairs."""
+        """Weights (buckets, lanes, lanes) of all pairs of lanes; None if too many pairs."""
         _, lanes, buckets = self.seconds.shape
         if lanes**2 > _MOST_PAIRS:
             return None

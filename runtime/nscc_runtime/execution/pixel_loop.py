@@ -58,8 +58,7 @@ from nscc_runtime.noise.noise_loops import uniform
 
 @compiled
 def _surround(sizes: Sizes, place: int, places: Ints) -> None:
-    """Set `places` to a pixel and its neighbours above, below, left and right; -1 outside the
-    array."""
+    """Set `places` to a pixel and its neighbours above, below, left, right; -1 outside."""
     rows, cols = sizes.rows, sizes.cols
     row, col = place // cols, place % cols
     places[0] = place

@@ -150,8 +150,7 @@ class LaneWords:
 
 @dataclass(frozen=True, eq=False)
 class KnownCounts:
-    """Known counts of `groups` of slots: their deviations `away` (groups, pixels) from their
-    means."""
+    """Known counts of `groups` of slots: deviations `away` (groups, pixels) from their means."""
 
     groups: tuple[int, ...]
     away: NDArray[np.float64]
@@ -333,8 +332,7 @@ class Running:
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
-        """The places whose charge is needed: the chosen pixels, and their neighbours with
-        crosstalk."""
+        """Places whose charge is needed: chosen pixels and, with crosstalk, their neighbours."""
         return self._needed(slice(None))
 
     def _needed(self, pixel_slice: slice) -> NDArray[np.int64]:

@@ -28,8 +28,7 @@ from nscc_runtime.reference.weights import WeightModel
 Values = NDArray[np.float64]
 
 _RECENT_MODELS, _RECENT_CHIPS = 40, 4
-"""Number of cached results: planning compares a dozen models; chips contain arrays of all
-pixels."""
+"""Number of cached results: planning compares a dozen models; chips are large."""
 _MUCH = 1 << 20
 """If slots x lanes is above this number, fewer models are cached."""
 
@@ -83,8 +82,7 @@ class AnalysedProgram:
         return replace(whole_chip, groups=Groups(whole_chip.groups.of_slot, lane, array.places))
 
     def wired(self, effects: Selection, device_seed: int) -> Wired:
-        """Return the words of single pixels under some effects on one chip, bound to the compiled
-        loop."""
+        """Return the words of single pixels under some effects on a chip, bound to the loop."""
         return self.recent.of(
             (Wired, effects.on, device_seed),
             lambda: Wired(self.words(effects), effects, device_seed),
@@ -95,8 +93,7 @@ class AnalysedProgram:
         return LaneWords.of(replace(self.reference, words=self.tables.fresh))
 
     def words(self, kept_effects: Selection) -> LaneWords:
-        """Return the words for the loop over single pixels, with or without decay of digital
-        registers."""
+        """Return the words for the loop over single pixels under some effects."""
         faded = self.model(kept_effects).decay or not self.tables.decays
         return self.pixels if faded else self._fresh_pixels
 

@@ -65,8 +65,7 @@ def _light(
 
 @compiled
 def _draw(laying: Laying, key: np.uint64, places: Ints, at: int, scales: Floats) -> None:
-    """Set scales[i, at] to the normal number of places[i]. The loop does nothing else, so LLVM
-    vectorises it."""
+    """Set scales[i, at] to the normal number of places[i], in a loop that LLVM vectorises."""
     for i in range(laying.begin, laying.end):
         scales[2 * i + at] = normal(uniform(key, places[i]))
 

@@ -19,8 +19,7 @@ from nscc_runtime.pool import in_parts
 _FEWEST = 256
 """Smallest number of sites per thread."""
 _SPARSE = 64
-"""If fewer than one pixel in this number is chosen, a list is faster than an array of all
-pixels."""
+"""If fewer than one pixel in this number is chosen, a list is faster than a mask."""
 _MOST_KEPT = 1 << 21
 """Largest table of the slots of all lanes that is cached for other scenes."""
 

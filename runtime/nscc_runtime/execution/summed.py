@@ -103,8 +103,7 @@ class SummedScene:
 
     @cached_property
     def expected(self) -> Values:
-        """Mean exposures (buckets, pixels) in electrons, with fixed errors of words, without
-        saturation."""
+        """Mean exposures (buckets, pixels) with fixed errors of words, without saturation."""
         exposure, dark_e = self._sums[1], self.chip.dark_e
         if dark_e is not None:
             exposure = exposure + dark_e
@@ -121,8 +120,7 @@ class SummedScene:
         ]
 
     def away(self, seed: int, frame: int) -> Values:
-        """Return the deviations of the counts (counted groups, pixels) of a frame from their
-        means."""
+        """Return the deviations of a frame's counts (counted groups, pixels) from their means."""
         array, groups = self.chip.array, self.chip.counted
         away = np.empty((len(groups), array.lanes.size))
         # Computed before the threads start: cached properties of one object wait for each other.
@@ -146,8 +144,7 @@ class SummedScene:
         return away
 
     def expose(self, seed: int, frame: int, away: Values) -> Values:
-        """Return exposures (buckets, pixels) of a frame in electrons; `away` are the deviations of
-        its counts."""
+        """Return exposures (buckets, pixels) of a frame; `away`: deviations of its counts."""
         chip, (draws, _) = self.chip, self.chip.noise
         (rows, cols), expected = chip.array.shape, self.expected
         exposure = np.empty(expected.shape)
@@ -226,8 +223,7 @@ class LoopConverter:
         self, values: Values, marked: NDArray[np.uint8], shape: tuple[int, int],
         seed_and_number: tuple[int, int], threads: int,
     ) -> Frame:  # fmt: skip
-        """Convert exposures (buckets, pixels) to a frame. Saturation marks of codes are added to
-        `marked`."""
+        """Convert exposures (buckets, pixels) to a frame; add marks of codes to `marked`."""
         (buckets, pixels), (seed, number) = values.shape, seed_and_number
         frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
         keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]

@@ -64,8 +64,7 @@ class Tables:
         return backward(self.container, words, model)
 
     def numbered(self, at: str, model: WeightModel) -> ByName[int]:
-        """Return the coefficients (lanes, buckets) of the small errors of kind `at`, keyed by draw
-        number."""
+        """Return coefficients (lanes, buckets) of small errors of kind `at`, by draw number."""
         return numbered_errors(self.container.target, self.weights(model))[at]
 
     @remembered

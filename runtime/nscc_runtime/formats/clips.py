@@ -14,8 +14,7 @@ from nscc_runtime.formats.content import Content
 from nscc_runtime.scenes.picture_files import quiet
 
 FRAMES_A_SECOND = 10.0
-"""Frame rate of clips in frames per second. This is slow motion, because a clip may last two
-milliseconds."""
+"""Frames per second of clips: slow motion, because a clip may last two milliseconds."""
 _CODECS = ("vp09", "mp4v")
 """Codecs in order of preference: VP9 plays in browsers; MPEG-4 if OpenCV lacks it."""
 
@@ -35,8 +34,7 @@ def gif(content: Content) -> bytes:
 
 
 def mp4(content: Content) -> bytes:
-    """Return a lossy .mp4 file. An odd last row or column is repeated, because codecs need even
-    sizes."""
+    """Return a lossy .mp4 file; odd sizes are padded, because codecs need even sizes."""
     with quiet():
         import cv2
 

@@ -38,13 +38,11 @@ FORMATS = {
         Format(".mp4", "clip", clips.mp4, shown=True),
     )
 }
-"""Formats by ending. For a name without an ending, such as /dev/stdout, each command has a
-default."""
+"""Formats by ending. For names without ending (/dev/stdout), each command has a default."""
 
 
 def endings(*kinds: str) -> tuple[str, ...]:
-    """Return the endings of the formats that hold one of these kinds; without kinds, all
-    endings."""
+    """Return the endings of formats that hold one of these kinds; without kinds, all endings."""
     return tuple(
         ending
         for ending, format_ in FORMATS.items()

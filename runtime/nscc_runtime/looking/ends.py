@@ -91,8 +91,7 @@ def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
 
 
 def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
-    """Return the bus and reset words of a frame; their lanes are the ends whose paths contain
-    them."""
+    """Return the bus and reset words of a frame; lanes are the ends whose paths contain them."""
     acts = np.zeros((len(paths.words), len(by_end)), np.bool_)
     for end, path in enumerate(by_end):
         for segment in path:

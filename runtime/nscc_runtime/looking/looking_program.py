@@ -52,24 +52,21 @@ Bits = NDArray[np.bool_]
 _CELLS = 1 << 18
 """Number of intervals x pixels whose charge is computed at once, so that it stays in the cache."""
 BEFORE_WORDS = {"scene", "light", "response", "count", "charge", "neighbours"}
-"""Stages that need no code in the loop: charge and converter codes are computed as in the
-reference."""
+"""Stages outside the loop: charge and converter codes are computed by the reference."""
 _AFTER_WORDS = {"converter", "codes"}
 """Stages that need no part in the loop: charge is made, and codes are, as in the reference."""
 
 
 @dataclass(frozen=True, eq=False)
 class LookingProgram:
-    """A program that looks (a container with a state machine) and a sensor, prepared for any scene
-    and effects."""
+    """A program whose pixels look, on a sensor, prepared for any scene and effects."""
 
     container: Container
     sensor: Sensor
 
     @remembered
     def lacks(self, effects: Selection) -> tuple[str, ...]:
-        """Return the reasons why only the reference can simulate these effects; empty if the loop
-        can."""
+        """Return the reasons why only the reference supports these effects; empty if none."""
         reasons = [
             f"{effect.name}: only the reference has it ({effect.words.reason})"
             for effect in effects.effects
@@ -164,8 +161,7 @@ class _LookingFrame:
     def rows(
         self, rows: range, begins: NDArray[np.int64], fall: Callable[[range], Fallen], threads: int
     ) -> Executed:
-        """Return consecutive rows; `begins` (rows, cols) is the first segment of each pixel of the
-        array."""
+        """Return consecutive rows; `begins` (rows, cols): first segment of each pixel."""
         cols = self.scene.light.shape[1]
         shape = (len(self.program.container.buckets), len(rows), cols)
         exposure, saturated_by = np.empty(shape), np.empty(shape, np.uint8)

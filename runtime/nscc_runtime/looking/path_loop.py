@@ -92,8 +92,7 @@ class Segments(NamedTuple):
 
 
 class Charge(NamedTuple):
-    """The electrons of each interval, and the fraction of these that is collected per microsecond
-    (`pace`)."""
+    """The electrons of each interval, and the fraction collected per microsecond (`pace`)."""
 
     electrons: Annotated[Floats, "intervals pixels"]
     pace: Annotated[Floats, "intervals+1 paces"]
@@ -210,8 +209,7 @@ def _draw(
     switches: Switches, sizes: PathSizes, word: LoopWord, w: int, of_word: WordKeys, place: int,
     running: Ints, count: int, normals: Floats,
 ) -> None:  # fmt: skip
-    """Draw the normal numbers of a word: for its read or reset, then for its comparison or
-    destinations."""
+    """Draw the normal numbers of a word: its read or reset, its comparison or destinations."""
     if word.resets and switches.reset_errors:
         _drawn(of_word.resets[w], place, running, count, normals, 0)
     if word.reads_pix and switches.read_errors:

@@ -168,8 +168,7 @@ class _PathReplay:
         return tuple(words)
 
     def distinct_endings(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
-        """Return the different endings, as bits (endings,) by state register, and the ending of
-        each lane."""
+        """Return the endings as bits (endings,) by state register, and the ending of each lane."""
         planes = self.container.state_planes.values()
         names = sorted({register for state_planes in planes for register in state_planes.registers})
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
@@ -272,8 +271,7 @@ def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
 def _by_segment(
     walk: _PathReplay, ending: NDArray[np.intp]
 ) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
-    """Return the words of each segment, with whether they act, and the segments that its answers
-    lead to."""
+    """Return the words of each segment and whether they act, and its next segments."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
         for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):

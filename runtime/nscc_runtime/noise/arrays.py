@@ -104,8 +104,7 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
 
 
 def _places(pixels: Pixels) -> Pixels:
-    """Return pixel indices as 1-D contiguous int64. Raises ValueError for negative or fractional
-    indices."""
+    """Return pixel indices as 1-D int64. Raises ValueError for negative or fractional indices."""
     pixels = np.asarray(pixels)
     if not (np.issubdtype(pixels.dtype, np.integer) and (pixels.size == 0 or pixels.min() >= 0)):
         raise ValueError("a pixel's place is a whole number from 0 on")

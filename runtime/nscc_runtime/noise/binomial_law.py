@@ -27,8 +27,7 @@ _INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
 
 @compiled
 def _log1p(x: float) -> float:
-    """Return log(1 + x) for x > -1, with an error of a few units in the last place (Kahan's
-    quotient)."""
+    """Return log(1 + x) for x > -1, to a few units in the last place (Kahan's quotient)."""
     w = 1.0 + x
     return x if w == 1.0 else x * (math.log(w) / (w - 1.0))
 
@@ -75,8 +74,7 @@ def _above(k: float, n: float, odds: float, mass: float) -> float:
 
 @compiled
 def _search(u: float, n: float, p: float) -> float:
-    """Return the smallest count whose distribution function reaches u, for n p up to
-    SEARCH_BELOW."""
+    """Return the smallest count whose distribution function reaches u; n p <= SEARCH_BELOW."""
     odds = p / (1.0 - p)
     mass = math.exp(n * _log1p(-p))
     total, k = mass, 0

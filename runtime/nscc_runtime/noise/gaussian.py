@@ -26,8 +26,7 @@ _LAST = np.int64(_CELLS - 1)
 
 
 def taylor(z: float) -> list[float]:
-    """Return the Taylor coefficients of the quantile about the probability at which it equals z >=
-    0."""
+    """Return Taylor coefficients of the quantile about the probability at which it is z >= 0."""
     density = math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
     terms = [z]
     # The n-th derivative is polynomial(z) / density**n.
@@ -63,8 +62,7 @@ _TABLE = table(_table)
 
 @inlined
 def normal(u: float) -> float:
-    """Return the standard normal quantile of u in [2**-53, 1 - 2**-53]; the relative error is below
-    1e-12."""
+    """Return the normal quantile of u in [2**-53, 1 - 2**-53]; relative error below 1e-12."""
     v = u if u < 0.5 else 1.0 - u
     cell = (np.float64(v).view(np.int64) >> _SHIFT) - _FIRST
     cell = cell if cell < _LAST else _LAST

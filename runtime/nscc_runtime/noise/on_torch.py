@@ -72,8 +72,7 @@ def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
 
 
 def _searched(u: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
-    """Return the smallest counts whose distribution functions reach u, for rates up to
-    SEARCH_BELOW."""
+    """Return the smallest counts whose distribution functions reach u; rate <= SEARCH_BELOW."""
     mass = torch.exp(-rate)
     remainder, counts = u - mass, torch.zeros_like(u)
     for k in range(1, SEARCHED):

@@ -98,8 +98,7 @@ def _above(k: float, rate: float, mass: float) -> float:
 
 @compiled
 def search(u: float, rate: float) -> float:
-    """Return the smallest count whose distribution function reaches u, for rates up to
-    SEARCH_BELOW."""
+    """Return the smallest count whose distribution function reaches u; rate <= SEARCH_BELOW."""
     # exp(-rate) >= 1 - rate, which is cheaper to compute.
     if u <= 1.0 - rate:
         return 0.0

@@ -17,8 +17,7 @@ _COLUMNS = 2
 
 
 def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
-    """Draw images between their 0.5th and 99.5th percentiles, planes in black and white, and
-    events."""
+    """Draw images (0.5th to 99.5th percentile), planes in black and white, and events."""
     arrays, shown = frame.told, []
     for name in pictures.reads:
         if f"plane_{name}" in arrays:

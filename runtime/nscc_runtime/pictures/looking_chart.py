@@ -34,8 +34,7 @@ _ROUND = 4.0
 """Factor by which the lights shown extend beyond the outermost thresholds."""
 _MOST_RANGE = 1e7
 _HEIGHT, _BETWEEN, _TIMES, _GAP, _ABOVE = 3.0, 0.95, 1.5, 0.35, 0.3
-"""Inches: height of a chart, gap between charts, width of the open times, gap to their left, margin
-above."""
+"""Inches: height of a chart, gap below, width of the open times, gap to their left, margin."""
 _MOST_NAMED = 14
 _MOST_FLIPS = 400
 

@@ -136,8 +136,7 @@ def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
 
 
 def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
-    """Draw an image, grey (rows, cols) of 0..255 or RGB, over all of the axes, one square per
-    pixel."""
+    """Draw a grey (0..255) or RGB image over all of the axes, one square per pixel."""
     axes.imshow(image, cmap="gray", vmin=0, vmax=255, interpolation="nearest", aspect="auto")
     axes.grid(False)
 
@@ -149,8 +148,7 @@ def lay_out(figure: Figure) -> None:
 
 
 def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
-    """Add title, subtitle and legend, stacked above the figure. Call it last, because it fixes the
-    layout."""
+    """Add title, subtitle and legend above the figure. Call it last: it fixes the layout."""
     lay_out(figure)
     width, height = figure.get_size_inches()
     left_edge, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height

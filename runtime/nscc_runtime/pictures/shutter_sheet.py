@@ -104,8 +104,7 @@ def _chosen(count: int) -> NDArray[np.int64]:
 def _draw_chart(
     axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
 ) -> None:
-    """Draw bars of open time, in the colours of the map, or in those of the buckets if there are
-    several."""
+    """Draw bars of open time, in the colours of the map or of several buckets."""
     from matplotlib.colors import to_rgb
 
     count, lanes, slots = rows.shape
@@ -175,8 +174,7 @@ class _Map:
 
 
 def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
-    """Return maps of the array, and of the smallest repeating tile of codes, or else of a
-    corner."""
+    """Return maps of the array, and of the smallest repeating tile of codes, or of a corner."""
     codes = container.pixel_codes
     if codes is None:
         return ()

@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from nscc_runtime.planning.plan_parts import Decision
 
 _LOWEST = 30.0
-"""Errors below the smallest tolerance divided by this factor are drawn at the edge, with their
-number."""
+"""Errors below the smallest tolerance over this factor are drawn at the edge, with number."""
 _SIDE = 6.2
 _BAR = 0.2
 """Inches between bars."""
@@ -76,8 +75,7 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
 
 
 def promise_diagram(studies: Sequence[Study]) -> Figure:
-    """Draw predicted and measured errors of all plans against the tolerance. Raises ValueError
-    without plans."""
+    """Draw predicted and measured errors against the tolerance. Raises ValueError without plans."""
     from matplotlib.lines import Line2D
 
     plans = [

@@ -15,8 +15,7 @@ from nscc.diagnostics.rejection import unknown_name
 Field = NDArray[np.float64]
 
 WHITE_PERCENTILE = 99.8
-"""Percentile of light that is shown as white; otherwise a few bright lights would darken the
-picture."""
+"""Percentile of light shown as white: a few bright lights must not darken the picture."""
 _MIDDLE = 0.45
 """Grey level of the median under a logarithmic curve."""
 _KEY = 0.18
@@ -25,8 +24,7 @@ _KEY = 0.18
 
 @dataclass(frozen=True)
 class Tone:
-    """A fitted tone curve. `curve` maps light divided by `white` (0 and above) to 0..1. `name`
-    describes it."""
+    """A fitted tone curve. `curve` maps light divided by `white` to 0..1. `name` describes it."""
 
     name: str
     white: float

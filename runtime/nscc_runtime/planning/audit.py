@@ -27,12 +27,10 @@ SLACK = 1.1
 
 _BAND = 4
 _MOST_CELLS = 1 << 23
-"""Largest number of slots x pixels that the reference exposes. Of larger frames it exposes
-bands."""
+"""Largest slots x pixels that the reference exposes. Of larger frames it exposes bands."""
 _FEWEST_FRAMES, _MOST_FRAMES = 2, 8
 _POOLED = 65536
-"""The errors of consecutive small frames are averaged until they have this number of pixels
-together."""
+"""Errors of small frames are averaged until they have this number of pixels together."""
 _NO_NOISE_E2 = 1e-12
 """A variance over frames below this value, in square electrons, counts as rounding."""
 
@@ -217,8 +215,7 @@ def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDAr
 
 
 def row_weights(rows: NDArray[np.intp], height: int) -> Values:
-    """Return the fraction of the frame's height that each row represents: up to half-way to the
-    next chosen rows."""
+    """Return the fraction of the frame that each row represents: half-way to the next rows."""
     edges = np.concatenate(([0.0], (rows[1:] + rows[:-1] + 1) / 2, [float(height)]))
     return np.diff(edges) / height
 

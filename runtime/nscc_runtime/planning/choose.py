@@ -23,8 +23,7 @@ _SURE = 0.97
 """Effects are dropped only while the measured error plus two standard errors is at most this
 fraction of the tolerance."""
 _MOST_MOVES = 10
-"""The moves that save most time are limited to this number; all subsets of these moves are
-compared."""
+"""This number of moves, those that save most time, is considered, with all subsets."""
 _TRIED, _FEW = 8, 2
 """Largest number of sets to measure: `_TRIED` with measurements near saturation, `_FEW` without."""
 
@@ -94,15 +93,13 @@ class Together:
         return self.likely_e2(0.0)
 
     def likely_e2(self, errors: float) -> float:
-        """Return the mean square error of the worst output plus `errors` times its standard
-        error."""
+        """Return the worst output's mean square error plus `errors` times its standard error."""
         differences = [self.difference, *filter(None, [self.approximations])]
         return sum(difference.likely_e2(errors) for difference in differences) + self.unseen_e2
 
     @property
     def worst(self) -> Worst:
-        """The 99.9 % quantile and the maximum of the error, with the approximations of sums
-        included."""
+        """The 99.9 % quantile and the maximum of the error, including approximations of sums."""
         if self.approximations is None:
             return self.difference.worst
         measured, approximated = self.difference.worst, self.approximations.worst

@@ -59,8 +59,7 @@ class Demands:
 def planned(
     trial: Trial, demands: Demands, measured: MeasuredEffects, together: Together, figures: bool
 ) -> Plan:
-    """Return the plan for a measured setting; `figures` adds the noise ratio, which is slow to
-    measure."""
+    """Return the plan for a measured setting; `figures`: measure the noise ratio, too."""
     assert demands.allowed is not None
     setting, worst = together.setting, together.worst
     approximations = [Approximation(name, None) for name in trial.approximations]

@@ -115,8 +115,7 @@ class Difference:
 
     @property
     def bias_e(self) -> float:
-        """Mean error of the worst output, in electrons; 0 if it is within three standard errors of
-        0."""
+        """Mean error of the worst output in electrons; 0 if within three standard errors of 0."""
         size_e = self.errors.size_e[int(np.argmax(self.square_e2))]
         mean_e = float(self.sample.mean(size_e))
         return mean_e if abs(mean_e) > _SIGMAS * float(self.sample.standard_error(size_e)) else 0.0

@@ -44,8 +44,7 @@ _SEEDS = 0, 0
 _FRAMES = 16
 """Largest number of frames of a series."""
 _SETTLED = 0.005
-"""A series ends when at most this fraction of the pixels begins a frame with new register
-values."""
+"""A series ends if at most this fraction of the pixels begins a frame with new values."""
 _REFERENCE_NS = 1000.0
 """Additional nanoseconds per pixel if the reference simulates the frame."""
 LOOKS = "pixels look at the light: each runs through the words that act in it"
@@ -143,8 +142,7 @@ class LookTrial(Trial):
 
     @remembered
     def _fallen(self, before: Names, every_slot: bool, frame: int) -> Fallen:
-        """Return the charge of a frame under the effects named in `before`, which act before words
-        run."""
+        """Return the charge of a frame under the effects `before`, which act before words run."""
         effects = everything()
         effects = effects.without(*(e.name for e in effects.effects if e.name not in before))
         joined = Intervals.of(self.program.container, every_slot).joined(self._scene)
@@ -232,8 +230,7 @@ class LookTrial(Trial):
         return SHIPPED.looked + sum(self.saved_ns(name) for name in effects), 0.0
 
     def planning_ms(self) -> float:
-        """Return the milliseconds for exposing the sample with all effects, and without each
-        effect."""
+        """Return the milliseconds for exposing the sample with all and without each effect."""
         pixels = min(self.pixels, 16 * _TILES)
         exposures = sum(e.kind != "after" for e in registered()) - len(self.absent) + 2
         machine = self.program.container.machine

@@ -96,8 +96,7 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
 
 
 def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
-    """Return an existing plan with its errors measured on this scene. A relative tolerance refers
-    to this scene."""
+    """Return a plan with its errors and its relative tolerance measured on this scene."""
     off = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
     forced_off = frozenset(e.name for e in registered() if e not in plan.requested_effects) & off
     trial = scene.trial(forced_off)

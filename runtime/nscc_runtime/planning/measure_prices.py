@@ -48,8 +48,7 @@ class Price:
 
 
 def measure_prices() -> list[Price]:
-    """Measure each price on this machine as the fastest of several rounds. This takes several
-    seconds."""
+    """Measure each price on this machine, in several seconds, as the fastest of some rounds."""
     container = nscc.compile(_TEXT, level=1).container
     program = analysed(container, default_sensor(container.target))
     rows, cols = program.array.shape

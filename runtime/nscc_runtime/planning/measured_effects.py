@@ -83,8 +83,7 @@ def measure_effects(
 
 
 def _products(fields: Values, weight: Values) -> Values:
-    """Return the weighted mean products (outputs, fields, fields) of `fields` (fields, outputs,
-    pixels)."""
+    """Return mean products (outputs, fields, fields) of `fields` (fields, outputs, pixels)."""
     weighed = fields * (weight / max(float(weight.sum()), 1e-300))
     # Not by a library for matrices: its sums may differ from machine to machine.
     return np.array(

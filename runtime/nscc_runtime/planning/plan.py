@@ -177,8 +177,7 @@ class Plan:
 
     @property
     def breach(self) -> str | None:
-        """A text that describes which predicted errors exceed their tolerances; None if all are
-        within."""
+        """A text that lists predicted errors above their tolerances; None if there are none."""
         broken_parts = []
         if (self.predicted_e or 0.0) > (self.tolerance_e or 0.0):
             broken_parts.append(
@@ -359,8 +358,7 @@ def approximation_lines(plan: Plan) -> list[str]:
 
 
 def _as_json(flat: Decision | Approximation | Cost) -> dict[str, Any]:
-    """Return the fields of a flat record. (`dataclasses.asdict` is slow: a millisecond per
-    plan.)"""
+    """Return the fields of a flat record. (`dataclasses.asdict` takes a millisecond per plan.)"""
     return dict(vars(flat))
 
 
@@ -382,8 +380,7 @@ def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
 
 
 def _read(kind: Any, value: Any) -> Any:
-    """Convert a JSON value to the type `kind`. Raises ValueError for other types and infinite
-    numbers."""
+    """Convert a JSON value to `kind`. Raises ValueError for other types and infinite numbers."""
     origin, type_arguments = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)

@@ -47,8 +47,7 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
 
 
 def plan_of(path: Path) -> Plan:
-    """Return the plan in a plan file or a frame file. Raises Rejected (NS0747) for any other
-    file."""
+    """Return the plan in a plan file or a frame file. Raises NS0747 for any other file."""
     return _read(path)[0]
 
 

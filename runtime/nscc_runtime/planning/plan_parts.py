@@ -12,8 +12,7 @@ Loop = Literal["none", "some", "all", "reference"]
 instead."""
 
 MOST_OTHER_STATES = 0.005
-"""Largest fraction of pixels that may end in other states than with all effects, for programs that
-look."""
+"""Largest fraction of pixels that may end in other states than with all effects."""
 
 LATER = MappingProxyType({"later": True})
 """Field metadata: older plan files may lack the field."""
@@ -44,8 +43,7 @@ class Decision:
 
 @dataclass(frozen=True)
 class Approximation:
-    """An approximation of sums, and its RMS error in electrons; `error_e` is None if it was not
-    measured."""
+    """An approximation of sums, and its RMS error in electrons; None if not measured."""
 
     name: str
     error_e: float | None
@@ -88,8 +86,7 @@ class Cost:
 
     @property
     def summary(self) -> str:
-        """A sentence that compares the time of the plan with the time of simulating every
-        effect."""
+        """A sentence that compares the times of the plan and of simulating every effect."""
         text = _saved(self.total_ms, self.all_ms)
         if self.all_planning_ms is not None:
             next_ms, all_ms = self.total_ms - self.planning_ms, self.all_ms - self.all_planning_ms

@@ -48,8 +48,7 @@ class PlannedScene(ABC):
 
     @abstractmethod
     def signal_e(self) -> float:
-        """Return the mean signal of a frame without effects, in electrons
-        (`planning.tolerance.mean_signal_e`)."""
+        """Return the mean signal of a frame without effects, in electrons (see `mean_signal_e`)."""
 
     def noise_e(self) -> float:
         """Return the noise of a frame with every effect, including readout and rounding, in
@@ -65,8 +64,7 @@ class PlannedScene(ABC):
         the user switched off."""
 
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
-        """Return a slower trial with smaller approximation errors than `trial`; None if there is
-        none."""
+        """Return a slower trial with smaller errors than `trial`; None if there is none."""
         return None
 
     def approximates(self, tolerance_e: float | None, noise_part: float | None) -> bool:
@@ -100,5 +98,4 @@ class PlannedScene(ABC):
 
     @abstractmethod
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
-        """Compare up to `count` frames under a plan with the reference and return the measured
-        errors."""
+        """Compare up to `count` frames under a plan with the reference; return their errors."""

@@ -100,8 +100,7 @@ class Sample(WeightedPixels):
 
 
 def near_sampled(near_count: int, scene_pixels: int) -> int:
-    """Return the largest number of pixels that are sampled of `near_count` pixels near
-    saturation."""
+    """Return the largest sample size of `near_count` pixels near saturation."""
     return min(near_count, _OWN + _SPILT + _MORE * near_count // scene_pixels)
 
 

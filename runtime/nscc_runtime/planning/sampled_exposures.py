@@ -36,8 +36,7 @@ _SIDE = 3
 
 @dataclass(frozen=True, eq=False)
 class SampledExposures:
-    """Exposures of the sampled pixels of a scene, in electrons, shape (buckets, pixels). Results
-    are cached."""
+    """Cached exposures (buckets, pixels) of the sampled pixels of a scene, in electrons."""
 
     program: AnalysedProgram
     light: Light
@@ -47,8 +46,7 @@ class SampledExposures:
 
     @remembered
     def expose(self, execution: Execution, frame: int) -> Values:
-        """Return exposures of all sampled pixels by an execution, in electrons (buckets,
-        pixels)."""
+        """Return exposures (buckets, pixels) of all sampled pixels by an execution."""
         if execution.path == "words":
             return self.by_words(execution.kept_effects, slice(None), frame)
         far_exposure_e = self.by_sums(
@@ -66,8 +64,7 @@ class SampledExposures:
     def by_sums(
         self, kept_effects: Selection, requested_effects: Selection, region: str, frame: int
     ) -> Values:
-        """Return exposures by sums of the sampled pixels in a `region`: "far" from saturation or
-        "near" it."""
+        """Return exposures by sums of sampled pixels in `region` "far" or "near" (saturation)."""
         inner = self._arrays[region][2]
         if not len(inner):
             return np.empty((len(self.program.container.buckets), 0))
@@ -112,8 +109,7 @@ class SampledExposures:
         return np.concatenate(exposures, axis=1)
 
     def _numbers(self, frame: int) -> range:
-        """Return the frame numbers that are simulated instead of frame `frame`, one for each
-        repeated exposure."""
+        """Return the frame numbers of the repeated exposures that stand for frame `frame`."""
         frames = self.sample.frames
         return range(frame * frames, (frame + 1) * frames)
 

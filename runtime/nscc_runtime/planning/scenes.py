@@ -102,8 +102,7 @@ class FixedShutters(PlannedScene):
         return work.reference_ns < work.words_ns(everything(), "all")
 
     def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
-        """Return sums, or a slower path if sums may be too inaccurate for a known tolerance, and
-        the reason."""
+        """Return "sums", or a slower path if sums may be too inaccurate, and the reason."""
         if tolerance is None or self.approximates(tolerance.electrons, None):
             return "sums", ""
         return ("reference" if self._reference_is_faster else "words"), APPROXIMATE

@@ -39,8 +39,7 @@ from nscc_runtime.planning.trial import NONE, NOTHING, Move, Names, Setting, Tri
 Values = NDArray[np.float64]
 
 _FRAMES = 4
-"""Number of frames of pixels near saturation that are exposed if all saturating effects are
-dropped."""
+"""Frames of pixels near saturation to expose if all saturating effects are dropped."""
 _UNSEEN = 3.0
 """A set of pixels with this expected number of draws is missed by one sample in twenty."""
 
@@ -71,8 +70,7 @@ class SummedTrial(Trial):
 
     @cached_property
     def running(self) -> int:
-        """Number of pixels of the scene that run through their words, because they are near
-        saturation."""
+        """Number of pixels that run through their words, because they are near saturation."""
         requested_effects = self.requested_effects
         return len(
             near_saturation(self.program, self.light, self.device_seed, requested_effects).places
@@ -230,8 +228,7 @@ class SummedTrial(Trial):
 
     @remembered
     def square_e2(self, names: Names) -> float:
-        """Return the mean square error of dropping all effects that saturate, in square
-        electrons."""
+        """Return the mean square error of dropping all saturating effects, in square electrons."""
         exposed, truth = np.zeros(self._shape), np.zeros(self._shape)
         kept_effects = self._requested_fast_effects.without(*names)
         exposed[:, self.sample.near_pixels] = self.exposures.by_sums(
@@ -265,8 +262,7 @@ class SummedTrial(Trial):
         )
 
     def noise_e(self) -> float:
-        """Return the standard deviation over two frames with every effect, as a root mean
-        square."""
+        """Return the RMS standard deviation over two frames with every effect, in electrons."""
         full_execution = self._unforced.execution(NOTHING)
         exposures = [self._unforced.exposures.expose(full_execution, frame) for frame in range(2)]
         variance = np.nan_to_num(np.var(exposures, axis=0, ddof=1))
@@ -291,8 +287,7 @@ class SummedTrial(Trial):
     # -- What may be left out -----------------------------------------------------------------
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """Return a move for each single effect that sums support, and one for all saturating
-        effects together."""
+        """Return a move for each effect that sums support, and one for all saturating effects."""
         free, all_effects = free - self.absent - self.slow, everything()
         lit = all_effects.names(LitLevel)
         moves = []
@@ -312,8 +307,7 @@ class SummedTrial(Trial):
 
     @remembered
     def too_large(self, tolerance_e: float) -> Names:
-        """Return effects whose noise variance far from saturation certainly exceeds the
-        tolerance."""
+        """Return effects whose noise far from saturation certainly exceeds the tolerance."""
         if self.forced_off:
             return NONE
         program, lanes = self.program, self.program.lanes
@@ -368,8 +362,7 @@ class SummedTrial(Trial):
 
     @remembered
     def saved_ns(self, name: str) -> float:
-        """Return the nanoseconds per pixel saved by dropping an effect, including pixels near
-        saturation."""
+        """Return the nanoseconds per pixel, also near saturation, saved by dropping an effect."""
         if name in self.absent:
             return 0.0
         if name in self.saturation:

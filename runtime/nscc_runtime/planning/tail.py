@@ -19,8 +19,7 @@ _TAIL = 10
 
 @dataclass(frozen=True)
 class Worst:
-    """The 99.9 % quantile and the maximum of the absolute error in the worst bucket, in
-    electrons."""
+    """The 99.9 % quantile and the maximum of the error in the worst bucket, in electrons."""
 
     p999_e: float
     max_e: float

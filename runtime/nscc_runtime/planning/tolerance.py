@@ -53,8 +53,7 @@ class Tolerance:
 
     @property
     def noise_part(self) -> float | None:
-        """The tolerance as a fraction of the noise; None if it was not entered as a fraction of the
-        noise."""
+        """The tolerance as a fraction of the noise; None if it was not entered in this form."""
         return None if self.noise_e is None else self.electrons / self.noise_e
 
     @property

@@ -114,8 +114,7 @@ class Trial(ABC):
         return self.together(Setting(NONE, exact=True))
 
     def approximated(self) -> Difference | None:
-        """Return the error of the approximations with every effect; None if there are no
-        approximations."""
+        """Return the error of the approximations with every effect; None without approximations."""
         return None
 
     @abstractmethod
@@ -135,8 +134,7 @@ class Trial(ABC):
         return [Setting(dropped)]
 
     def unseen_e2(self, setting: Setting) -> float:
-        """Return an allowance, in square electrons, for rare pixels that the sample does not
-        contain."""
+        """Return an allowance in square electrons for rare pixels that the sample lacks."""
         return 0.0
 
     @abstractmethod
@@ -160,8 +158,7 @@ class Trial(ABC):
 
     @abstractmethod
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """Return the nanoseconds per pixel of a frame, and the part due to pixels near
-        saturation."""
+        """Return the nanoseconds per pixel of a frame, and those due to pixels near saturation."""
 
     @abstractmethod
     def planning_ms(self) -> float:

@@ -36,8 +36,7 @@ class WordTrial(SummedTrial):
         return Execution("words", kept_effects, kept_effects, self.requested_effects)
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """Return the error of dropping one effect, by words; by sums if sums show an error above
-        `limit_e`."""
+        """Return the error of dropping one effect, by words, or by sums if above `limit_e`."""
         by_sums = super().alone(effect, False)
         if effect.name in self.slow or Difference(by_sums, self.sample).rms_e > self.limit_e:
             return by_sums
@@ -107,24 +106,21 @@ class ReferenceTrial(WordTrial):
         )
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """Return the error of dropping one effect, by sums; by the reference if only it supports
-        the effect."""
+        """Return the error of dropping one effect, by sums or, if necessary, by the reference."""
         return SummedTrial.alone(self, effect, False)
 
     def moves(self, free: Names) -> Sequence[Move]:
         return []
 
     def noise_ratio(self, setting: Setting) -> float | None:
-        """Return 1, or None if effects are forced off: measuring the ratio by the reference would
-        be slow."""
+        """Return 1; None if effects are forced off, because measuring would be slow."""
         return None if self.forced_off else 1.0
 
     def saved_ns(self, name: str) -> float:
         return self.work.reference_ns if name in self.slow - self.absent else 0.0
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Return the effects that only the reference supports; if there are none, that sums are too
-        inaccurate."""
+        """Return the effects that only the reference supports, or that sums are inaccurate."""
         slow = [e for e in self.requested_effects.effects if e.name in self.slow - self.absent]
         return tuple(map(slow_reason, slow)) or (APPROXIMATE,)
 

@@ -88,8 +88,7 @@ class Reference:
         self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0,
         threads: int | None = None,
     ) -> Exposure:  # fmt: skip
-        """Return the exposure of consecutive rows of a frame, identical to these rows of the whole
-        frame."""
+        """Return the exposure of consecutive rows, identical to these rows of the whole frame."""
         seeds = seed, device_seed
 
         def fall(part_rows: range) -> Fallen:
@@ -158,8 +157,7 @@ def frames(
 
 
 def scene_of(container: Container, light: Light) -> Scene:
-    """Return the light of a frame in the slots of a program. The previous frame has the same
-    light."""
+    """Return the light of a frame and of an equal previous frame, in a program's slots."""
     return Scene(light, light, container.slot_s)
 
 

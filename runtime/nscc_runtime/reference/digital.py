@@ -99,8 +99,7 @@ class Digital:
                 self.written_us[name] = values[pixels]
 
     def merge(self) -> NDArray[np.intp]:
-        """Merge pixels whose bits are equal. Return for each old pixel the index of its new
-        pixel."""
+        """Merge pixels with equal bits. Return for each old pixel the index of its new pixel."""
         times = [
             written_us
             for written_us in self.written_us.values()

@@ -22,8 +22,7 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Intervals:
-    """The intervals of a frame. `starts`: their first slots. `slot_us` (N,): slot lengths in
-    microseconds."""
+    """The intervals of a frame. `starts`: their first slots. `slot_us` (N,): slot lengths."""
 
     starts: tuple[int, ...]
     slot_us: Values

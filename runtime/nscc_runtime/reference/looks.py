@@ -40,8 +40,7 @@ Bits = NDArray[np.bool_]
 WORD_DRAWS = 1
 """Source number, in random keys, of draws for single words."""
 _FIRST_BIT = 256
-"""Group number of the first digital register in the random stream START; analog registers come
-before."""
+"""Group number, in the stream START, of the first digital register, after analog ones."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,7 @@ Values = NDArray[np.float64]
 
 
 class Resets:
-    """The reset levels of some pixels; arrays are (pixels,). Boundaries are identified by
-    increasing numbers."""
+    """The reset levels of some pixels; arrays are (pixels,). Boundaries are rising numbers."""
 
     def __init__(self, effects: Selection, pixels: int) -> None:
         self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
@@ -34,8 +33,7 @@ class Resets:
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
     def lit(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words read the reset level together with the light
-        collected since."""
+        """Return a mask of pixels where words read the reset level with the light since then."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
     def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:

@@ -38,8 +38,7 @@ class Marks:
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
     def fallen(self, pixels: Pixels, charge: Values) -> Values:
-        """Return the charge of PIX after saturation, and mark PIX as full where it is less than
-        `charge`."""
+        """Return the charge of PIX after saturation; mark PIX as full where charge is lost."""
         for effect, clip in self.effects.acting("well"):
             charge_before, charge = charge, clip(pixels, charge)
             if "well" in effect.marks:
@@ -47,8 +46,7 @@ class Marks:
         return charge
 
     def clip_register(self, pixels: Pixels, value: Values, lost_e: Values) -> tuple[Values, Values]:
-        """Return the value of a register after saturation, and the electrons lost so far including
-        `lost_e`."""
+        """Return a register's value after saturation, and the electrons lost including `lost_e`."""
         for effect, clip in self.effects.acting("registers"):
             value_before, value = value, clip(pixels, value)
             if "registers" in effect.marks:

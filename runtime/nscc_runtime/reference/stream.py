@@ -105,8 +105,7 @@ def expose_stream(
 
 @dataclass(frozen=True)
 class _Step:
-    """A stand-in for a word, for effects that number words: a tap, or the loading of a slot's
-    planes."""
+    """A stand-in for a word in effects: a tap, or the loading of a slot's planes."""
 
     number: int
     after_us: float = 0.0

@@ -101,8 +101,7 @@ def running_words(container: Container) -> Iterator[RunningWord]:
 
 
 def retention_us(effects: Selection, sensor: Sensor) -> float:
-    """Return how long digital registers keep their values in microseconds; infinite without
-    decay."""
+    """Return how long digital registers keep values, in microseconds; infinite without decay."""
     return min([kept_us(sensor) for kept_us in effects.at("digital")], default=inf)
 
 

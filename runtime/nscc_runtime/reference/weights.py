@@ -118,8 +118,7 @@ class Backward:
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> NDArray[np.bool_]:
-        """Return the shutters (N, lanes, buckets). Raises Rejected (NS0442) if a weight is neither
-        0 nor 1."""
+        """Return the shutters (N, lanes, buckets). Raises NS0442 for weights other than 0 or 1."""
         is_open = self.slots > 0.5
         if not np.allclose(self.slots, is_open, rtol=0, atol=1e-9):
             raise opens_no_shutters(
@@ -209,8 +208,7 @@ def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:
-    """Return the end of each word of a boundary, as a fraction of the slot whose light is collected
-    meanwhile."""
+    """Return the end of each word of a boundary as a fraction of the slot."""
     ends = [word.after_us / slot_us for word in executed]
     return ends if after_the_last else [min(end, 1.0) for end in ends]
 

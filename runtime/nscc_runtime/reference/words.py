@@ -122,8 +122,7 @@ class WordPixels(Pixels):
         }
 
     def arbitrary(self, group: int) -> Values:
-        """Return uniform numbers, determined by the device, for the initial values of a
-        register."""
+        """Return uniform numbers, fixed by the device, for the initial values of a register."""
         return uniforms(key(self.device_seed, START, group=group), self.places)
 
     @abstractmethod
@@ -172,8 +171,7 @@ class WordPixels(Pixels):
         return self.register[name]
 
     def bus(self, word: RunningWord, acting: Bits) -> None:
-        """Write the negated sum of a word's sources, divided by its divisor, to its destinations
-        where `acting`."""
+        """Write -(sum of a word's sources) / divisor to its destinations where `acting`."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
         full, lost_e = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):

@@ -22,8 +22,7 @@ _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 
 
 def parse_times(text: str) -> tuple[float, ...]:
-    """Parse exposure times in seconds, such as `1/250,1/60,0.066`. Raises Rejected (NS0777) for
-    other texts."""
+    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts."""
     try:
         times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
@@ -110,8 +109,7 @@ def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
-    """Return the logarithm of linear light; 0 for white. Black counts as half the smallest
-    sample."""
+    """Return the logarithm of linear light, 0 for white; black is half the smallest sample."""
     samples = np.arange(np.iinfo(photo.dtype).max + 1)
     light = linear(samples.astype(photo.dtype), transfer)
     light[0] = light[1] / 2
@@ -119,8 +117,7 @@ def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
 
 
 def _exif_exposure(path: Path) -> float:
-    """Return the exposure time, times ISO speed over the square of the f-number if the EXIF
-    contains these."""
+    """Return exposure time times ISO speed over squared f-number, as far as the EXIF has them."""
     from PIL import Image
 
     try:

@@ -19,8 +19,7 @@ Picture = NDArray[np.float32]
 Point = tuple[float, float]
 
 _FEWEST, _MOST = 64, 256
-"""Smallest and largest number of pictures of the clip: fewer would jump, more would need a
-gigabyte."""
+"""Numbers of pictures of the clip: fewer would jump, more would need a gigabyte."""
 
 
 def motion(

@@ -70,8 +70,7 @@ _INVERSES = {"srgb": srgb_to_linear, "pq": pq_to_linear, "hlg": hlg_to_linear}
 
 
 def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the luminance (rows, cols) of linear colours (rows, cols, 3) in the order red, green,
-    blue."""
+    """Return the luminance (rows, cols) of linear red, green, blue (rows, cols, 3)."""
     red, green, blue = LUMINANCE
     return red * rgb[..., 0] + green * rgb[..., 1] + blue * rgb[..., 2]
 
@@ -79,8 +78,7 @@ def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
 def grey(
     stored: NDArray[Any], transfer: Transfer, channel: int | None, white: float | None = None
 ) -> NDArray[np.float64]:
-    """Return the luminance (rows, cols) of a stored picture, or the light of the colour `channel`
-    (0 to 2)."""
+    """Return the luminance (rows, cols) of a stored picture, or of its colour `channel`."""
     if stored.ndim == 3 and channel is not None:
         stored = stored[..., channel]
     light = np.empty(stored.shape[:2])

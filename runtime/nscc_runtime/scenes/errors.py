@@ -16,8 +16,7 @@ Path_or_name = Path | str
 
 
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
-    """Return the error NS0732 for a file that cannot be decoded; `reason` is the text of its
-    reader."""
+    """Return the error NS0732 for an undecodable file; `reason` is the text of its reader."""
     words = " ".join(str(reason).split())[:200]
     ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
@@ -86,8 +85,7 @@ class Census:
                 self.first[kind] = (row + start, *place), float(block[(row, *place)])
 
     def reject(self, name: Path_or_name, corner: tuple[int, int] = (0, 0)) -> None:
-        """Raise Rejected (NS0736) if any value was invalid. `corner`: position of the values in the
-        file."""
+        """Raise NS0736 if any value was invalid. `corner`: position of the values in the file."""
         kinds = [kind for kind, count in self.counts.items() if count]
         if not kinds:
             return
@@ -111,8 +109,7 @@ class Census:
 def refuse_no_light(
     values: NDArray[Any], name: Path_or_name, corner: tuple[int, int] = (0, 0)
 ) -> None:
-    """Raise Rejected (NS0736) if any value is not light. `corner`: position of the values in the
-    file."""
+    """Raise NS0736 if any value is not light. `corner`: position of the values in the file."""
     census = Census()
     census.look(values)
     census.reject(name, corner)

@@ -16,8 +16,7 @@ DEFAULT_PERCENTILE = 99.0
 
 @dataclass(frozen=True)
 class ExposureLevel:
-    """An exposure: `electrons` over the frame for the pixel at `percentile` of the light of all
-    slots."""
+    """An exposure: `electrons` over the frame for the pixel at `percentile` of all light."""
 
     electrons: float
     percentile: float = DEFAULT_PERCENTILE

@@ -33,8 +33,7 @@ NPY_HEADERS: dict[
 """Functions that read shape, order and type of an .npy file, by format version."""
 
 Check = Callable[[tuple[int, ...]], None]
-"""A function that raises Rejected for a shape of light that does not fit the program and the
-array."""
+"""A function that raises Rejected for a shape of light that does not fit the program."""
 
 
 def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:

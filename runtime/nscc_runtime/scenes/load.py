@@ -70,8 +70,7 @@ class _Request:
     progress: Progress = unseen
 
     def check_light(self, shape: tuple[int, ...]) -> None:
-        """Raise Rejected (NS0733 to NS0735) if a `light` array of this shape does not fit the
-        program."""
+        """Raise NS0733 to NS0735 if a `light` array of this shape does not fit the program."""
         light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
@@ -80,8 +79,7 @@ class _Request:
             exposure.needed(self.name)
 
     def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
-        """Return the factor from the scene's unit to electrons: `factor`, or else the factor of the
-        exposure."""
+        """Return the factor from the scene's unit to electrons: given, or from the exposure."""
         if self.factor is not None:
             return self.factor
         assert self.exposure is not None  # `check_exposure` was called
@@ -270,8 +268,7 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
 
 
 def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False) -> PlacedLight:
-    """Return the still or clip of a file, with the file's notes. `usual`: the curve of its
-    format."""
+    """Return the still or clip of a file, with the file's notes. `usual`: its format's curve."""
     for text, help_text in pages.notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
     transfer = request.transfer or pages.transfer or usual
@@ -391,8 +388,7 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
 def _say_changes(
     request: _Request, stored: NDArray[Any], transfer: Transfer, placement: Placement
 ) -> bool:
-    """Return whether the picture is in colour. `warn` gets notes on changes of its size, colours
-    and light."""
+    """Return whether the picture is in colour, and send notes on its changes to `warn`."""
     colour = in_colour(stored)
     if request.channel is None:
         for note in changes(placement, colour, request.name):

@@ -43,8 +43,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
 
 
 def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) -> Diagnostic:
-    """Return NS0776 for a folder: an error, or a warning if missing frames are `skipped` on
-    request."""
+    """Return NS0776 for a folder: an error, or a warning if missing frames are `skipped`."""
     helps = ("convert or remove the files, or add --skip to expose the remaining frames",)
     return Diagnostic(
         "NS0776",

@@ -161,8 +161,7 @@ def _heif_pages(path: Path) -> Pages:
 
 
 def _png_pages(path: Path) -> Pages:
-    """Open a .png: a picture by OpenCV, which keeps 16 bits, or the frames of an animation by
-    Pillow."""
+    """Open a .png: pictures by OpenCV, which keeps 16 bits, animations by Pillow."""
     head = png_head(path)
     pages = _pillow_pages(path) if head.animated else _opencv_pages(path)
     return replace(pages, transfer=head.transfer, notes=head.notes)
@@ -262,8 +261,7 @@ def read_folder(
 
 
 def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
-    """Yield the pictures of a clip, given with their names. Raises Rejected (NS0734) if one differs
-    in size."""
+    """Yield the pictures of a clip, given with names. Raises NS0734 if one differs in size."""
     first: tuple[int, int] | None = None
     for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])

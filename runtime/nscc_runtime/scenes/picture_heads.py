@@ -26,8 +26,7 @@ _GAMMA_SLACK = 500
 
 @dataclass(frozen=True)
 class PngHead:
-    """The header of a PNG file: whether it is an animation, its transfer curve (None if not named),
-    and notes."""
+    """The header of a PNG file. `transfer`: None if the file names no transfer curve."""
 
     animated: bool
     transfer: Transfer | None

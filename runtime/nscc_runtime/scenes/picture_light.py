@@ -19,8 +19,7 @@ from nscc_runtime.scenes.light_arrays import check_type
 _STRIP = 256
 """Number of rows that are converted at a time, to limit memory in double precision."""
 _TINY_NEGATIVE = 1e-3
-"""Samples below 0 by at most this fraction of a picture's peak are set to 0: they are filter
-ringing."""
+"""Samples below 0 by at most this fraction of the peak (filter ringing) are set to 0."""
 
 
 def picture_light(

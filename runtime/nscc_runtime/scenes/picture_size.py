@@ -72,8 +72,7 @@ def _stated_size(path: Path) -> tuple[int, int] | None:
 
 @contextmanager
 def without_pillow_limit() -> Iterator[None]:
-    """Switch off Pillow's limit on pixels in a with block: this module defines the limits of this
-    project."""
+    """Switch off Pillow's limit on pixels in a with block: this module defines the limits."""
     from PIL import Image
 
     pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None

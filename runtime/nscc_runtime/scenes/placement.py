@@ -173,8 +173,7 @@ def taken_for_srgb(name: str) -> Diagnostic:
 
 
 def few_bits(stored: NDArray[Any]) -> bool:
-    """Return whether samples of more than 8 bits use at most a quarter of their range, such as 14
-    bits of 16."""
+    """Return whether 16-bit or deeper samples use at most a quarter of their range."""
     deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
     return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
 

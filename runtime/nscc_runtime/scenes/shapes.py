@@ -46,8 +46,7 @@ def noise(x: Field, y: Field, seed: int) -> Field:
 
 
 def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
-    """Return noise in [0, 1) with detail at `octaves` scales, each half as large and half as
-    strong."""
+    """Return noise in [0, 1) at `octaves` scales, each half as large and half as strong."""
     total = np.zeros((len(y), len(x)))
     strength, sum_of_strengths = 1.0, 0.0
     for octave in range(octaves):
@@ -60,8 +59,7 @@ def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
 
 
 def turn(phase: float) -> tuple[float, float]:
-    """Return a point (x, y) of the unit circle. Phase 0..1 is one turn, at nearly constant
-    speed."""
+    """Return a point (x, y) of the unit circle; phase 0..1 is one turn, at nearly even speed."""
     quarter, fraction = divmod((phase % 1.0) * 4.0, 1.0)
     t = fraction * (
         0.8284 + 0.1716 * fraction * fraction

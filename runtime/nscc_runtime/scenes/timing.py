@@ -18,8 +18,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
 
 _SLACK_FRAMES = Fraction(1, 1000)
-"""The last slot may exceed the clip by this fraction of a frame, such as slots of 16.667 ms at 60
-frames/s."""
+"""The last slot may exceed the clip by this fraction of a frame (16.667 ms at 60 Hz)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +31,7 @@ class Overlaps:
 
 
 def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
-    """Return the N + 1 boundaries of the slots in microseconds, as exact fractions of the printed
-    decimals."""
+    """Return the N + 1 slot boundaries in microseconds, as exact fractions of their decimals."""
     exact = {length: Fraction(repr(float(length))) for length in set(slot_us)}
     return [*accumulate((exact[length] for length in slot_us), initial=Fraction(0))]
 
@@ -151,8 +149,7 @@ def too_short(
 
 
 def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -> NDArray[Any]:
-    """Return the frame of a clip that is used as a still. Raises Rejected (NS0735) beyond the end
-    of the clip."""
+    """Return the frame of a clip used as a still. Raises NS0735 beyond the end of the clip."""
     have = 0
     for have, picture in enumerate(stored, 1):
         if have > first:

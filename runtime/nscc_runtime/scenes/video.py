@@ -148,8 +148,7 @@ def _frames(path: Path, timing: _Timing) -> Iterator[NDArray[Any]]:
 
 
 def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
-    """Yield times and pictures as far as the file can be decoded. Raises ValueError if no frame can
-    be decoded."""
+    """Yield times and pictures while the file can be decoded. Raises ValueError without any."""
     import av
 
     count = 0

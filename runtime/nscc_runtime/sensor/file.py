@@ -26,8 +26,7 @@ def schema() -> Schema[Parameter]:
 
 @cache
 def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
-    """Return the schema of a sensor file with these parameters. Raises ValueError if two have the
-    same name."""
+    """Return the schema of these parameters. Raises ValueError if two have the same name."""
     return Schema(
         "sensor",
         rows,
@@ -56,8 +55,7 @@ def read_sensor(path: Path) -> bytes:
 
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
-    """Return the sensor of a file's bytes; `name` is the file name in messages. Raises like
-    `load_sensor`."""
+    """Return the sensor of a file's bytes; `name` is for messages. Raises like `load_sensor`."""
     file_sensor_values, problems, _ = file_values(schema(), data, name)
     changed, wrong_too = schema().changed(changes)
     if problems or wrong_too:

@@ -24,8 +24,7 @@ _COPIES = 25
 
 @dataclass(frozen=True, eq=False)
 class Naive:
-    """A scene and the shutters of a program's pixels. Both implementations end in a noiseless
-    ADC."""
+    """A scene and the shutters of a program. Both implementations end in a noiseless ADC."""
 
     program: AnalysedProgram
     light: Light
@@ -82,8 +81,7 @@ class Naive:
 
 
 def copy_gb_per_s() -> float:
-    """Return the fastest memory traffic, in GB/s read and written, of copying more than the caches
-    hold."""
+    """Return the memory traffic of copying more than the caches hold, in GB/s, at best."""
     source = np.ones(_COPIED_BYTES // 8)
     target = np.zeros_like(source)
     best_s = np.inf

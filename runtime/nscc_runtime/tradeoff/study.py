@@ -32,8 +32,7 @@ _ORDER = (REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING)
 ELECTRONS, LSB = "e", "lsb"
 
 _POOLED, _MOST_POOLED = 65536, 64
-"""Errors are averaged over more frames of small scenes, up to `_POOLED` pixels and `_MOST_POOLED`
-frames."""
+"""Errors of small scenes use more frames, up to `_POOLED` pixels, `_MOST_POOLED` frames."""
 
 PROGRAM = """nsl 1
 frame 16 slots of 1ms
@@ -70,8 +69,7 @@ class StudySettings:
 
 @dataclass(frozen=True)
 class MeasuredPlan:
-    """A plan with its measured RMS error in the worst bucket, in electrons. `setting`: name of its
-    tolerance."""
+    """A plan for the tolerance `setting`, and its measured RMS error in the worst bucket."""
 
     setting: str
     plan: Plan
@@ -275,8 +273,7 @@ class _Bench:
         return next(iter(self._planned(plan, 1)))
 
     def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
-        """Return frames under a plan, without cached results: the first frame includes the sums
-        over slots."""
+        """Return frames under a plan without cached results: the first includes all sums."""
         light = unknown(self.scene.light)
         return self._on(light).frames(plan, self.settings.seed, count)
 
