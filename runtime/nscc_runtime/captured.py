@@ -80,10 +80,8 @@ class Capture(Frame):
 
     @property
     def truth_e(self) -> NDArray[np.floating[Any]]:
-        """The light without shutters, in the unit of reconstructions.
-
-        Electrons over the frame (rows, cols) for a still, electrons per slot (N, rows, cols) for a
-        clip."""
+        """The light without shutters, in the unit of reconstructions. Electrons over the frame
+        (rows, cols) for a still, electrons per slot (N, rows, cols) for a clip."""
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property

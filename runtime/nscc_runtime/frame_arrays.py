@@ -38,7 +38,6 @@ def read_frame_arrays(
     path: Path, is_needed: Callable[[str], bool] = lambda name: True
 ) -> tuple[Arrays, dict[str, Any]]:
     """Read and check `frame`, the meta, and the arrays of a frame file for which `is_needed(name)`.
-
     Raises InvalidArrays if the file is not a valid frame file, and OSError if it cannot be read."""
     arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or is_needed(name))
     return arrays, checked_meta(arrays)

@@ -133,9 +133,7 @@ def converted(
     frame: int,
 ) -> Frame:
     """Convert the exposure of frame number `frame` to codes, with the noise of the converter in
-    `effects`.
-
-    `seeds`: noise seed, device seed."""
+    `effects`. `seeds`: noise seed, device seed."""
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
     places = np.arange(shape[1] * shape[2], dtype=np.int64)
@@ -242,10 +240,8 @@ def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
 
 @dataclass(frozen=True)
 class Provenance:
-    """The origin of a frame.
-
-    `program_sha256`: digest of the container. Seeds are None if nothing was simulated. `plan`,
-    `audit`: JSON values."""
+    """The origin of a frame. `program_sha256`: digest of the container. Seeds are None if nothing
+    was simulated. `plan`, `audit`: JSON values."""
 
     program_sha256: str
     sensor: Sensor
@@ -312,10 +308,8 @@ def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
 def meta(
     container: Container | None, light: Light | None, frame: Frame, origin: Provenance
 ) -> dict[str, Any]:
-    """Return the `meta` of a frame file.
-
-    `container`: None for a program on a device, whose buckets are numbered. `light`: None if the
-    scene is unknown."""
+    """Return the `meta` of a frame file. `container`: None for a program on a device, whose buckets
+    are numbered. `light`: None if the scene is unknown."""
     sensor = origin.sensor
     numbered = [f"bucket{number}" for number in range(frame.frame.shape[-3])]
     return {
@@ -372,10 +366,8 @@ class FrameFile:
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
     ) -> FrameFile:
-        """Return the file of a frame, with the contents named in `keep` (see KEEP).
-
-        Without light, none is kept. `shutters`: the argument of `packed_shutters`, needed to keep
-        "shutter"."""
+        """Return the file of a frame, with the contents named in `keep` (see KEEP). Without light,
+        none is kept. `shutters`: the argument of `packed_shutters`, needed to keep "shutter"."""
         kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:

@@ -57,7 +57,6 @@ class LoopParameter:
 
     def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
         """Return the address of an argument. Raises TypeError if it does not match the declaration.
-
         `axes`: the lengths known so far; new lengths are added."""
         return (self._address(value, axes),)
 

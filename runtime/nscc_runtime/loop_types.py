@@ -30,10 +30,8 @@ extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
 def signature(parameters: Iterable[tuple[type | None, list[tuple[np.dtype[Any], bool]]]]) -> Any:
-    """Return the numba signature of a loop.
-
-    For each parameter: the NamedTuple class or None, and for each of its arrays the dtype and
-    whether it is one record."""
+    """Return the numba signature of a loop. For each parameter: the NamedTuple class or None, and
+    for each of its arrays the dtype and whether it is one record."""
     parameter_types = []
     for together, arrays in parameters:
         kinds = [_type(*array) for array in arrays]

@@ -102,7 +102,6 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
 
 def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
     """Link an object file into this process and return its functions, which run without the GIL.
-
     `parameters`: number of addresses that each entry takes."""
     import llvmlite.binding as llvm
 

@@ -45,9 +45,8 @@ class BucketReadout:
 
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
-    """Return the buckets of one frame of a container with pixels.
-
-    Raises Rejected for programs with images or planes."""
+    """Return the buckets of one frame of a container with pixels. Raises Rejected for programs with
+    images or planes."""
     refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")

@@ -12,9 +12,8 @@ R = TypeVar("R")
 
 
 def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], R]:
-    """Cache a method's results for equal arguments, which must be positional and hashable.
-
-    Results are stored in the object's `__dict__`, like those of `functools.cached_property`."""
+    """Cache a method's results for equal arguments, which must be positional and hashable. Results
+    are stored in the object's `__dict__`, like those of `functools.cached_property`."""
     name = f"remembered {method.__name__}"
 
     @wraps(method)

@@ -121,9 +121,8 @@ def _joined(pieces: Sequence[Simulated], placement: Placement, colours: int) -> 
 def _for_all(
     container: Container, lights: Sequence[Light], sensor: Sensor, request: Request
 ) -> Request:
-    """Return the request with one tolerance for all lights, which have equal sizes.
-
-    A fraction of the noise is converted to electrons only if plans are measured against it."""
+    """Return the request with one tolerance for all lights, which have equal sizes. A fraction of
+    the noise is converted to electrons only if plans are measured against it."""
     if not request.planned or container.target.streamed:
         return request
     from nscc_runtime.emulator.capture import check

@@ -60,9 +60,8 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
 
 
 def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int) -> None:
-    """Call `run(strip)` for consecutive strips of rows, `threads` at a time.
-
-    All strips in work together have at most `most` rows, or one row each."""
+    """Call `run(strip)` for consecutive strips of rows, `threads` at a time. All strips in work
+    together have at most `most` rows, or one row each."""
     strip_rows = max(1, min(most // threads, -(-len(rows) // threads)))
     strips = [rows[first : first + strip_rows] for first in range(0, len(rows), strip_rows)]
 

@@ -87,7 +87,6 @@ def laid_of(
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     """Return a sensor, from its file, or from values by name; other values have their defaults.
-
     Raises WrongArgument for other objects, and Rejected like `load_sensor`."""
     if isinstance(sensor, Sensor):
         return sensor

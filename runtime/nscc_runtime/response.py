@@ -79,13 +79,11 @@ def _shutter_response(container: Container, sensor: Sensor, effects: Selection) 
 
 shutter_response = OfContainer(_shutter_response)
 """Return the `ShutterResponse` of a program whose pixels do not look, cached for its arguments.
-
 Arguments: container, sensor, effects. Raises Rejected (NS0442) for words that open no shutters."""
 
 
 def open_shutters(container: Container) -> NDArray[np.bool_]:
     """Return the shutters (shutters, buckets, N) of a program, from its table or from its words.
-
     Raises Rejected (NS0442) for words that open no shutters."""
     if container.has_table:
         return container.table.shutters

@@ -342,9 +342,8 @@ def _planned(
 def _make_plan(
     scene: PlannedScene, container: Container, light: Light, sensor: Sensor, request: Request
 ) -> Plan:
-    """Return a plan made for this scene, or an earlier plan that covers it.
-
-    If the user requests a plan file or an audit, every figure of the table is measured."""
+    """Return a plan made for this scene, or an earlier plan that covers it. If the user requests a
+    plan file or an audit, every figure of the table is measured."""
     from nscc_runtime.planning.make import PlanRequest, make_plan
 
     turn, repeat = request.turn, request.repeat or 1

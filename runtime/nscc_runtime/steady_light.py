@@ -33,9 +33,8 @@ class Courses:
 
 
 def courses(container: Container, behaviour: int, wells: Values, frame: int = 0) -> Courses:
-    """Return the courses of a behaviour in frame number `frame`.
-
-    Kept states have the program's start values in frame 0 and continue from there."""
+    """Return the courses of a behaviour in frame number `frame`. Kept states have the program's
+    start values in frame 0 and continue from there."""
     machine = container.machine
     assert machine is not None
     nodes = np.full(len(wells), machine.start_nodes()[behaviour])

@@ -101,9 +101,8 @@ def calibrate_files(
     crosstalk: float | None = None,
     progress: Progress = unseen,
 ) -> Calibration:
-    """Calibrate from files, folders or PATH@TIME, one level each.
-
-    `crosstalk`: None to measure it. Raises Rejected for unreadable or unsuitable frames."""
+    """Calibrate from files, folders or PATH@TIME, one level each. `crosstalk`: None to measure it.
+    Raises Rejected for unreadable or unsuitable frames."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]

@@ -54,10 +54,8 @@ class Stack:
 
 
 def load_stack(source: str, top_code: int) -> Stack:
-    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`.
-
-    Raises Rejected (status 2): NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable
-    pictures."""
+    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`. Raises Rejected (status
+    2): NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable pictures."""
     path, time_s = _timed(source)
     name = str(path)
     if not path.exists():

@@ -97,9 +97,8 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
 
 
 def root(variance: float, error: float) -> tuple[float, float]:
-    """Return the square root of a variance, which may be negative, and its standard error.
-
-    Near 0 the error is the increase of the root if the variance grows by its error."""
+    """Return the square root of a variance, which may be negative, and its standard error. Near 0
+    the error is the increase of the root if the variance grows by its error."""
     value = sqrt(max(variance, 0.0))
     if value > 0 and variance > error:
         return value, error / (2 * value)

@@ -53,10 +53,8 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def execute(self, container: Container, channels: int) -> ExecutedFrame:
-        """Expose one frame of a container with the requested `channels`.
-
-        The bytes are all codes, then all exposures, by readout and column, then all planes of
-        states."""
+        """Expose one frame of a container with the requested `channels`. The bytes are all codes,
+        then all exposures, by readout and column, then all planes of states."""
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:

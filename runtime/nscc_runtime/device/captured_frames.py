@@ -34,9 +34,7 @@ def exposed(
     progress: Progress = unseen,
 ) -> tuple[Frame, dict[str, Any]]:
     """Expose one frame, or `repeat` frames, with a program on a device. Return the frame and its
-    meta.
-
-    `light`: the scene, if known. Raises Rejected (status 3) if the device fails."""
+    meta. `light`: the scene, if known. Raises Rejected (status 3) if the device fails."""
     chip.upload(container)
     most = repeat or 1
     shots = (chip.capture(container) for _ in range(most))
@@ -63,9 +61,8 @@ def device_meta(
 
 
 def target_of(chip: DeviceChip, named: str | None = None) -> Target:
-    """Return the target of a device: the target named by the user, or else by the device.
-
-    Raises Rejected if the device was built for another target table."""
+    """Return the target of a device: the target named by the user, or else by the device. Raises
+    Rejected if the device was built for another target table."""
     info = chip.info()
     name = named or (info.target_name if info.target_name in target_names() else "scamp5")
     target = load_target(name, Path())
@@ -76,9 +73,7 @@ def target_of(chip: DeviceChip, named: str | None = None) -> Target:
 
 def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
     """Yield up to `most` unused paths frame-000001.npz and so on in `folder`, `every_s` seconds
-    apart.
-
-    Raises Rejected (NS0784) if the folder cannot be created."""
+    apart. Raises Rejected (NS0784) if the folder cannot be created."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -99,7 +94,6 @@ def capture_to(
     path: Path, chip: DeviceChip, target: Target, sensor: Sensor, container: Container | None
 ) -> None:
     """Expose a frame of `container`, or of the program on the device if None, and write its file.
-
     `meta` additionally contains `time_utc` and `device_time_us`."""
     stamp = datetime.now(UTC).isoformat(timespec="microseconds")
     shot = chip.capture(container) if container else chip.capture_held(target)

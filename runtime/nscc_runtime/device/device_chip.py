@@ -93,9 +93,8 @@ class DeviceChip:
         return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
-        """Upload a program unless the device has it already.
-
-        A program that keeps states is always sent, which resets the states."""
+        """Upload a program unless the device has it already. A program that keeps states is always
+        sent, which resets the states."""
         program = self._program(container)
         info = self.info()
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))

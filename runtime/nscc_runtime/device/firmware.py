@@ -65,10 +65,8 @@ def compiler() -> str | None:
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled now or cached. Raises NotBuilt.
-
-    It is stored in `folder`, by default nscc's cache folder, or a temporary folder without a cache.
-    """
+    """Return the loader for a target, compiled now or cached. Raises NotBuilt. It is stored in
+    `folder`, by default nscc's cache folder, or a temporary folder without a cache."""
     compiler_path = compiler()
     if compiler_path is None:
         raise NotBuilt("no C++ compiler was found")

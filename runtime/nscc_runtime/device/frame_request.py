@@ -16,10 +16,8 @@ _BESIDE_S = 10.0
 
 @dataclass(eq=False)
 class FrameRequest:
-    """A frame to be exposed, with a unique number. `received`: its bytes so far.
-
-    `program` is None if only the device knows it; `pixels` is then the number of pixels of the
-    frame."""
+    """A frame to be exposed, with a unique number. `received`: its bytes so far. `program` is None
+    if only the device knows it; `pixels` is then the number of pixels of the frame."""
 
     number: int
     channels: int
@@ -51,10 +49,8 @@ class FrameRequest:
 
 
 class FrameBytes:
-    """The received bytes of a frame. `origin` identifies the exposure.
-
-    They are kept when the line is lost, because a loader discards bytes that the host has
-    confirmed."""
+    """The received bytes of a frame. `origin` identifies the exposure. They are kept when the line
+    is lost, because a loader discards bytes that the host has confirmed."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
         self.origin = origin

@@ -195,9 +195,8 @@ class Host:
         return max(self._round_s + 4 * self._spread_s, _SHORTEST_WAIT_S) + self._line_s
 
     def ask(self, kind: PacketKind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
-        """Send a request, repeatedly if necessary, and return its reply.
-
-        Raises RequestRefused, SessionLost, Silent or Stalled."""
+        """Send a request, repeatedly if necessary, and return its reply. Raises RequestRefused,
+        SessionLost, Silent or Stalled."""
         sent: dict[int, float] = {}
         wait = self.wait_s
         while True:

@@ -24,10 +24,8 @@ _WINDOW_BITS = 16384 * 10
 
 
 class SerialLink:
-    """An open port with its host.
-
-    Methods raise Rejected (status 3) if the device fails. A lost port is reopened for at most
-    `patience_s` seconds, and the task resumes."""
+    """An open port with its host. Methods raise Rejected (status 3) if the device fails. A lost
+    port is reopened for at most `patience_s` seconds, and the task resumes."""
 
     def __init__(
         self, path: str, *, baud: int = DEFAULT_BAUD, patience_s: float = PATIENCE_S

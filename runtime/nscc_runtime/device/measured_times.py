@@ -64,9 +64,8 @@ class MeasuredTimes:
 
 
 def measured(link: SerialLink, target: Target) -> MeasuredTimes:
-    """Measure the times of the device behind a link; its program is replaced.
-
-    Raises Rejected (NS0723, status 3) for a device on which words take no time."""
+    """Measure the times of the device behind a link; its program is replaced. Raises Rejected
+    (NS0723, status 3) for a device on which words take no time."""
     register = target.digital_registers[-1]
     analog, digital = op("nop"), op("CLR", [register])
 

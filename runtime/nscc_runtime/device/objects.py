@@ -130,10 +130,8 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """Return a container in the form that is sent; `label` is 32 bytes.
-
-    Raises Rejected: NS0741 for a program without pixel codes, NS0510 for a program with planes
-    instead of words."""
+    """Return a container in the form that is sent; `label` is 32 bytes. Raises Rejected: NS0741 for
+    a program without pixel codes, NS0510 for a program with planes instead of words."""
     refuse_planes(
         container.target,
         "the loader runs words, but this program has planes of bits",

@@ -119,10 +119,8 @@ def container_of(
     states: Sequence[int],
     planes: dict[int, bytes],
 ) -> Container:
-    """Return the commands to a chip as a container for the emulator.
-
-    Each digital register that is sent with the frame is a state of one bit, with the register's
-    name."""
+    """Return the commands to a chip as a container for the emulator. Each digital register that is
+    sent with the frame is a state of one bit, with the register's name."""
     shape = (target.rows, target.cols)
     slot_us = tuple(us for count, us in runs for _ in range(count))
     bits: dict[str, NDArray[np.bool_]] = {}

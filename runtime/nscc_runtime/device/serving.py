@@ -104,9 +104,8 @@ class Terminal:
 
 
 class StandInServer:
-    """Transfers bytes between a terminal and a loader, with `faults` of the line.
-
-    `moved` is called with the new name of the port if the name changes."""
+    """Transfers bytes between a terminal and a loader, with `faults` of the line. `moved` is called
+    with the new name of the port if the name changes."""
 
     def __init__(
         self, loader: Loaded, faults: LineFaults, moved: Callable[[str], None] = lambda _: None

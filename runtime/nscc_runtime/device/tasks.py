@@ -265,10 +265,8 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
 
 @dataclass(frozen=True)
 class _Range:
-    """A pending request for bytes `start` to `stop` of the frame, sent at `since`.
-
-    `alone`: whether no other request was pending, so that its first packet measures the reply time.
-    """
+    """A pending request for bytes `start` to `stop` of the frame, sent at `since`. `alone`: whether
+    no other request was pending, so that its first packet measures the reply time."""
 
     start: int
     stop: int

@@ -23,10 +23,8 @@ value of the same name."""
 
 @dataclass(frozen=True, slots=True)
 class Parameter(Key):
-    """A row of the sensor's schema: a number with unit, range and default.
-
-    Under a heading, parameters are sorted by `place`. Calling a parameter with a sensor returns its
-    value."""
+    """A row of the sensor's schema: a number with unit, range and default. Under a heading,
+    parameters are sorted by `place`. Calling a parameter with a sensor returns its value."""
 
     kind: Number
     place: int = 0

@@ -66,9 +66,8 @@ class CountedDark(Counted, stage="charge"):
 
 @dataclass(frozen=True)
 class Exchange(Part, stage="neighbours"):
-    """A fraction of a pixel's charge moves to each of its four neighbours.
-
-    `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards."""
+    """A fraction of a pixel's charge moves to each of its four neighbours. `smeared(charge (..,
+    rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]
@@ -115,9 +114,8 @@ class WordGain(Part, stage="words"):
 
 @dataclass(frozen=True)
 class Leak(Part, stage="hold"):
-    """Registers decay exponentially at a rate `per_s` in 1/s that differs between pixels.
-
-    The rates are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`."""
+    """Registers decay exponentially at a rate `per_s` in 1/s that differs between pixels. The rates
+    are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`."""
 
     per_s: OnDevice
     tau_s: OfSensor

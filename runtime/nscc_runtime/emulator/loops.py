@@ -298,10 +298,8 @@ def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int)
 
 @record
 class PixelBlock:
-    """A block of pixels, and sizes.
-
-    `pixels`: number of pixels of the array. `first` (a multiple of 64), `length`: the pixels that
-    are exposed. `flag_plane`: FLAG's plane. `pix_row`: PIX's row."""
+    """A block of pixels, and sizes. `pixels`: number of pixels of the array. `first` (a multiple of
+    64), `length`: the pixels that are exposed. `flag_plane`: FLAG's plane. `pix_row`: PIX's row."""
 
     slots: int
     pixels: int

@@ -86,10 +86,8 @@ class Steps:
 
 
 def steps_of(container: Container, layout: Layout) -> Steps:
-    """Decode every kernel and sort the launches by boundary.
-
-    Raises Rejected like `nscc.words.legality.decoded`. The schedule must be sound
-    (`nscc.words.soundness`)."""
+    """Decode every kernel and sort the launches by boundary. Raises Rejected like
+    `nscc.words.legality.decoded`. The schedule must be sound (`nscc.words.soundness`)."""
     translator = _Translator(container.target, layout)
     rows: list[tuple[int, ...]] = []
     kernel_start = [0]

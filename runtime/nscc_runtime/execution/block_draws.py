@@ -136,9 +136,8 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 @inlined
 def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
-    """Set out[i] to the normal number of places[first + i].
-
-    The two steps are separate loops, because a single loop runs out of processor registers."""
+    """Set out[i] to the normal number of places[first + i]. The two steps are separate loops,
+    because a single loop runs out of processor registers."""
     for i in range(count):
         out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
     for i in range(count):
@@ -212,9 +211,8 @@ def read_out(
     places: Ints, first: int, count: int, values: Floats, at: int, scratch: Floats, codes: Bytes,
     out: int,
 ) -> None:  # fmt: skip
-    """Set codes[out + i] to the converter code of the exposure values[at + i]; 0 for NaN.
-
-    The noise of the converter is drawn at places[first + i]."""
+    """Set codes[out + i] to the converter code of the exposure values[at + i]; 0 for NaN. The noise
+    of the converter is drawn at places[first + i]."""
     if noisy:
         drawn_normals(stream, places, first, count, scratch)
         for i in range(count):

@@ -101,10 +101,8 @@ def _count_between(
     sizes: Sizes, counts: CountScratch, top: int, first: int, stop: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
-    """Return the count of a group in the slots `first` to `stop` - 1.
-
-    The heap from index `top` on contains the counts of tree nodes that were already split for this
-    pixel."""
+    """Return the count of a group in the slots `first` to `stop` - 1. The heap from index `top` on
+    contains the counts of tree nodes that were already split for this pixel."""
     total = 0.0
     low, high = first + sizes.padded_slots, stop + sizes.padded_slots
     while low < high:
@@ -208,9 +206,8 @@ def _charge_spread_evenly(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     away: Away,
 ) -> float:  # fmt: skip
-    """Return the charge of a site in the slots `begin` to `stop` - 1, from known counts.
-
-    The deviations in `away` are split between slots in proportion to their light."""
+    """Return the charge of a site in the slots `begin` to `stop` - 1, from known counts. The
+    deviations in `away` are split between slots in proportion to their light."""
     slots, site, sums = sizes.slots, 2 * sites.number[place], sites.sums
     lit, dark, scale = sites.rows[site + LIT], sites.rows[site + DARK], sites.scales[site + LIT]
     pixels, total = sizes.rows * sizes.cols, 0.0
@@ -275,9 +272,8 @@ def charge_evenly(
 def least_charge(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites
 ) -> float:
-    """Return a lower bound of the charge of a pixel in the slots `begin` to `stop` - 1.
-
-    The probability of a smaller charge is below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound)."""
+    """Return a lower bound of the charge of a pixel in the slots `begin` to `stop` - 1. The
+    probability of a smaller charge is below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound)."""
     site, mean = 2 * sites.number[place] + LIT, 0.0
     row = sites.rows[site]
     for _ in range(sizes.groups):

@@ -188,9 +188,7 @@ class SimulatedChip:
     @cached_property
     def beside_weights(self) -> NDArray[np.float32]:
         """Weights (counted groups, 4, buckets, pixels) of neighbours' counts in a pixel's
-        exposures.
-
-        The neighbours are above, below, left and right."""
+        exposures. The neighbours are above, below, left and right."""
         program, model = self.program, self.program.model(self.kept_effects)
         buckets = len(program.container.buckets)
         return self.array.recent.of(

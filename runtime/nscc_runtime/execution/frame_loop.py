@@ -221,7 +221,6 @@ def convert(
     marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:
     """Convert exposures to codes (`frame`; 0 for NaN), and set `valid` where exposures are finite.
-
     `scratch` is working memory for `BLOCK` pixels."""
     for first in range(reading.begin, reading.end, BLOCK):
         stop = min(first + BLOCK, reading.end)

@@ -64,10 +64,8 @@ class Execution:
 
 @dataclass(frozen=True, eq=False)
 class ExecutedScene:
-    """A scene that is exposed frame by frame.
-
-    `threads`: number of threads; results do not depend on it. `torch_device`: the torch device that
-    computes sums; None for the processor."""
+    """A scene that is exposed frame by frame. `threads`: number of threads; results do not depend
+    on it. `torch_device`: the torch device that computes sums; None for the processor."""
 
     program: AnalysedProgram
     light: Light
@@ -140,7 +138,6 @@ class ExecutedScene:
         self, exposure: Values, marked: Marked, away: Values, seed: int, frame: int
     ) -> None:
         """Replace the exposures of pixels near saturation by the results of their words.
-
         Neighbours' counts are taken from sums if `counts_agree`."""
         assert self._near_saturation is not None
         running, places = self._near_saturation, self._near_saturation.chosen
@@ -216,8 +213,7 @@ def executed(
     threads: int | None = None,
     torch_device: str | None = None,
 ) -> ExecutedScene:
-    """Return a scene to be exposed frame by frame.
-
-    Raises Rejected if light and program do not fit, like `nscc_runtime.emulator.expose`."""
+    """Return a scene to be exposed frame by frame. Raises Rejected if light and program do not fit,
+    like `nscc_runtime.emulator.expose`."""
     check_size(program.container, light)
     return ExecutedScene(program, light, execution, device_seed, threads_of(threads), torch_device)

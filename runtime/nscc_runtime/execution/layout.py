@@ -12,9 +12,8 @@ from nscc_runtime.loop import Floats, Ints, Written, record
 
 @record
 class Switches:
-    """Switches of effects in the loops (0: off), and sizes.
-
-    Each effect names its switches, numbers and keys in an `nscc_runtime.effects.effect.InLoop`."""
+    """Switches of effects in the loops (0: off), and sizes. Each effect names its switches, numbers
+    and keys in an `nscc_runtime.effects.effect.InLoop`."""
 
     registers: int
     buckets: int
@@ -70,9 +69,8 @@ class Sizes:
 
 @record
 class Numbers:
-    """Parameters of effects. Variances are those of the logarithm.
-
-    `pix_start` and `register_start`: twice the largest content at the start of a frame."""
+    """Parameters of effects. Variances are those of the logarithm. `pix_start` and
+    `register_start`: twice the largest content at the start of a frame."""
 
     pix_start: float
     register_start: float

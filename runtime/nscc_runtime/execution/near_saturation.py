@@ -126,7 +126,6 @@ class _Search:
 
     def _charges(self, places: Places) -> tuple[Values, Values]:
         """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
-
         Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours."""
         weights, dark_s, _ = self._of_lanes
         lanes = self.chip.array.flat_lanes[places]

@@ -69,10 +69,8 @@ _MOST_KEYS = 16
 
 @dataclass(frozen=True, eq=False)
 class LaneWords:
-    """The words of a program by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`.
-
-    `groups` (lanes, N): the group of each slot. `group_ids`: the numbers of the groups in random
-    keys."""
+    """The words of a program by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`. `groups`
+    (lanes, N): the group of each slot. `group_ids`: the numbers of the groups in random keys."""
 
     reference: Reference
     program: LoopProgram
@@ -159,7 +157,6 @@ class KnownCounts:
 @dataclass(frozen=True, eq=False)
 class Wired:
     """The words of a program under some effects on one chip, bound to the loop, for any scene.
-
     Raises ValueError for effects that the loop does not support."""
 
     words: LaneWords

@@ -41,10 +41,8 @@ class RegisterReach:
 
 
 def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> RegisterReach:
-    """Return the reach of a program's registers, deterministically.
-
-    `kept_effects`: the effects with noise. `linear_e`: largest linear register value, in electrons.
-    """
+    """Return the reach of a program's registers, deterministically. `kept_effects`: the effects
+    with noise. `linear_e`: largest linear register value, in electrons."""
     lanes, slots = len(tables.container.encoding), tables.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in tables.decayed])
@@ -146,10 +144,8 @@ class _RegisterState:
 
 @dataclass(eq=False)
 class _RegisterReach:
-    """The reach of the registers that were written so far.
-
-    `held_weights`: shape (kinds, lanes, stretches). `error_e`: mean and spread of the fixed error.
-    """
+    """The reach of the registers that were written so far. `held_weights`: shape (kinds, lanes,
+    stretches). `error_e`: mean and spread of the fixed error."""
 
     linear_e: float
     error_e: tuple[float, float]

@@ -90,7 +90,6 @@ def sites_of(
     threads: int,
 ) -> Sites:
     """Return the sites at `places`, of a chip whose pixels have these `lanes` (rows, cols).
-
     `switches`: the fields of `Laying` that effects set."""
     count, even, groups = len(places), light.even, times.groups
     row = groups * (light.slots + 1)

@@ -69,9 +69,8 @@ def _smear(
     sizes: SceneSizes, frames: Floats32, share: Floats32, frame: int, first: int, stop: int,
     lit: Floats32, at: int,
 ) -> None:  # fmt: skip
-    """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame.
-
-    The border reflects. All pixels belong to one row."""
+    """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame. The
+    border reflects. All pixels belong to one row."""
     cols, c = sizes.cols, np.float32(sizes.fraction)
     row = first // cols
     up_step = -cols if row > 0 else 0

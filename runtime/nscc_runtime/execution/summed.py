@@ -56,9 +56,8 @@ APPROXIMATIONS: Sequence[str] = (
 
 @dataclass(frozen=True, eq=False)
 class SummedScene:
-    """A scene on the pixels of a chip, whose frames are weighted sums with noise.
-
-    `known` caches sums of the light: planning compares sets of effects that share them."""
+    """A scene on the pixels of a chip, whose frames are weighted sums with noise. `known` caches
+    sums of the light: planning compares sets of effects that share them."""
 
     chip: SimulatedChip
     light: Light

@@ -60,10 +60,8 @@ class FrameWeights:
 
 
 class SlotWeights:
-    """One or more weights (N, lanes) of slots.
-
-    The weights of the last light's frames are cached, because series of frames have the same
-    timing."""
+    """One or more weights (N, lanes) of slots. The weights of the last light's frames are cached,
+    because series of frames have the same timing."""
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
         self.slots = [*slots]

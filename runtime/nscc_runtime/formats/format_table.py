@@ -52,9 +52,7 @@ def endings(*kinds: str) -> tuple[str, ...]:
 
 def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
     """Return the lower-case ending of a file name, or the first of `allowed` if the name has no
-    ending.
-
-    Raises Rejected (NS0786) for any other ending."""
+    ending. Raises Rejected (NS0786) for any other ending."""
     ending = path.suffix.lower()
     if ending in allowed:
         return ending
@@ -72,9 +70,8 @@ def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
 
 
 def file_of(path: Path, content: Content, product: str) -> Product:
-    """Return the bytes of an output file, or a function that writes it.
-
-    Raises Rejected (NS0786) if the format of the ending cannot hold the content."""
+    """Return the bytes of an output file, or a function that writes it. Raises Rejected (NS0786) if
+    the format of the ending cannot hold the content."""
     ending = check_ending(path, endings(), product)
     format_ = FORMATS[ending]
     lacks = content.lacks(format_.holds)

@@ -42,9 +42,7 @@ def frame_content(
 
 def _picture(values: NDArray[Any]) -> NDArray[Any]:
     """Reshape (buckets, rows, cols) to (rows, buckets * cols), with 0 for values that are not
-    finite.
-
-    A leading axis of colours becomes the last axis."""
+    finite. A leading axis of colours becomes the last axis."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
     np.copyto(side, 0, where=~np.isfinite(side))
     return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
@@ -79,10 +77,8 @@ def benchmark_arrays(
 
 
 def shutter_content(arrays: Arrays) -> Content:
-    """Return the content of `nscc shutters`.
-
-    A .mat file contains `mask` (rows, cols, T), an .npy file (buckets, rows, cols, T), both of 0
-    and 1."""
+    """Return the content of `nscc shutters`. A .mat file contains `mask` (rows, cols, T), an .npy
+    file (buckets, rows, cols, T), both of 0 and 1."""
     count = int(arrays["shutter_shape"][3])
 
     def opened() -> NDArray[np.uint8]:

@@ -94,9 +94,8 @@ class LookingProgram:
         rows: range | None = None,
         threads: int = 1,
     ) -> Executed:
-        """Return a frame, or consecutive rows of it, like `LookingReference.expose`.
-
-        Results do not depend on `threads`. Raises ValueError if `lacks` returns reasons."""
+        """Return a frame, or consecutive rows of it, like `LookingReference.expose`. Results do not
+        depend on `threads`. Raises ValueError if `lacks` returns reasons."""
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
         joined = intervals.joined(scene)
 

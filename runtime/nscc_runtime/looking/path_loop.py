@@ -81,10 +81,8 @@ class PathKeys:
 
 
 class Segments(NamedTuple):
-    """Segments of paths. The words of segment k are acting[start[k] : start[k + 1]].
-
-    Pixels whose comparison has the answer a continue with following[k, a]: a segment, or -1 - e for
-    ending e."""
+    """Segments of paths. The words of segment k are acting[start[k] : start[k + 1]]. Pixels whose
+    comparison has the answer a continue with following[k, a]: a segment, or -1 - e for ending e."""
 
     start: Annotated[Ints, "segments+1"]
     acting: Ints

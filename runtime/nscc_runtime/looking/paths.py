@@ -54,9 +54,7 @@ class Paths:
     @classmethod
     def of(cls, container: Container, retention_us: float = inf) -> Paths:
         """Return the paths of a container with a state machine. Raises Pathless if they cannot be
-        followed.
-
-        A digital register reads 0 if no word wrote it for more than `retention_us`."""
+        followed. A digital register reads 0 if no word wrote it for more than `retention_us`."""
         starts = _starts(container)
         walk = _PathReplay(container, starts, retention_us)
         words = walk.run()
@@ -72,9 +70,8 @@ class Paths:
     def begins(
         self, loaded: Mapping[str, NDArray[Any]], shape: tuple[int, ...]
     ) -> NDArray[np.int64]:
-        """Return the first segment of pixels of a `shape` with the `loaded` bits.
-
-        Raises ValueError for bits that belong to no code and no kept state."""
+        """Return the first segment of pixels of a `shape` with the `loaded` bits. Raises ValueError
+        for bits that belong to no code and no kept state."""
         numbers, first = self._packed
         loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
@@ -95,9 +92,7 @@ def _paths_of(container: Container, retention_us: float) -> Paths | str:
 
 paths_of = OfContainer(_paths_of)
 """Return the paths of a container with a state machine, or a text with the reason why there are
-none.
-
-Arguments: container, microseconds for which digital registers keep their values."""
+none. Arguments: container, microseconds for which digital registers keep their values."""
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:

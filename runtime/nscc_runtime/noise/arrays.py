@@ -29,7 +29,6 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
 
 def normals(key: np.uint64, pixels: Pixels) -> Floats:
     """Return standard normal numbers: the normal quantiles of `uniforms` of the same key and pixel.
-
     The relative error is below 1e-12 within +-8.21, and numbers are monotonic in `uniforms`."""
     from nscc_runtime.noise.noise_loops import Draws, fill_normals
 

@@ -157,9 +157,7 @@ def _rarer(u: float, n: float, p: float) -> float:
 @compiled
 def binomial(u: float, n: float, p: float) -> float:
     """Return the number of successes in n trials: the smallest count whose distribution function
-    reaches u.
-
-    n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
+    reaches u. n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
     if n <= 0.0 or p <= 0.0:
         return 0.0
     if p >= 1.0:

@@ -38,9 +38,8 @@ def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
 
 @inlined
 def unit(random: np.uint64) -> float:
-    """Return the odd multiple of 2**-53 inside (0, 1) given by the upper 52 bits of `random`.
-
-    The numbers are symmetric about 1/2, and 1 - u is exact."""
+    """Return the odd multiple of 2**-53 inside (0, 1) given by the upper 52 bits of `random`. The
+    numbers are symmetric about 1/2, and 1 - u is exact."""
     # The bits become the fraction of a number in [1, 2): no conversion of integers, which not
     # every processor has for vectors.
     fraction = np.uint64((random >> _SHIFT_52) | _ONE_TO_TWO).view(np.float64) - 1.0

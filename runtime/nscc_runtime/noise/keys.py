@@ -44,10 +44,8 @@ def base(seed: int, effect: int, source: int = 0) -> np.uint64:
 
 
 def philox(counter: tuple[int, int, int, int], key: tuple[int, int]) -> tuple[int, int, int, int]:
-    """Return four 32-bit words from a counter and a key, by Philox4x32-10.
-
-    Reference: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC
-    2011."""
+    """Return four 32-bit words from a counter and a key, by Philox4x32-10. Reference: Salmon,
+    Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011."""
     a, b, c, d = counter
     k, m = key
     for _ in range(_ROUNDS):

@@ -51,10 +51,8 @@ def _drawable(rate: float, cap: float) -> float:
 
 @compiled
 def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
-    """Replace the uniform numbers out[i] by counts of the formula.
-
-    There are no branches, so LLVM vectorises the loops. Rates below SEARCH_BELOW count as
-    SEARCH_BELOW."""
+    """Replace the uniform numbers out[i] by counts of the formula. There are no branches, so LLVM
+    vectorises the loops. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
     for i in range(first, stop):
         out[i] = normal(out[i])
     for i in range(first, stop):
@@ -69,7 +67,6 @@ def _searched(
     drawn: Floats,
 ) -> None:  # fmt: skip
     """Replace the uniform numbers out[i] by counts of `search`, step by step for the whole block.
-
     Rates are below SEARCH_BELOW. LLVM vectorises each step."""
     count = stop - first
     for i in range(count):
@@ -133,9 +130,7 @@ def fill_poisson(
     mass: Written[Floats], drawn: Written[Floats],
 ) -> None:  # fmt: skip
     """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
-    is a number.
-
-    Arguments from `rates` on are working memory for `BLOCK` pixels each."""
+    is a number. Arguments from `rates` on are working memory for `BLOCK` pixels each."""
     count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, BLOCK):
         stop = min(first + BLOCK, count)
@@ -193,9 +188,8 @@ def fill_thin(
     spread: Spread, pixels: _Places, counts: Annotated[Floats, "count"],
     shares: Annotated[Floats, "sharers slots"], out: Written[Annotated[Floats, "count slots"]],
 ) -> None:  # fmt: skip
-    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
-
-    Tree nodes are numbered as in a heap: 1 is the root."""
+    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..]. Tree
+    nodes are numbered as in a heap: 1 is the root."""
     slots, stride, stream = spread.slots, spread.stride, spread.key
     leaf_count = 1
     while leaf_count < slots:

@@ -49,9 +49,8 @@ def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 def poisson(
     keys: torch.Tensor, places: torch.Tensor, rate: torch.Tensor, cap: float
 ) -> torch.Tensor:
-    """Return Poisson counts (.., places) of rates that broadcast to this shape.
-
-    Rates above `cap` count as `cap`, NaN as 0."""
+    """Return Poisson counts (.., places) of rates that broadcast to this shape. Rates above `cap`
+    count as `cap`, NaN as 0."""
     u = uniforms(keys, places)
     rate = torch.where(rate > 0.0, rate, 0.0).clamp(max=cap).expand(u.shape)
     counts = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)

@@ -115,9 +115,8 @@ def search(u: float, rate: float) -> float:
 
 @compiled
 def _walk(u: float, rate: float, start: float) -> float:
-    """Return the smallest count whose distribution function reaches u, searching from `start`.
-
-    The smaller tail is added up, so that both tails are as accurate as the middle."""
+    """Return the smallest count whose distribution function reaches u, searching from `start`. The
+    smaller tail is added up, so that both tails are as accurate as the middle."""
     k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:

@@ -31,9 +31,8 @@ class Image:
 
 
 def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None = None) -> Figure:
-    """Draw rows of images; images of equal size in a row have equal magnification.
-
-    `side`: inches per side of an image; None for an equal share of the page width."""
+    """Draw rows of images; images of equal size in a row have equal magnification. `side`: inches
+    per side of an image; None for an equal share of the page width."""
     columns = max(map(len, rows))
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 

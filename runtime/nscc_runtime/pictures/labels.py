@@ -61,9 +61,8 @@ class ChartLabel:
 
 
 def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
-    """Write the labels in this order, and return those for which there is no free position.
-
-    The figure must have its final layout (`sheet.lay_out`)."""
+    """Write the labels in this order, and return those for which there is no free position. The
+    figure must have its final layout (`sheet.lay_out`)."""
     drawn = _Drawn(axes)
     return [label for label in labels if label.text and not drawn.write(label)]
 

@@ -41,9 +41,7 @@ _MOST_FLIPS = 400
 
 def course_sheet(container: Container, title: str) -> Figure:
     """Draw, for some codes, the open times of pixels (across) against light (up), with looks and
-    thresholds.
-
-    A second panel shows the total open time and the states that are read."""
+    thresholds. A second panel shows the total open time and the states that are read."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 

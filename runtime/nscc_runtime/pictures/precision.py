@@ -81,9 +81,8 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Draw all panels, with one scale of time, and one scale of errors per label.
-
-    Raises ValueError without points."""
+    """Draw all panels, with one scale of time, and one scale of errors per label. Raises ValueError
+    without points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]

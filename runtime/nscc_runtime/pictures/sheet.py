@@ -127,9 +127,8 @@ def _round_to_dots(inches: float) -> float:
 
 
 def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
-    """Return width and height in inches of an image (rows, cols) in a square of side `room`.
-
-    The image is magnified by a whole number if possible, to avoid moire."""
+    """Return width and height in inches of an image (rows, cols) in a square of side `room`. The
+    image is magnified by a whole number if possible, to avoid moire."""
     dots = room * DPI / max(shape[:2])
     zoom = max(1, int(dots)) / DPI
     return shape[1] * zoom, shape[0] * zoom

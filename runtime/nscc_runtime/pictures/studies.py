@@ -135,7 +135,6 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
 
 def budget_diagram(studies: Sequence[Study]) -> Figure:
     """Draw, for each scene, the size of its effects, and the time that leaving each out saves.
-
     Effects of the readout are excluded. Raises ValueError without scenes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch

@@ -41,9 +41,8 @@ class WeightedPixels:
         return np.asarray((values * self.weight).sum(axis=-1) / max(self.weight.sum(), 1e-300))
 
     def standard_error(self, values: Values) -> Values:
-        """Return the standard error of `mean(values)`; 0 without pixels.
-
-        A pixel of weight 1 was certain to be drawn and adds no sampling error."""
+        """Return the standard error of `mean(values)`; 0 without pixels. A pixel of weight 1 was
+        certain to be drawn and adds no sampling error."""
         if not values.size:
             return np.zeros(values.shape[:-1])
         not_sampled = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
@@ -72,9 +71,8 @@ class ExposureErrors:
 
     @classmethod
     def of(cls, exposure_e: Values, truth_e: Values) -> ExposureErrors:
-        """Return the errors of exposures (outputs, pixels) of a program without states.
-
-        Pixels whose true exposure is not finite are not compared."""
+        """Return the errors of exposures (outputs, pixels) of a program without states. Pixels
+        whose true exposure is not finite are not compared."""
         compared = np.isfinite(truth_e)
         with np.errstate(invalid="ignore"):
             away_e = np.where(np.isfinite(exposure_e), exposure_e - truth_e, _NO_NUMBER_E)

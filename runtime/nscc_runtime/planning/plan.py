@@ -272,9 +272,8 @@ class Plan:
 
     @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> Plan:
-        """Return the plan of JSON values that `as_json` returned.
-
-        Raises KeyError, TypeError or ValueError for any other value."""
+        """Return the plan of JSON values that `as_json` returned. Raises KeyError, TypeError or
+        ValueError for any other value."""
         names = {"slot_loop": "slot_loop_pixels", "decisions": "effects"}
         plan: Plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
         plan = replace(plan, decisions=_of_this_version(plan.decisions))
@@ -363,10 +362,8 @@ def _as_json(flat: Decision | Approximation | Cost) -> dict[str, Any]:
 
 
 def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
-    """Return decisions on all effects of this version, in order.
-
-    Effects that an older file does not contain are simulated. Raises ValueError for unknown
-    effects."""
+    """Return decisions on all effects of this version, in order. Effects that an older file does
+    not contain are simulated. Raises ValueError for unknown effects."""
     named = {(decision.name, decision.kind): decision for decision in decisions}
     known = [(effect.name, effect.kind) for effect in registered()]
     if len(named) < len(decisions) or not named.keys() <= {*known}:

@@ -68,10 +68,8 @@ class PlannedScene(ABC):
         return None
 
     def approximates(self, tolerance_e: float | None, noise_part: float | None) -> bool:
-        """Return whether the approximations of sums are certainly small.
-
-        They are compared with `tolerance_e`, or, if that is None, with the fraction `noise_part` of
-        the noise."""
+        """Return whether the approximations of sums are certainly small. They are compared with
+        `tolerance_e`, or, if that is None, with the fraction `noise_part` of the noise."""
         return True
 
     @abstractmethod

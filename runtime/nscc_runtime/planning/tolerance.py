@@ -150,9 +150,7 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPT
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
     """Return the mean absolute exposure in electrons, each clipped to the full well; NaN is
-    ignored.
-
-    `exposure_e`: exposures without effects, any shape. Returns 0 if all are NaN."""
+    ignored. `exposure_e`: exposures without effects, any shape. Returns 0 if all are NaN."""
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
     most_e = everything().require_part(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0

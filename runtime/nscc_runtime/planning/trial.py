@@ -20,10 +20,8 @@ NONE: Names = frozenset()
 
 @dataclass(frozen=True)
 class Setting:
-    """The effects that an execution leaves out.
-
-    `dropped`: for all pixels, except that pixels near saturation only lack `near_dropped`. `exact`:
-    see `nscc_runtime.execution.frames.Execution`."""
+    """The effects that an execution leaves out. `dropped`: for all pixels, except that pixels near
+    saturation only lack `near_dropped`. `exact`: see `nscc_runtime.execution.frames.Execution`."""
 
     dropped: Names
     near_dropped: Names = NONE

@@ -142,9 +142,8 @@ def frames(
     count: int = 1,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`.
-
-    Raises Rejected, before the first frame, for programs and light that cannot run."""
+    """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`. Raises
+    Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     reference = Reference.of(container, sensor, effects)
     scene = scene_of(container, light)

@@ -45,10 +45,8 @@ _FIRST_BIT = 256
 
 @dataclass(frozen=True, eq=False)
 class LookingReference:
-    """A program whose pixels look, prepared for simulation with the given effects.
-
-    Raises Rejected for words that cannot run. Results do not depend on `threads` (None: all
-    processors)."""
+    """A program whose pixels look, prepared for simulation with the given effects. Raises Rejected
+    for words that cannot run. Results do not depend on `threads` (None: all processors)."""
 
     container: Container
     sensor: Sensor

@@ -57,9 +57,8 @@ def stream_frames(
     count: int = 1,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 of `light` with converter codes.
-
-    Raises Rejected, before the first frame, for programs and light that cannot run."""
+    """Yield frames 0 to `count` - 1 of `light` with converter codes. Raises Rejected, before the
+    first frame, for programs and light that cannot run."""
     check(container, light)
     scene = scene_of(container, light)
     seeds = seed, device_seed

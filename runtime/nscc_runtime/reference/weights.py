@@ -247,9 +247,7 @@ def error_sign(destination: str, container: Container) -> float:
 
 def orthonormal(weights: ByName[int]) -> ByName[int]:
     """Return the weights with orthonormal columns in each lane, by Gram-Schmidt over the buckets in
-    order.
-
-    A bucket whose weights depend linearly on earlier buckets becomes 0."""
+    order. A bucket whose weights depend linearly on earlier buckets becomes 0."""
     if not weights:
         return weights
     names = list(weights)

@@ -35,9 +35,8 @@ def parse_times(text: str) -> tuple[float, ...]:
 
 
 def bracket_files(spec: str) -> list[Path]:
-    """Return the photos of a folder, or of a pattern such as `b/*.jpg`, in order.
-
-    Raises Rejected (NS0777) for fewer than two photos."""
+    """Return the photos of a folder, or of a pattern such as `b/*.jpg`, in order. Raises Rejected
+    (NS0777) for fewer than two photos."""
     path = Path(spec)
     files = files_of(path, skip=True) if path.is_dir() else [Path(p) for p in sorted(glob(spec))]
     if len(files) < 2:

@@ -62,9 +62,7 @@ class Census:
 
     def look(self, block: NDArray[Any], start: int = 0) -> None:
         """Count the invalid values of `block`, whose first axis begins at `start` (a 2-D block at
-        0).
-
-        Values above float32's range count as infinite."""
+        0). Values above float32's range count as infinite."""
         if block.size == 0:
             return
         top = np.float64(np.finfo(np.float32).max)

@@ -60,9 +60,7 @@ def exr_pages(path: Path) -> Pages:
 
 def _picture_layer(channels: Mapping[str, Any]) -> str | None:
     """Return the prefix of the channels with the picture of a part, '' or 'NAME.'; None if there is
-    no picture.
-
-    Raises UnsupportedPicture if several layers contain pictures."""
+    no picture. Raises UnsupportedPicture if several layers contain pictures."""
     prefixes = {name.rpartition(".")[0] for name in channels}
     layers = [f"{prefix}." if prefix else "" for prefix in sorted(prefixes)]
     usable = [

@@ -50,9 +50,8 @@ def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
 
 
 def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
-    """Raise Rejected (NS0733 to NS0735) for a `light` array that does not fit.
-
-    It must fit a program with `slots` slots and an array of size `need` (rows, cols)."""
+    """Raise Rejected (NS0733 to NS0735) for a `light` array that does not fit. It must fit a
+    program with `slots` slots and an array of size `need` (rows, cols)."""
     _refuse_other_axes(name, shape, slots, need)
     if len(shape) not in (2, 3):
         raise rejected(
@@ -202,9 +201,7 @@ def clip_white(clip: NDArray[Any]) -> float | None:
 
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     """Read the scene in a .mat file: ("light", float32 array) or ("orig", array (rows, cols, T) as
-    stored).
-
-    `light` has precedence. Raises Rejected like `read_light`."""
+    stored). `light` has precedence. Raises Rejected like `read_light`."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
         names = mat_names(path)

@@ -36,9 +36,7 @@ def is_hdf5(path: Path) -> bool:
 
 def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
     """Return the shapes of the variables in a .mat file of any version; () for variables that are
-    not arrays.
-
-    Raises the exceptions of scipy and h5py for a damaged file."""
+    not arrays. Raises the exceptions of scipy and h5py for a damaged file."""
     if is_hdf5(path):
         import h5py
 
@@ -60,10 +58,8 @@ def mat_names(path: Path) -> list[str]:
 
 
 def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read an array by name, with axes in MATLAB's order.
-
-    Raises ValueError if it is not an array, and InvalidArrays if it needs more than `most_bytes`.
-    """
+    """Read an array by name, with axes in MATLAB's order. Raises ValueError if it is not an array,
+    and InvalidArrays if it needs more than `most_bytes`."""
     arrays = mat_arrays(path, [name], most_bytes)
     if name not in arrays:
         raise ValueError(f"'{name}' is not an array")
@@ -101,7 +97,6 @@ def mat_arrays(
 
 def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
     """Unpack the compressed elements of a version 5 file block by block, and yield the block sizes.
-
     The size in the header of an element may be wrong."""
     head = file.read(_HEADER_BYTES)
     orders = {b"IM": "<", b"MI": ">"}

@@ -242,10 +242,8 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Iterator[NDArray[Any]]:
-    """Yield the frames of a folder as stored.
-
-    With `skip`, damaged files are reported to `warn` (NS0776) and left out. Raises Rejected
-    (NS0734) if one differs in size from the first."""
+    """Yield the frames of a folder as stored. With `skip`, damaged files are reported to `warn`
+    (NS0776) and left out. Raises Rejected (NS0734) if one differs in size from the first."""
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
         for path in pictures:

@@ -21,9 +21,8 @@ _NOTE = (
 
 
 def raw_pages(path: Path) -> Pages:
-    """Open the picture of a raw file: uint16, 65535 at the camera's white level.
-
-    No curve, no colour balance and no brightening are applied. Raises ImportError without rawpy."""
+    """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
+    colour balance and no brightening are applied. Raises ImportError without rawpy."""
     import rawpy
 
     def read() -> Iterator[NDArray[Any]]:

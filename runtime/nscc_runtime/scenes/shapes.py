@@ -28,9 +28,8 @@ def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
 
 
 def noise(x: Field, y: Field, seed: int) -> Field:
-    """Return a smooth random field (rows, cols) in [0, 1) with grain size 1.
-
-    x (cols,) and y (rows,) are the coordinates of columns and rows."""
+    """Return a smooth random field (rows, cols) in [0, 1) with grain size 1. x (cols,) and y
+    (rows,) are the coordinates of columns and rows."""
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     first_col, first_row = int(column.min()), int(row.min())
     across = np.arange(first_col, int(column.max()) + 2, dtype=np.int64)

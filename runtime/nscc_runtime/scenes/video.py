@@ -172,9 +172,7 @@ def _upright(picture: NDArray[Any], degrees: int) -> NDArray[Any]:
 
 def picture_of(frame: Any) -> NDArray[Any]:
     """Return red, green and blue (R, C, 3) of a decoded frame, by the matrix and the range that the
-    frame names.
-
-    Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits."""
+    frame names. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))

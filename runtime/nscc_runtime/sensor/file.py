@@ -74,9 +74,8 @@ def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
 
 
 def completed(given_values: Mapping[str, float], target: Target) -> Sensor:
-    """Return the sensor of checked values; other parameters have their defaults.
-
-    The default of `electrons_per_lsb` maps the full well to the top code."""
+    """Return the sensor of checked values; other parameters have their defaults. The default of
+    `electrons_per_lsb` maps the full well to the top code."""
     values: dict[str, float] = {}
     for row in schema().keys:
         known = row.name in given_values

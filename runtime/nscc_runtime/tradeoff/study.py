@@ -285,10 +285,8 @@ def unknown(light: Light) -> Light:
 
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
-    """Return the RMS difference in electrons and in codes, each of the worst bucket.
-
-    Only pixels that are valid in both frames count. Both are infinite if a bucket has no valid
-    pixel."""
+    """Return the RMS difference in electrons and in codes, each of the worst bucket. Only pixels
+    that are valid in both frames count. Both are infinite if a bucket has no valid pixel."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
     for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid
