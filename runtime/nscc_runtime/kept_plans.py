@@ -39,8 +39,8 @@ Values = NDArray[np.float64]
 _MORE = 1.03
 """Largest factor by which light may grow: plans leave a tenth of their tolerance as margin."""
 _LESS, _LESS_OF_PART = 0.5, 0.95
-"""If light falls below `_LESS`, a new plan is made, because it may be cheaper. If the tolerance is
-relative, the limit is `_LESS_OF_PART`, because the tolerance has become smaller."""
+"""A new plan is made if light falls below `_LESS` of the earlier light, because it may be cheaper.
+For a relative tolerance, which becomes smaller with light, the limit is `_LESS_OF_PART`."""
 _STEEP = (EIGHTH, LARGEST, OPEN + EIGHTH, OPEN + LARGEST)
 """Sizes that decide how many pixels saturate."""
 _SHIFTED = 0.02
@@ -99,7 +99,7 @@ class Statistics:
 
 
 def _course(light: Light) -> Values:
-    """Return `Statistics.course` of a light."""
+    """Return the fraction of all light that is collected by the end of each frame (frames,)."""
     weight, frames = light.frame_weight, light.frames
     if len(frames) == 1:
         return np.ones(1)
@@ -110,7 +110,7 @@ def _course(light: Light) -> Values:
 
 
 def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
-    """Return `Statistics.sizes` of light `total` (rows, cols) in electrons."""
+    """Return mean, powers, maximum and differences of light `total` (see `Statistics.sizes`)."""
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
         pixels=ArraySize(rows=rows, cols=cols), total=total, open_fraction=open_part,

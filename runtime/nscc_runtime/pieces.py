@@ -107,7 +107,7 @@ def simulate_scene(
 
 
 def _joined(pieces: Sequence[Simulated], placement: Placement, colours: int) -> Simulated:
-    """Join the results of all pieces of `colours` colours."""
+    """Return the joined result of all pieces of a scene with `colours` colours."""
     frames, piece_count = [piece.frame for piece in pieces], len(pieces) // colours
     frames = [
         joined(frames[k : k + piece_count], placement.joined)
@@ -131,7 +131,7 @@ def _for_all(
     from nscc_runtime.planning.tolerance import OPTION_MAX, noise_part, tolerance_of
 
     class All:
-        """All the lights together."""
+        """A scene of all lights, for relative tolerances."""
 
         def planned_scenes(self) -> Iterator[PlannedScene]:
             for light in lights:

@@ -250,7 +250,7 @@ def _pictured(
 def _exact(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Frame:
-    """Return frames with words executed slot by slot, without effects or by the reference."""
+    """Expose by executing words slot by slot, without effects or by the reference."""
     repeat = request.repeat
     if container.machine is not None:
         return _gathered(_looking(container, light, sensor, request, listener), repeat, listener)
@@ -424,7 +424,7 @@ def _instead(plan_given: bool) -> str:
 
 
 def _broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
-    """Return the error (status 1) that the audit measured more than the tolerance."""
+    """Return the error (status 1) for an audit that measured more than the tolerance."""
     if plan.breach is not None:
         advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:

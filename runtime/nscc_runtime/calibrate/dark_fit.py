@@ -32,7 +32,7 @@ class DarkFit:
     times_s: tuple[float, ...]
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return the codes (2, rows, cols)without light, from the even and the odd frames."""
+        """Return the codes (2, rows, cols) without light, from the even and the odd frames."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
@@ -95,7 +95,7 @@ def _size(terms: np.ndarray) -> float:
 
 
 def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
-    """Return the weighted sum of the half maps of the levels."""
+    """Return the weighted sum (2, rows, cols) of the levels' `halves`."""
     terms = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
     return sum(terms, start=np.zeros_like(levels[0].halves))
 

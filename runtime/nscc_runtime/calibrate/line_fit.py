@@ -73,7 +73,7 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
 def propagated(
     function: Callable[[Vector], float], values: Sequence[float], covariance: Vector
 ) -> tuple[float, float]:
-    """Return a function of uncertain values and its standard error, to first order."""
+    """Return `function` of uncertain `values`, and its standard error to first order."""
     at = np.array(values, np.float64)
     gradient = np.zeros(len(at))
     for i, error in enumerate(np.sqrt(np.diag(covariance))):

@@ -25,13 +25,13 @@ _TAKEN = {
     "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
     "dark_spread_fraction": "dark_spread",
 }  # fmt: skip
-"""Parameters that equal a measured quantity."""
+"""The measured quantity that equals each of these parameters."""
 _SOURCES = _TAKEN | {
     "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
     "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
     "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
 }  # fmt: skip
-"""The measured quantity that each parameter is related to."""
+"""The measured quantity to which each parameter is related."""
 
 
 @dataclass(frozen=True)

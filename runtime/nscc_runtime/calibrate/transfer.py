@@ -23,7 +23,7 @@ LINEAR_PART = 0.7
 _DROP = 0.2
 """A relative drop of the variance of this size beyond its maximum indicates saturation."""
 _STILL = 0.1
-"""If less than this fraction of the shot noise remains, all saturated pixels are at their limit."""
+"""All saturated pixels are at their limit if less than this fraction of the shot noise remains."""
 
 
 @dataclass(frozen=True)

@@ -72,8 +72,8 @@ class EmulatedChip:
         )
 
     def _converting(self, container: Container) -> Sensor:
-        """Return the sensor that converts exposures. If the program has no free register for
-        spreading exposures over all codes, its scale is adapted."""
+        """Return the sensor with the code scale of this program, whose registers may not allow
+        spreading."""
         from nscc_runtime.sensor import default_sensor
 
         program_sensor = default_sensor(converter_of(container))

@@ -40,7 +40,7 @@ class Loaded(Protocol):
         """Return at most `room` bytes for the line."""
 
     def announce(self) -> None:
-        """Restart."""
+        """Restart the loader."""
 
     def watched(self) -> list[int]:
         """Return the file descriptors whose input gives `poll` work."""

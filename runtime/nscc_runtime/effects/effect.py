@@ -56,7 +56,7 @@ STAGES = {
 
 @dataclass(frozen=True)
 class CannotHave:
-    """Declares that a path cannot simulate an effect, with the reason."""
+    """Declares that the loops or sums cannot simulate an effect, with the reason."""
 
     reason: str
 

@@ -21,7 +21,7 @@ Values = NDArray[np.float64]
 
 
 class Part:
-    """A part of an effect. It replaces the effect's function at a `stage` of the reference."""
+    """A part of an effect, which fast paths use instead of the effect's function at a `stage`."""
 
     stage: ClassVar[str] = ""
 

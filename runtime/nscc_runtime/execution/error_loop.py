@@ -63,7 +63,7 @@ def draw_errors(
     sizes: Sizes, buckets: int, of_sum: np.uint64, of_part: np.uint64, place: int, lane: int,
     lanes: Lanes, words: OfWords, kind: int, errors: ErrorScratch,
 ) -> None:  # fmt: skip
-    """Draw the unit normal errors of one kind for each word of a lane into `errors.drawn`.
+    """Draw the standard normal errors of one kind for each word of a lane into `errors.drawn`.
 
     Q (z - Q^T x) is added to the draws x of the words, where z are the draws of the buckets and Q
     are their weights. The weighted sum of the errors then equals z."""

@@ -99,7 +99,7 @@ class AnalysedProgram:
 
     @cached_property
     def reach(self) -> RegisterReach:
-        """The reach of the registers with every effect."""
+        """The charge up to which registers stay linear, with every effect."""
         all_effects = everything()
         return reach_of(
             self.tables, all_effects, all_effects.require_part(Soft).linear_e(self.sensor)

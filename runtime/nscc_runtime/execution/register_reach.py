@@ -41,8 +41,9 @@ class RegisterReach:
 
 
 def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> RegisterReach:
-    """Return the reach of a program's registers, deterministically. `kept_effects`: the effects
-    with noise. `linear_e`: largest linear register value, in electrons."""
+    """Return the charge up to which a program's registers stay in their linear range.
+    `kept_effects`: the effects with noise. `linear_e`: largest linear register value, in electrons.
+    """
     lanes, slots = len(tables.container.encoding), tables.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in tables.decayed])
@@ -64,8 +65,8 @@ def _farthest(
     tables: Tables, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64], kept_effects:
     Selection, linear_e: float,
 ) -> _RegisterReach:  # fmt: skip
-    """Run the words over `sampled_lanes`, with stretches of slots that end at the boundaries
-    `ends`, and return the reach."""
+    """Run the words over `sampled_lanes` and return the linear range of the written registers.
+    Stretches of slots end at the boundaries `ends`."""
     gain_part, sensor = kept_effects.find_part(WordGain), tables.program.sensor
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
     state = _RegisterState(tables, len(sampled_lanes), len(ends), kept_effects)
@@ -144,8 +145,10 @@ class _RegisterState:
 
 @dataclass(eq=False)
 class _RegisterReach:
-    """The reach of the registers that were written so far. `held_weights`: shape (kinds, lanes,
-    stretches). `error_e`: mean and spread of the fixed error."""
+    """The linear range of the registers that were written so far (see `RegisterReach`).
+
+    `held_weights`: shape (kinds, lanes, stretches). `error_e`: mean and spread of the fixed error.
+    """
 
     linear_e: float
     error_e: tuple[float, float]

@@ -53,7 +53,7 @@ class FrameWeights:
 
     @cached_property
     def most_part(self) -> NDArray[np.float64]:
-        """Largest weight (lanes,) as a fraction of a frame's total weight."""
+        """Largest weight (lanes,) of a frame, as a fraction of the frame's total weight."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
         np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
         return np.asarray(fractions.max(axis=(0, 1)))
@@ -72,7 +72,7 @@ class SlotWeights:
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
-        """Return the weights of a light's frames."""
+        """Return these weights converted to weights of the frames of `light`."""
         last = self._last  # other threads may replace it
         if last is None or last.timing != light.timing:
             last = FrameWeights.of(light, self.slots)
@@ -81,8 +81,8 @@ class SlotWeights:
         return last
 
     def batches(self, light: Light) -> Iterator[tuple[slice, FrameWeights]]:
-        """Yield the weights of a light's frames in batches that fit into memory, with the slice of
-        sums of each batch."""
+        """Yield these weights, converted to frames of `light`, in batches that fit into memory,
+        each with its slice of the weights."""
         room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
         if room >= len(self.slots):
             yield slice(0, len(self.slots)), self.of_frames(light)

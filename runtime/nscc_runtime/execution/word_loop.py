@@ -29,7 +29,7 @@ ADDED, SUBTRACTED, LEVEL = 1, 2, 4
 """Saturation marks of a register: it contains a full PIX with positive or negative sign, or a full
 PIX in the level of a reset."""
 _bent = in_loop("bends")
-"""Soft saturation of a register, by the effect with this switch."""
+"""The function in loops for soft saturation of a register."""
 
 
 @inlined
@@ -164,8 +164,8 @@ def read_out(
     switches: Switches, numbers: Numbers, block: int, count: int, readouts: Readouts, fixed: Fixed,
     contents: RegisterContents, pixels: int, first: int, out: Floats, marked: Bytes,
 ) -> None:  # fmt: skip
-    """Read out a block of pixels, `first` and following of `pixels`: set their exposures `out` and
-    their saturation marks `marked`."""
+    """Read out the pixels of a block into `out` (electrons) and `marked` (saturation marks), from
+    pixel number `first` of `pixels` on."""
     for bucket in range(switches.buckets):
         gain = readouts.gain[bucket]
         negative = gain < 0.0

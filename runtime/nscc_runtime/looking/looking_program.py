@@ -52,9 +52,9 @@ Bits = NDArray[np.bool_]
 _CELLS = 1 << 18
 """Number of intervals x pixels whose charge is computed at once, so that it stays in the cache."""
 BEFORE_WORDS = {"scene", "light", "response", "count", "charge", "neighbours"}
-"""Stages outside the loop: charge and converter codes are computed by the reference."""
+"""Stages before the words of a frame: the reference computes the charge."""
 _AFTER_WORDS = {"converter", "codes"}
-"""Stages that need no part in the loop: charge is made, and codes are, as in the reference."""
+"""Stages after the words of a frame: the reference computes the codes."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -139,7 +139,7 @@ def quantile(z: float, n: float, p: float) -> float:
 
 @compiled
 def _rarer(u: float, n: float, p: float) -> float:
-    """Return the count for p up to 1/2."""
+    """Return the number of successes in n trials for p up to 1/2 (see `binomial`)."""
     if n * p < SEARCH_BELOW:
         return _search(u, n, p)
     z = normal(u)

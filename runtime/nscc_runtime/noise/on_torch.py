@@ -63,7 +63,8 @@ def poisson(
 
 
 def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
-    """Return `nscc_runtime.noise.poisson_law.quantile` of tensors."""
+    """Return a number that, rounded down, is the Poisson count at the normal quantile z, as
+    `nscc_runtime.noise.poisson_law.quantile` does."""
     root, square = rate.sqrt(), z * z
     order_2 = z * (1 / 36 + square * (1 / 72))
     order_3 = square * (7 / 810 + square * (1 / 270)) - 8 / 405

@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from networkx import DiGraph
 
 _COLUMNS = 23
-"""Number of gates and demands per row."""
+"""Number of gates and demands (values needed in FLAG) per row."""
 _MOST = 16 * _COLUMNS
 """Largest number of gates and demands that are drawn, in complete boundaries from the first on."""
 _LEAST = 14
 """Smallest number of columns of a picture, with room for the heading."""
 _COLUMN, _STAVE = 0.32, 0.21
-"""Inches."""
+"""Width of a column and height of a register's line, in inches."""
 _ABOVE, _BELOW = 0.42, 0.42
 _HOLDER = 40
 """Largest number of letters for the content of a register."""

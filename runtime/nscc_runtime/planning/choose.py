@@ -23,7 +23,7 @@ _SURE = 0.97
 """Effects are dropped only while the measured error plus two standard errors is at most this
 fraction of the tolerance."""
 _MOST_MOVES = 10
-"""This number of moves, those that save most time, is considered, with all subsets."""
+"""All subsets of this number of moves, those that save most time, are compared."""
 _TRIED, _FEW = 8, 2
 """Largest number of sets to measure: `_TRIED` with measurements near saturation, `_FEW` without."""
 

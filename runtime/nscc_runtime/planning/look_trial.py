@@ -196,8 +196,8 @@ class LookTrial(Trial):
         ]
 
     def noise_e(self) -> float:
-        """Return the RMS over sampled pixels of the noise of a frame, from pixels that end in the
-        same states in two frames."""
+        """Return the RMS noise of a frame in electrons, from pixels with equal states in two
+        frames."""
         loaded, first = self._film[0]
         numbers, inner = range(1, 1 + self.sample.frames), self.sample.inner
         pairs = [

@@ -377,7 +377,7 @@ def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
 
 
 def _read(kind: Any, value: Any) -> Any:
-    """Convert a JSON value to `kind`. Raises ValueError for other types and infinite numbers."""
+    """Convert a JSON value to the type `kind`. Raises ValueError for other types and infinity."""
     origin, type_arguments = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)

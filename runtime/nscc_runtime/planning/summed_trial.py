@@ -329,8 +329,8 @@ class SummedTrial(Trial):
     def settings(self, dropped: Names) -> Sequence[Setting]:
         """Return settings that drop these effects, cheapest first.
 
-        For pixels near saturation, the dropped effects that cost them time are dropped as well; or
-        the same without crosstalk; or none."""
+        They differ in the effects that pixels near saturation lack: those dropped effects that cost
+        them time, the same except crosstalk, or none."""
         all_effects = everything()
         slow_words = all_effects.names(SlowWords) | all_effects.names(LitLevel)
         costly = (

@@ -42,7 +42,7 @@ def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
 
 def _exceeded_by(share: float, sizes: Values, weights: Values) -> float:
     """Return the size that a fraction `share` of the frame exceeds, extrapolated beyond the sample
-    if necessary; 0 without any."""
+    if necessary; 0 if a small sample contains no such size."""
     order = np.argsort(-sizes, kind="stable")
     falling, upto, count = sizes[order], np.cumsum(weights[order]), len(sizes)
     if count < 2 * _TAIL or upto[0] <= share:

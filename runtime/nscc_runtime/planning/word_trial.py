@@ -36,7 +36,8 @@ class WordTrial(SummedTrial):
         return Execution("words", kept_effects, kept_effects, self.requested_effects)
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """Return the error of dropping one effect, by words, or by sums if above `limit_e`."""
+        """Return the error of dropping one effect by words, or by sums if that exceeds
+        `limit_e`."""
         by_sums = super().alone(effect, False)
         if effect.name in self.slow or Difference(by_sums, self.sample).rms_e > self.limit_e:
             return by_sums

@@ -1,7 +1,7 @@
 """Noise of many words whose sum in each exposure is one keyed draw.
 
-Let e be the unit normal errors of the words, and Q the orthonormal weights of the buckets. Then e =
-x + Q (z - Q^T x), where x is drawn for each word and z for each bucket. The errors e are
+Let e be the standard normal errors of the words, and Q the orthonormal weights of the buckets. Then
+e = x + Q (z - Q^T x), where x is drawn for each word and z for each bucket. The errors e are
 independent, and Q^T e = z for any words: a plan that needs only the sum draws only z."""
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class SpreadNoise:
     _missing: list[NDArray[np.float64]] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Compute z - Q^T x for each bucket."""
+        """Compute the part of each bucket's draw that the words' draws leave (z - Q^T x)."""
         self._missing = [
             normals(self._key(SUM, bucket), self.pixels) for bucket in range(self.buckets)
         ]
@@ -45,7 +45,7 @@ class SpreadNoise:
                 missing -= lane_weights[:, bucket] * word_draw
 
     def draw(self, number: int) -> NDArray[np.float64]:
-        """Return the unit normal error (P,) of draw `number`."""
+        """Return the standard normal error (P,) of draw `number`."""
         error = normals(self._key(PART, number), self.pixels)
         weight = self.weights.get(number)
         if weight is not None:

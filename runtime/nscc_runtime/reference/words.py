@@ -127,7 +127,8 @@ class WordPixels(Pixels):
 
     @abstractmethod
     def draw(self, name: str, number: int) -> Values:
-        """Return the unit normal error (pixels,) of an effect in the draw `number` of its words."""
+        """Return the standard normal error (pixels,) of an effect in the draw `number` of its
+        words."""
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         number = word.number

@@ -24,7 +24,7 @@ _COPIES = 25
 
 @dataclass(frozen=True, eq=False)
 class Naive:
-    """A scene and the shutters of a program. Both implementations end in a noiseless ADC."""
+    """Two simple exposures of a scene with a program's shutters, both read out without noise."""
 
     program: AnalysedProgram
     light: Light
