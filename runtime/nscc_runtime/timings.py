@@ -14,7 +14,7 @@ _EMULATION = ("analyse", "plan", "expose", "audit")
 
 @dataclass
 class Timings:
-    """Seconds spent in each part of a run, without compiling loops."""
+    """Seconds spent in each part of a run, by name, without compiling loops."""
 
     seconds: dict[str, float] = field(default_factory=dict)
 

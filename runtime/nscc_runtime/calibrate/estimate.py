@@ -78,7 +78,9 @@ def _unknown(why: str, *names: str) -> dict[str, Quantity]:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """The result of a calibration. `pixels`: number of pixels used. `defects`: excluded pixels."""
+    """The result of a calibration. `curve`: the photon transfer curve. `flats`, `darks`: moments of
+    the levels. `pixels`, `defects`: number of used and of excluded pixels of the `shape` (rows,
+    cols)."""
 
     quantities: dict[str, Quantity]
     curve: Transfer

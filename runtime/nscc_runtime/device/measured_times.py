@@ -43,7 +43,7 @@ _LONGEST_MS = 10_000
 
 @dataclass(frozen=True)
 class MeasuredTimes:
-    """Times of a launch, an analog word, a digital word, the loop at a boundary, a readout."""
+    """Measured times in microseconds. `wait_us`: of the loop that waits for a boundary."""
 
     launch_us: float
     analog_word_us: float

@@ -218,8 +218,8 @@ MOST_ENTRIES = 26
 
 @dataclass(frozen=True)
 class UploadProgress(_Body):
-    """The progress of an upload: entries declared, bytes received of all objects in order, and the
-    number of objects dropped because of a wrong digest."""
+    """The progress of an upload. `declared`: number of announced objects. `position`: bytes
+    received of all objects in order. `failures`: objects dropped because of a wrong digest."""
 
     state: int
     failures: int
@@ -281,7 +281,9 @@ class ReadRequest(_Body):
 
 @dataclass(frozen=True)
 class Status(_Body):
-    """The state of a loader, and its counters since its start."""
+    """The state of a loader. `boot`: number of its current run. `uptime_us`: microseconds since its
+    start. `position`: bytes received of an upload. `packets`, `damaged`: packets received and
+    dropped since its start."""
 
     state: int
     boot: int

@@ -43,7 +43,8 @@ REPLY = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A packet with numbers of the host's session and of the request; a reply repeats both."""
+    """A packet. `kind`: see `PacketKind`. `sequence`: number of the request. `session`: number of
+    the host's session. A reply repeats both numbers. `body`: at most MOST_BODY bytes."""
 
     kind: int
     sequence: int
@@ -51,7 +52,8 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """Return the packet's bytes between zero bytes, the first of which ends noise before it."""
+        """Return the encoded packet between two zero bytes. A receiver drops noise before the first
+        zero."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 

@@ -79,7 +79,7 @@ class Saturates(Part):
 
 @dataclass(frozen=True)
 class Well(Saturates, stage="well"):
-    """PIX is clipped at exactly `full_e` electrons, so sums of one read may be clipped."""
+    """PIX is clipped at `full_e` electrons."""
 
     full_e: OfSensor
 
@@ -147,7 +147,8 @@ class Converter(Part, stage="converter"):
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """The converter's scale: electrons per code, and the code of zero electrons."""
+    """The converter's scale. `electrons`: electrons per code. `offset`: the code of zero
+    electrons."""
 
     electrons: OfSensor
     offset: OfSensor

@@ -64,7 +64,7 @@ class Selection:
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Return the effects that have a part of a kind in sums over slots, with this part."""
+        """Return pairs of an effect that is on and its part that is an instance of `kind`."""
         # mypy considers a class not hashable.
         effect_parts = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
         return [
@@ -80,11 +80,12 @@ class Selection:
 
     @remembered
     def find_part(self, kind: type[P]) -> P | None:
-        """Return the part of a kind; None if no effect that is on has one."""
+        """Return the part that is an instance of `kind`; None if no effect that is on has one."""
         return next((effect_part for _, effect_part in self.having(kind)), None)
 
     def require_part(self, kind: type[P]) -> P:
-        """Return the part of a kind. Raises ValueError if no effect that is on has one."""
+        """Return the part that is an instance of `kind`. Raises ValueError if no effect that is on
+        has one."""
         effect_part = self.find_part(kind)
         if effect_part is None:
             raise ValueError(f"no effect has a part {kind.__name__}")

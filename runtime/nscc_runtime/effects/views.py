@@ -23,7 +23,7 @@ OnDevice = Callable[[Sensor, int, Places], Values]
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """The light of a frame and of the previous frame, and the slot lengths in seconds."""
+    """The light of a frame and of the previous frame. `slot_s` (N,): slot lengths in seconds."""
 
     light: Light
     previous: Light
@@ -46,7 +46,7 @@ class Device:
 
 @dataclass(eq=False, kw_only=True)
 class Where(Device):
-    """Some pixels of a frame."""
+    """Some pixels of a chip in frame number `frame`, with noise from `seed`."""
 
     seed: int
     frame: int
@@ -64,7 +64,8 @@ class Word(Protocol):
 
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
-    """Complete rows of pixels. Arrays are (N, rows, cols); fixed patterns are (rows, cols)."""
+    """All slots of complete rows of pixels. Arrays are (N, rows, cols); fixed patterns are (rows,
+    cols)."""
 
     scene: Scene
 

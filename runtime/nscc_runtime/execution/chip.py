@@ -42,9 +42,8 @@ ten thousand is outside."""
 
 @dataclass(frozen=True, eq=False)
 class SimulatedChip:
-    """A program on some pixels of one chip under the effects in `kept_effects`.
-
-    `requested_effects` also contains the effects that the planner dropped. Noise and patterns of
+    """A program on the pixels `array` of one chip under the effects in `kept_effects`.
+    `requested_effects` also contains the effects that the planner dropped: noise and patterns of
     words are weighted as under these effects, so that dropping an effect changes them least. Arrays
     are computed on demand and must not be modified."""
 
@@ -229,10 +228,8 @@ class SimulatedChip:
 
     @cached_property
     def saturation_e(self) -> Values:
-        """Smallest charge (kinds, lanes) with which a pixel may saturate, in electrons, or
-        infinity.
-
-        The first kind is PIX; the others are kinds of register content
+        """Smallest charge (kinds, lanes) in electrons with which a pixel may saturate; infinity
+        where it cannot. The first kind is PIX; the others are kinds of register content
         (`execution.register_reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)

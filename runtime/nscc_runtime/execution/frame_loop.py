@@ -26,8 +26,9 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 @record
 class Counting:
-    """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted; `accumulates`:
-    whether to add to the deviations of another source."""
+    """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted, in `groups`
+    groups of slots. `accumulates`: whether to add to the deviations of another source. `rate_cap`:
+    larger rates count as this rate."""
 
     begin: int
     end: int
@@ -195,7 +196,8 @@ def add_up(
 @record
 class Reading:
     """Sizes for `convert` (pixels `begin` to `end` - 1), and parameters of the converter (see
-    `read_out`). `last_bit`: saturation mark of the last code."""
+    `read_out`). `noisy`: whether to add readout noise. `last_bit`: saturation mark of the last
+    code."""
 
     begin: int
     end: int

@@ -64,8 +64,9 @@ class Execution:
 
 @dataclass(frozen=True, eq=False)
 class ExecutedScene:
-    """A scene that is exposed frame by frame. `threads`: number of threads; results do not depend
-    on it. `torch_device`: the torch device that computes sums; None for the processor."""
+    """A program and a light on one chip, exposed frame by frame. `threads`: number of threads;
+    results do not depend on it. `torch_device`: the torch device that computes sums; None for the
+    processor."""
 
     program: AnalysedProgram
     light: Light

@@ -12,8 +12,8 @@ from nscc_runtime.loop import Floats, Ints, Written, record
 
 @record
 class Switches:
-    """Switches of effects in the loops (0: off), and sizes. Each effect names its switches, numbers
-    and keys in an `nscc_runtime.effects.effect.InLoop`."""
+    """Switches of effects in the loops (0: off), and the numbers of registers and buckets. Each
+    effect names its switches, numbers and keys in an `nscc_runtime.effects.effect.InLoop`."""
 
     registers: int
     buckets: int
@@ -69,8 +69,8 @@ class Sizes:
 
 @record
 class Numbers:
-    """Parameters of effects. Variances are those of the logarithm. `pix_start` and
-    `register_start`: twice the largest content at the start of a frame."""
+    """Parameters of effects, in electrons and seconds. Variances are those of the logarithm.
+    `pix_start`, `register_start`: twice the largest content at the start of a frame."""
 
     pix_start: float
     register_start: float
@@ -101,7 +101,7 @@ class Numbers:
 
 @record
 class OnDevice:
-    """Random keys of the fixed patterns of the device."""
+    """First halves of the random keys of the fixed patterns of a chip, one key for each effect."""
 
     uneven: np.uint64
     dark: np.uint64
@@ -130,7 +130,8 @@ class Keys:
 
 @record
 class LoopWord:
-    """An analog word, as the loops read it."""
+    """An analog word, as the loops read it. `resets`, `compares`, `reads_pix`: whether it does so.
+    `sources`, `destinations`: numbers of registers."""
 
     resets: int
     compares: int
@@ -164,8 +165,8 @@ class LoopProgram(NamedTuple):
 
 
 class Readouts(NamedTuple):
-    """For each bucket: its register, the gain of its readout, and the time from the end of the
-    frame to its readout."""
+    """For each bucket: the number of its register, the gain of its readout, and the seconds from
+    the end of the frame to its readout."""
 
     register: Annotated[Ints, "buckets"]
     gain: Annotated[Floats, "buckets"]
@@ -173,8 +174,8 @@ class Readouts(NamedTuple):
 
 
 class Fixed(NamedTuple):
-    """Fixed patterns of the pixels of a block: the error of words, the leakage rate of registers,
-    and the offset of the comparator."""
+    """Fixed patterns of the pixels of a block: the error of words in electrons, the leakage rate of
+    registers in 1/s, and the offset of the comparator in electrons."""
 
     pattern: Written[Floats]
     leak: Written[Floats]

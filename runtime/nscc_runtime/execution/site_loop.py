@@ -28,7 +28,7 @@ _TOGETHER = 16
 
 @record
 class Laying:
-    """The range of sites to prepare, and sizes. The last three fields are switches."""
+    """The range of sites `begin` to `end` - 1 to prepare, sizes, and three switches (0: off)."""
 
     begin: int
     end: int
@@ -38,7 +38,8 @@ class Laying:
     even: int
     """Whether all slots have the same light."""
     uneven: int
-    """Whether pixels differ in their response."""
+    """Whether pixels differ in their response. `counts_dark`: whether dark electrons are
+    counted."""
     counts_dark: int
 
 

@@ -72,7 +72,8 @@ class PathSizes:
 
 @record
 class PathKeys:
-    """First halves of the random keys of a frame's words."""
+    """First halves of the random keys of a frame, by kind of error: reads and resets of PIX, words,
+    and comparisons."""
 
     reads: np.uint64
     resets: np.uint64
@@ -97,7 +98,8 @@ class Charge(NamedTuple):
 
 
 class WordKeys(NamedTuple):
-    """Working memory: the random keys of a frame's draws, by word."""
+    """Working memory: the random keys of a frame. `reads`, `resets`, `compares`: one key for each
+    analog word. `words`: one for each draw."""
 
     reads: Written[Annotated[Words, "steps"]]
     resets: Written[Annotated[Words, "steps"]]

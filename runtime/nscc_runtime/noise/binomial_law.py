@@ -74,7 +74,8 @@ def _above(k: float, n: float, odds: float, mass: float) -> float:
 
 @compiled
 def _search(u: float, n: float, p: float) -> float:
-    """Return the smallest count whose distribution function reaches u; n p <= SEARCH_BELOW."""
+    """Return the smallest count whose binomial distribution function reaches u; n p <=
+    SEARCH_BELOW."""
     odds = p / (1.0 - p)
     mass = math.exp(n * _log1p(-p))
     total, k = mass, 0
@@ -156,8 +157,9 @@ def _rarer(u: float, n: float, p: float) -> float:
 
 @compiled
 def binomial(u: float, n: float, p: float) -> float:
-    """Return the number of successes in n trials: the smallest count whose distribution function
-    reaches u. n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
+    """Return the number of successes in n trials with probability p for a uniform number u: the
+    smallest count whose distribution function reaches u. n is a whole number from 0 to 2**53, p
+    lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
     if n <= 0.0 or p <= 0.0:
         return 0.0
     if p >= 1.0:

@@ -98,7 +98,8 @@ def _above(k: float, rate: float, mass: float) -> float:
 
 @compiled
 def search(u: float, rate: float) -> float:
-    """Return the smallest count whose distribution function reaches u; rate <= SEARCH_BELOW."""
+    """Return the smallest count whose Poisson distribution function reaches u in (0, 1), for a mean
+    `rate` of at most SEARCH_BELOW."""
     # exp(-rate) >= 1 - rate, which is cheaper to compute.
     if u <= 1.0 - rate:
         return 0.0
@@ -181,7 +182,8 @@ def poisson_exact(u: float, rate: float) -> float:
 
 @compiled
 def poisson_fast(u: float, rate: float) -> float:
-    """Return the count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above.
+    """Return the Poisson count with mean `rate` for a uniform number u in (0, 1), as plans use it:
+    exact below SEARCH_BELOW, `quantile` rounded down above.
 
     The total variation distance from the Poisson distribution is below 2e-4 from rate 10 on, and 0
     below."""

@@ -32,7 +32,8 @@ _COLUMNS = 2
 
 @dataclass(frozen=True)
 class Guide:
-    """A reference line across a panel, at a time or at an error."""
+    """A reference line across a panel: vertical at `time_ms` or horizontal at `error`. `dashes`:
+    its pattern."""
 
     name: str
     dashes: str

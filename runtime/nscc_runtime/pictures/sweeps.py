@@ -31,7 +31,8 @@ Place = float | str
 
 @dataclass(frozen=True)
 class Lines:
-    """A panel: labels of its axes, and the points (across, upwards) of each line."""
+    """A panel. `across`, `upwards`: labels of its axes. `lines`: the points (across, upwards) of
+    each line, by name."""
 
     title: str
     across: str
@@ -41,7 +42,8 @@ class Lines:
 
 @dataclass(frozen=True)
 class _Scale:
-    """The scale of an axis: `names` side by side, or numbers between limits."""
+    """The scale of an axis: `names` side by side, or numbers from `low` to `high` if there are no
+    names."""
 
     low: float
     high: float

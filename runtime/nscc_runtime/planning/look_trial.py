@@ -230,7 +230,7 @@ class LookTrial(Trial):
         return SHIPPED.looked + sum(self.saved_ns(name) for name in effects), 0.0
 
     def planning_ms(self) -> float:
-        """Return the milliseconds for exposing the sample with all and without each effect."""
+        """Return the predicted milliseconds for measuring effects on this scene."""
         pixels = min(self.pixels, 16 * _TILES)
         exposures = sum(e.kind != "after" for e in registered()) - len(self.absent) + 2
         machine = self.program.container.machine

@@ -60,8 +60,10 @@ is made, and when it is reused for another scene."""
 class PlanRequest:
     """The request for a plan.
 
-    `frames`: number of frames that share the plan; it decides whether measuring saves time.
-    `figures`: measure every figure of the table, even if that saves no time."""
+    `effects`: the requested effects. `tolerance`, `tolerance_max`: the largest RMS error and the
+    largest error of a pixel (None: any). `frames`: number of frames that share the plan; it decides
+    whether measuring saves time. `figures`: measure every figure of the table, even if that saves
+    no time."""
 
     effects: Selection
     tolerance: ToleranceInput = DEFAULT

@@ -43,7 +43,8 @@ class Decision:
 
 @dataclass(frozen=True)
 class Approximation:
-    """An approximation of sums, and its RMS error in electrons; None if not measured."""
+    """An approximation of sums, by name. `error_e`: its RMS error in electrons; None if not
+    measured."""
 
     name: str
     error_e: float | None
@@ -58,8 +59,9 @@ class Cost:
     """The predicted time of a frame including planning, in milliseconds of one core, from the
     shipped prices.
 
-    `saturating_ms`: running the words of pixels near saturation. `all_ms`: the same frame with
-    every effect, including `all_planning_ms` of planning (None in older plan files)."""
+    `saturating_ms`: part of `total_ms` for running the words of pixels near saturation. `all_ms`:
+    time of the same frame with every effect, including `all_planning_ms` of planning (None in older
+    plan files)."""
 
     total_ms: float
     saturating_ms: float

@@ -46,7 +46,7 @@ _UNSEEN = 3.0
 
 @dataclass(frozen=True, eq=False)
 class SummedTrial(Trial):
-    """The trial of a program with fixed shutters on a scene, by weighted sums."""
+    """The measurement of effects on a scene by weighted sums, for a program with fixed shutters."""
 
     program: AnalysedProgram
     light: Light
@@ -395,8 +395,7 @@ class SummedTrial(Trial):
         return SHIPPED.summed + light_ns + effects_ns + near_ns, near_ns
 
     def planning_ms(self) -> float:
-        """Return the milliseconds for running the words of the sampled pixels, and for sums of the
-        tiles without each effect."""
+        """Return the predicted milliseconds for measuring effects on this scene."""
         near_count = near_sampled(self.running, self.pixels)
         measured = min(TILES + 4 * near_count, self.pixels)
         words_ns = self.work.words_ns(self._fast_effects, "nothing") * measured

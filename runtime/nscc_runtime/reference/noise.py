@@ -21,8 +21,9 @@ SUM, PART = 0, 1
 
 @dataclass
 class SpreadNoise:
-    """The errors of one effect in one frame at some pixels. `weights`: orthonormal weights by draw
-    number. `lanes`, `pixels` (P,): the lane and the place of each pixel."""
+    """The normal errors of one effect in one frame at some pixels. Their weighted sum in each
+    bucket is one draw. `weights`: orthonormal weights by draw number. `lanes`, `pixels` (P,): the
+    lane and the place of each pixel."""
 
     seed: int
     stream: int

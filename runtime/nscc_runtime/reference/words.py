@@ -98,7 +98,7 @@ def converted_frames(
 
 @dataclass(eq=False, kw_only=True)
 class WordPixels(Pixels):
-    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+    """The contents of some pixels while the words of one frame run. All arrays are (pixels,)."""
 
     container: Container
     effects: Selection

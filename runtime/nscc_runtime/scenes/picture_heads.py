@@ -26,7 +26,8 @@ _GAMMA_SLACK = 500
 
 @dataclass(frozen=True)
 class PngHead:
-    """The header of a PNG file. `transfer`: None if the file names no transfer curve."""
+    """The header of a PNG file. `animated`: whether it has several frames. `transfer`: None if the
+    file names no transfer curve."""
 
     animated: bool
     transfer: Transfer | None

@@ -142,7 +142,8 @@ _Key = tuple[str, str]
 
 @dataclass(eq=False)
 class _Bench:
-    """The measurement of one scene. Results are keyed by (method, setting)."""
+    """The measurement of one scene. `plans` are keyed by setting; `errors` and `times_ms` by
+    (method, setting)."""
 
     program: AnalysedProgram
     scene: NamedLight
