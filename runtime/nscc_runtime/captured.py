@@ -239,7 +239,6 @@ class Capture(Frame):
 
 
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
-    """Convert a report of one frame to a Python value."""
     if kind == "any":
         return bool(values)
     if kind == "events":
@@ -248,7 +247,6 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:
-    """Return a grey picture (rows, cols) or a colour picture (rows, cols, 3) as PNG."""
     import cv2
 
     _, data = cv2.imencode(

@@ -87,7 +87,6 @@ def decode_arrays(
 
 
 def _kept_selection(plan: Mapping[str, Any]) -> Selection:
-    """Return the effects that a plan keeps."""
     names = frozenset(row["name"] for row in plan["effects"] if row["decision"] == "kept")
     return Selection(names & everything().on, frozenset())
 

@@ -87,8 +87,7 @@ def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
 
 
 def is_plan(plan: object) -> bool:
-    """Return whether a frame's meta may have this `plan`: None, or a mapping whose effects have a
-    name and a decision."""
+    """Return whether `plan` is None or a mapping whose effects have a name and a decision."""
     if plan is None:
         return True
     rows = plan.get("effects", []) if isinstance(plan, dict) else None

@@ -33,8 +33,7 @@ Values = NDArray[np.float64]
 _LEVELS = np.geomspace(0.5, 16.0, 241)
 """Levels of steady light, in full wells over the time in which PIX collects light."""
 _ALIKE = 7
-"""Number of levels (10 % of light) within which the first and the next saturating element are not
-distinguished."""
+"""Saturating elements at most this number of levels (10 % of light) apart are not distinguished."""
 _SIGMAS = 4.0
 _MOST_LANES = 256
 """Number of shutters that are simulated together."""

@@ -26,8 +26,7 @@ from nscc_runtime.response import converter_e2, gain_spread
 Values = NDArray[np.float64]
 
 LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
-"""Keys in the frame file: estimated light and its standard deviation, (buckets, rows, cols), in
-electrons per second."""
+"""Keys of light (buckets, rows, cols) in electrons per second, and of its standard deviation."""
 OPEN = "open_slots"
 """Key in the frame file: number of slots in which each bucket was open, (buckets, rows, cols)."""
 

@@ -103,8 +103,7 @@ def inlined(function: _F) -> _F:
 
 
 def table(make: Callable[[], _T]) -> _T:
-    """Declare an array of constants that loops read by its global name; `make` is called when the
-    loop is compiled."""
+    """Declare an array of constants for loops. `make` is called when a loop with it compiles."""
     return cast(_T, _LoopFunction(cast(FunctionType, make), lambda function: function()))
 
 

@@ -91,8 +91,7 @@ class LoopParameter:
 
 @dataclass(frozen=True)
 class ArrayGroup:
-    """Several arrays that are one parameter of a loop, a NamedTuple. Machine code receives its
-    fields one by one."""
+    """Several arrays as one loop parameter, a NamedTuple. Machine code receives single fields."""
 
     name: str
     kind: type[tuple[Any, ...]]

@@ -45,8 +45,7 @@ class BucketReadout:
 
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
-    """Return the buckets of one frame of a container with pixels. Raises Rejected for programs with
-    images or planes."""
+    """Return the buckets of a frame of pixels. Raises Rejected for images and planes."""
     refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
@@ -72,8 +71,7 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
-    """Return the size (rows, cols) of the smallest tile that repeats over the array; the array's
-    size if none does."""
+    """Return the size (rows, cols) of the smallest repeated tile; else the array's size."""
     return _period(codes), _period(codes.T)
 
 

@@ -38,8 +38,7 @@ class Recent:
         self._found: dict[Hashable, Any] = {}
 
     def of(self, key: Hashable, make: Callable[[], R]) -> R:
-        """Return the result cached for `key`, or else `make()`. Threads may compute it more than
-        once."""
+        """Return the result cached for `key`, or else `make()`, which several threads may call."""
         result = self._found.pop(key, None)
         if result is None:
             result = make()

@@ -120,8 +120,7 @@ def _container(value: object) -> Container | None:
 
 
 def _array(call: str, light: object) -> NDArray[Any]:
-    """Return an array from numpy arrays, lists, or tensors on the processor. Raises WrongArgument
-    for other objects."""
+    """Return an array from an array, a list or a tensor on the processor. Raises WrongArgument."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
         try:
             return np.asarray(light)

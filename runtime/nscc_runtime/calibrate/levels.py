@@ -86,8 +86,7 @@ class LevelMoments:
 
 
 def level_of(stack: Stack, top_code: int) -> Level:
-    """Compute the moments of a stack. Raises Rejected: NS0758 for a single frame, NS0757 for a
-    repeated frame."""
+    """Compute the moments of a stack. Raises NS0758 for a single, NS0757 for a repeated frame."""
     count = len(stack.codes)
     if count < 2:
         raise rejected(

@@ -33,8 +33,7 @@ class Line:
 
     @property
     def chance(self) -> float:
-        """Probability of a misfit at least this large if the points lie on a line; 1 for two
-        points."""
+        """Probability of at least this misfit if the points lie on a line; 1 for two points."""
         if self.freedom < 1:
             return 1.0
         from scipy.special import gammaincc

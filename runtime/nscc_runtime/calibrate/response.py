@@ -58,8 +58,8 @@ def _response(
 
 @dataclass(frozen=True)
 class Linearity:
-    """Mean absolute deviation from the line of signal over time in percent, its standard error, and
-    the number of levels."""
+    """Mean absolute deviation of signal from a line in percent, its standard error, and the number
+    of levels."""
 
     error_percent: float
     error_se: float

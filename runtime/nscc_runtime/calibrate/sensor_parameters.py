@@ -162,7 +162,6 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
-    """Return the reason why a parameter keeps its default."""
     quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"

@@ -156,8 +156,8 @@ def _fitted(
 
 
 def _solved(slopes: Vector, known: float | None) -> Vector:
-    """Return gain, noise and crosstalk from the slope and intercept of the variance and the slope
-    of the covariance."""
+    """Return gain, noise and crosstalk from the variance's slope and intercept and the covariance's
+    slope."""
     crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
     return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
 

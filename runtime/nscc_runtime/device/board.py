@@ -72,8 +72,7 @@ class EmulatedChip:
         )
 
     def _converting(self, container: Container) -> Sensor:
-        """Return the sensor with the code scale of this program, whose registers may not allow
-        spreading."""
+        """Return the sensor with this program's code scale, not spread if registers forbid it."""
         from nscc_runtime.sensor import default_sensor
 
         program_sensor = default_sensor(converter_of(container))

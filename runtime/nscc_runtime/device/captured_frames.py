@@ -51,8 +51,7 @@ def device_meta(
     container: Container | None,
     light: Light | None = None,
 ) -> dict[str, Any]:
-    """Return the meta of a frame that `chip` just exposed. Seeds, plan and audit are None, because
-    nothing was simulated."""
+    """Return the meta of a frame just exposed by `chip`, with no seeds, plan and audit (None)."""
     info = chip.link.host.info
     assert info is not None  # a frame came
     origin = Provenance(chip.label.hex(), sensor, None, None, "device")

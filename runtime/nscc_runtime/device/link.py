@@ -100,7 +100,6 @@ class SerialLink:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:
-        """Reopen a lost port as soon as it is available."""
         until, pause = monotonic() + self.patience_s, _FIRST_REOPEN_S
         while True:
             select.select([], [], [], pause)

@@ -296,8 +296,7 @@ class Status(_Body):
 
 @dataclass(frozen=True)
 class LoaderFailure(_Body):
-    """The failure of a request. `detail`: depends on the fault, for example the number of a
-    word."""
+    """The failure of a request. `detail` depends on the fault, for example the number of a word."""
 
     request: int
     fault: int

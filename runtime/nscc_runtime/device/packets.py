@@ -52,8 +52,8 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """Return the encoded packet between two zero bytes. A receiver drops noise before the first
-        zero."""
+        """Return the encoded packet between two zero bytes; the first one ends noise on the
+        line."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 
@@ -100,8 +100,7 @@ class Unpacker:
 
 
 def stuffed(data: bytes) -> bytes:
-    """Encode `data` without zero bytes by consistent overhead byte stuffing. The result is at most
-    1/254 longer."""
+    """Encode `data` without zero bytes (consistent overhead byte stuffing), up to 1/254 longer."""
     out = bytearray()
     for piece in data.split(b"\0"):
         while len(piece) >= _BLOCK:

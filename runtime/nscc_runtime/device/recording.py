@@ -25,8 +25,7 @@ _IN_IS_SET = 0xFFFF_FFFE
 
 
 class BoardJob(NamedTuple):
-    """A frame that a loader requests from its board: its number, the channels to read out as a bit
-    mask, and the program."""
+    """A frame that a loader requests: number, channels to read out as a bit mask, program."""
 
     number: int
     channels: int

@@ -173,7 +173,6 @@ class _Sender:
         self.acknowledged = self.next = position
 
     def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
-        """Process an acknowledgement."""
         if not self._ours(sequence):
             self._acknowledge_late(sequence, progress)
             return

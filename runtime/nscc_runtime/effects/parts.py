@@ -147,8 +147,7 @@ class Converter(Part, stage="converter"):
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """The converter's scale. `electrons`: electrons per code. `offset`: the code of zero
-    electrons."""
+    """The converter's scale. `electrons`: electrons per code. `offset`: code of zero electrons."""
 
     electrons: OfSensor
     offset: OfSensor

@@ -84,8 +84,7 @@ class Selection:
         return next((effect_part for _, effect_part in self.having(kind)), None)
 
     def require_part(self, kind: type[P]) -> P:
-        """Return the part that is an instance of `kind`. Raises ValueError if no effect that is on
-        has one."""
+        """Return the part that is an instance of `kind`. Raises ValueError if no effect has one."""
         effect_part = self.find_part(kind)
         if effect_part is None:
             raise ValueError(f"no effect has a part {kind.__name__}")

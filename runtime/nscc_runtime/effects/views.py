@@ -64,8 +64,7 @@ class Word(Protocol):
 
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
-    """All slots of complete rows of pixels. Arrays are (N, rows, cols); fixed patterns are (rows,
-    cols)."""
+    """All slots of complete rows. Arrays are (N, rows, cols); fixed patterns are (rows, cols)."""
 
     scene: Scene
 

@@ -143,8 +143,7 @@ def _bus(
     flag: int,
     words: int,
 ) -> None:
-    """Set the row at `out` to -(sum of `count` rows operands[first..]) where FLAG = 1; `out` is
-    none of the sources."""
+    """Set row `out` to -(sum of `count` other rows operands[first..]) where FLAG = 1."""
     for g in range(words):
         word = planes[flag + g]
         if word == _ZERO:

@@ -97,8 +97,7 @@ class ExecutedScene:
         return self._read_out(*self._exposed(seed, frame), seed, frame)
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
-        """Yield frames 0 to `count` - 1 with converter codes. Raises ValueError if `count` is below
-        1."""
+        """Yield frames 0 to `count` - 1 with converter codes. Raises ValueError if `count` < 1."""
         if count < 1:
             raise ValueError(f"{count} frames")
         check_adc(self.program.container.target)
@@ -125,7 +124,7 @@ class ExecutedScene:
         return SummedScene(self.chip, self.light, self.threads)
 
     def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:
-        """Return exposures (buckets, pixels) by sums or by words, and their saturation marks."""
+        """Return exposures (buckets, pixels) and saturation marks, computed by sums or by words."""
         if self.execution.path == "words":
             return self._all_by_words.expose(seed, frame)
         away = self.summed.away(seed, frame)

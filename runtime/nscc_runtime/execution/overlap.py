@@ -45,8 +45,7 @@ class Overlap:
     def between(
         self, pixel_lanes: NDArray[np.int32], neighbour_lanes: NDArray[np.int32]
     ) -> Weights:
-        """Return the weights (buckets, pairs) of neighbours' counts in the exposures of pixels,
-        from the lanes of both."""
+        """Return weights (buckets, pairs) of neighbours' counts in pixels, for pairs of lanes."""
         if self._table is not None:
             return self._table[:, pixel_lanes, neighbour_lanes]
         weights = np.empty((self.seconds.shape[2], pixel_lanes.size), np.float32)

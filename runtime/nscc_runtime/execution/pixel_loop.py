@@ -73,8 +73,8 @@ def _begin(
     switches: Switches, sizes: Sizes, numbers: Numbers, device: OnDevice, start_keys: Words,
     place: int, fixed: Fixed, contents: RegisterContents,
 ) -> None:  # fmt: skip
-    """Set a pixel's fixed patterns, and its registers at the start of a frame. The first of
-    `start_keys` belongs to PIX."""
+    """Set a pixel's fixed patterns and initial registers. `start_keys` begins with the key of
+    PIX."""
     begin(switches, 1, contents, 0)
     if sizes.stale:
         for register in range(switches.registers):

@@ -217,7 +217,6 @@ class Wired:
 
     @cached_property
     def _sizes(self) -> dict[str, int]:
-        """The fields of `Sizes` that do not depend on the frame."""
         words = self.words
         container = words.reference.container
         rows, cols = words.lanes.of_pixel.shape
@@ -352,7 +351,6 @@ class Running:
         ]
 
     def _sites(self, pixel_slice: slice) -> Sites:
-        """Return the light of a slice of pixels."""
         if len(self._pixel_slices) == 1:
             return self._all_sites
         return self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
@@ -363,8 +361,7 @@ class Running:
 
 
 def _starts(lane: NDArray[np.int64], lanes: int) -> NDArray[np.int64]:
-    """Return the index at which each lane begins in the sorted list `lane`, followed by the length
-    of the list."""
+    """Return the first index of each lane in the sorted `lane`, followed by its length."""
     return np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
 
 

@@ -35,8 +35,7 @@ _MUCH = 1 << 20
 
 @dataclass(frozen=True, eq=False)
 class AnalysedProgram:
-    """A compiled program on a sensor, analysed once for any number of scenes. `slot_s` (N,): slot
-    lengths in seconds."""
+    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: (N,) in seconds."""
 
     container: Container
     sensor: Sensor
@@ -83,8 +82,7 @@ class AnalysedProgram:
         return replace(whole_chip, groups=Groups(whole_chip.groups.of_slot, lane, array.places))
 
     def wired(self, effects: Selection, device_seed: int) -> Wired:
-        """Return the words of pixels on a chip under some effects, prepared for the pixel loop;
-        cached."""
+        """Return the words of pixels on a chip under some effects, bound to the loop; cached."""
         return self.recent.of(
             (Wired, effects.on, device_seed),
             lambda: Wired(self.words(effects), effects, device_seed),

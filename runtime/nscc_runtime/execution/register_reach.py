@@ -22,8 +22,7 @@ _MOST_LANES = 64
 _MOST_STRETCHES = 128
 _SIGMAS = 6.0
 _KINDS = 2
-"""Number of kinds of register content: usually light of open slots, and light of closed slots that
-is subtracted later."""
+"""Number of kinds of register content, usually light of open slots and light subtracted later."""
 _ROUNDING = 1e-9
 
 
@@ -106,7 +105,6 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
-        """Reset PIX in the lanes of a mask."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )
@@ -131,8 +129,7 @@ class _RegisterState:
     def _write(
         self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
     ) -> None:
-        """Set each of `rows` to the weighted sum `total` of all rows, plus independent noise with
-        the given variance."""
+        """Set `rows` to the weighted sum `total` of all rows plus independent noise."""
         new_weights = total @ self.held_weights[lanes]
         new_covariance = total @ self.covariance[lanes]
         for row in rows:

@@ -38,8 +38,7 @@ class Laying:
     even: int
     """Whether all slots have the same light."""
     uneven: int
-    """Whether pixels differ in their response. `counts_dark`: whether dark electrons are
-    counted."""
+    """Whether pixels differ in their response. `counts_dark`: whether to count dark electrons."""
     counts_dark: int
 
 

@@ -90,7 +90,7 @@ def _smear(
 def _gather(
     source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
 ) -> None:
-    """Add the light at first + i of `count` frames, which are `step` apart, to gathered[i]."""
+    """Add the light at first + i of `count` frames, `step` apart, to gathered[i]."""
     for k in range(0, count - count % TOGETHER, TOGETHER):
         frame = at + k * step
         for p in range(first, stop):

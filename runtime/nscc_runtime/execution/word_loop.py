@@ -135,8 +135,8 @@ def write(
     LoopProgram, fixed: Fixed, contents: RegisterContents, result: WordResult, normals: Floats,
     first: int, step: int,
 ) -> None:  # fmt: skip
-    """Write the result of a bus word to its destinations; the error of destination d is
-    normals[first + d * step + j]."""
+    """Write a bus word's result to its destinations d, each with the error normals[first + d * step
+    + j]."""
     for j in range(count):
         # A bus word negates, so added and subtracted are exchanged.
         full = result.full[j]

@@ -132,8 +132,7 @@ class LookingProgram:
         )
 
     def _paths(self, effects: Selection) -> Paths | str:
-        """Return the paths for the decay of digital registers under `effects`, or the reason why
-        there are none."""
+        """Return the paths under `effects`, or the reason why they cannot be found."""
         return paths_of(self.container, retention_us(effects, self.sensor))
 
     @remembered

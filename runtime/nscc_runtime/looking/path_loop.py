@@ -72,8 +72,7 @@ class PathSizes:
 
 @record
 class PathKeys:
-    """First halves of the random keys of a frame, by kind of error: reads and resets of PIX, words,
-    and comparisons."""
+    """First halves of a frame's random keys: of reads and resets of PIX, words, comparisons."""
 
     reads: np.uint64
     resets: np.uint64
@@ -183,8 +182,7 @@ def _fall(
 
 @inlined
 def _hand_on(segment: int, first: int, i: int, block: BlockScratch, ends: Ints32) -> None:
-    """Queue pixel i for `segment`; if it is negative, the path has ended, and the ending is stored
-    in `ends`."""
+    """Queue pixel i for `segment`; a negative number is an ending, which is stored in `ends`."""
     if segment < 0:
         ends[first + i] = -1 - segment
     else:
@@ -227,8 +225,8 @@ def _along(
     LoopProgram, segments: Segments, charge: Charge, of_word: WordKeys, block: BlockScratch, fixed:
     Fixed, contents: RegisterContents, result: WordResult, ends: Ints32,
 ) -> None:  # fmt: skip
-    """Run the words of a segment in all pixels of a block that wait before it, and queue each for
-    its next segment."""
+    """Run a segment's words in all pixels of a block that wait for it, and queue each for its next
+    segment."""
     count, i, place, running = 0, block.head[segment], sizes.first_place + first, result.pixels
     block.head[segment] = -1
     while i >= 0:

@@ -150,7 +150,6 @@ class _PathReplay:
         self.size = 0
 
     def run(self) -> tuple[RunningWord, ...]:
-        """Replay a frame and return its analog words."""
         start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
         words: list[RunningWord] = []
         for word in running_words(self.container):
@@ -211,8 +210,7 @@ def _alive(
     walk: _PathReplay,
     starts: Mapping[str, Bits],
 ) -> Paths:
-    """Return the paths without words and comparisons that have no influence, found from the end of
-    the frame backwards."""
+    """Return the paths without words and comparisons that have no influence on the result."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
     reads = [_together(registers, word.sources) for word in words]
     writes = [

@@ -34,8 +34,7 @@ def _log1p(x: float) -> float:
 
 @compiled
 def _mass(k: float, n: float, p: float, q: float) -> float:
-    """Return the probability of k (Loader, "Fast and accurate computation of binomial
-    probabilities")."""
+    """Return the probability of k by Loader's saddle-point expansion (2000)."""
     if k == 0.0:
         return math.exp(n * _log1p(-p))
     if k == n:
@@ -74,8 +73,7 @@ def _above(k: float, n: float, odds: float, mass: float) -> float:
 
 @compiled
 def _search(u: float, n: float, p: float) -> float:
-    """Return the smallest count whose binomial distribution function reaches u; n p <=
-    SEARCH_BELOW."""
+    """Return the smallest count whose distribution function reaches u, for n p <= SEARCH_BELOW."""
     odds = p / (1.0 - p)
     mass = math.exp(n * _log1p(-p))
     total, k = mass, 0

@@ -64,8 +64,7 @@ def deviance(x: float, mean: float) -> float:
 
 @compiled
 def _mass(k: float, rate: float) -> float:
-    """Return the probability of k (Loader, "Fast and accurate computation of binomial
-    probabilities")."""
+    """Return the probability of k by Loader's saddle-point expansion (2000)."""
     if k == 0.0:
         return math.exp(-rate)
     scale = math.sqrt(2.0 * np.pi * k)

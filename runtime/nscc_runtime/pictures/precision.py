@@ -32,8 +32,7 @@ _COLUMNS = 2
 
 @dataclass(frozen=True)
 class Guide:
-    """A reference line across a panel: vertical at `time_ms` or horizontal at `error`. `dashes`:
-    its pattern."""
+    """A reference line with a dash pattern: vertical at `time_ms`, or horizontal at `error`."""
 
     name: str
     dashes: str
@@ -82,8 +81,8 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Draw all panels, with one scale of time, and one scale of errors per label. Raises ValueError
-    without points."""
+    """Draw panels with one scale of time, and of errors per label. Raises ValueError without
+    points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]
@@ -148,8 +147,7 @@ def _draw(
     axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: PointReading,
     beaten: dict[int, bool],
 ) -> list[ChartLabel]:  # fmt: skip
-    """Draw lines and reference lines. Return the labels of lines, then those of points, undominated
-    points first."""
+    """Draw lines and reference lines. Return labels: lines, undominated points, other points."""
     lines = reading.lines(panel.points)
     bounds = {
         name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound
@@ -190,7 +188,6 @@ def _draw(
 
 
 def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
-    """Set scale, limits and ticks of the error axis."""
     if linear:
         least, most = min(heights), max(heights)
         margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)

@@ -149,7 +149,6 @@ def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field
 
 
 def _number_slots(axes: Axes, edges: Field) -> None:
-    """Draw slot numbers above the chart, as many as fit."""
     slots = len(edges) - 1
     step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
     middles = (edges[:-1] + edges[1:]) / 2

@@ -31,8 +31,8 @@ Place = float | str
 
 @dataclass(frozen=True)
 class Lines:
-    """A panel. `across`, `upwards`: labels of its axes. `lines`: the points (across, upwards) of
-    each line, by name."""
+    """A panel: labels of its axes (`across`, `upwards`), and each line's points (across,
+    upwards)."""
 
     title: str
     across: str
@@ -42,8 +42,7 @@ class Lines:
 
 @dataclass(frozen=True)
 class _Scale:
-    """The scale of an axis: `names` side by side, or numbers from `low` to `high` if there are no
-    names."""
+    """The scale of an axis: `names` side by side if given, else numbers from `low` to `high`."""
 
     low: float
     high: float
@@ -65,7 +64,6 @@ class _Scale:
         return cls(low - room, high + room)
 
     def at(self, value: Place) -> float:
-        """Return the position of a value on the axis."""
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:

@@ -119,8 +119,7 @@ class Difference:
         return mean_e if abs(mean_e) > _SIGMAS * float(self.sample.standard_error(size_e)) else 0.0
 
     def likely_e2(self, errors: float) -> float:
-        """Return the largest sum, over outputs, of the mean square error and `errors` times its
-        standard error."""
+        """Return the largest mean square error of an output plus `errors` standard errors."""
         return float((self.square_e2 + errors * self.unsure_e2).max(initial=0.0))
 
     @cached_property

@@ -196,8 +196,7 @@ class LookTrial(Trial):
         ]
 
     def noise_e(self) -> float:
-        """Return the RMS noise of a frame in electrons, from pixels with equal states in two
-        frames."""
+        """Return the RMS noise of a frame in electrons, from pixels with equal states in two."""
         loaded, first = self._film[0]
         numbers, inner = range(1, 1 + self.sample.frames), self.sample.inner
         pairs = [

@@ -207,8 +207,7 @@ def _not_worth(
 
 
 def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
-    """Return a tolerance in electrons; None for a fraction of the noise, because the noise would
-    have to be measured."""
+    """Return a tolerance in electrons; None for a fraction of the noise, which must be measured."""
     if isinstance(tolerance, str) and noise_part(tolerance) is not None:
         check_tolerance(tolerance, scene.sensor)
         return None

@@ -323,7 +323,6 @@ def _table(plan: Plan) -> str:
 
 
 def _errors(plan: Plan) -> list[str]:
-    """Return lines with the predicted errors and the tolerances."""
     tolerance = plan.allowed if plan.tolerance_e is not None else plan.tolerance
     if plan.predicted_e is None:
         return [f"no error was measured; tolerance {tolerance}"]

@@ -74,7 +74,6 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
 
 
 def _reason(error: Exception) -> str:
-    """Describe why reading a plan file failed with `error`."""
     words = " ".join(str(error).split())[:120]
     if isinstance(error, OSError):
         return f"it cannot be read: {error.strerror}"

@@ -8,8 +8,7 @@ from typing import Literal
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
-"""Which pixels run through their words one by one. "reference": the reference simulates all pixels
-instead."""
+"""Which pixels run through their words one by one; "reference": the reference simulates all."""
 
 MOST_OTHER_STATES = 0.005
 """Largest fraction of pixels that may end in other states than with all effects."""
@@ -43,8 +42,7 @@ class Decision:
 
 @dataclass(frozen=True)
 class Approximation:
-    """An approximation of sums, by name. `error_e`: its RMS error in electrons; None if not
-    measured."""
+    """An approximation of sums, by name, and its RMS error in electrons (None: not measured)."""
 
     name: str
     error_e: float | None

@@ -60,8 +60,8 @@ class PlannedScene(ABC):
 
     @abstractmethod
     def trial(self, forced_off: Names) -> Trial:
-        """Return the trial that measures effects on this scene; `forced_off` are the effects that
-        the user switched off."""
+        """Return the trial that measures effects on this scene. The user switched `forced_off`
+        off."""
 
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
         """Return a slower trial with smaller errors than `trial`; None if there is none."""
@@ -79,8 +79,7 @@ class PlannedScene(ABC):
 
     @property
     def open_part(self) -> NDArray[np.float32]:
-        """Fraction of the frame in which each pixel is open, shape (rows, cols); 1 for pixels that
-        look."""
+        """Fraction (rows, cols) of the frame that each pixel is open; 1 for pixels that look."""
         return np.ones(self.light.shape, np.float32)
 
     def serves(self, plan: Plan) -> bool:

@@ -67,8 +67,7 @@ are right to a factor of about 2."""
 
 
 _SHARED_SITES = 2.5
-"""Number of sites whose counts are drawn per pixel if all pixels are simulated, so that neighbours
-share counts."""
+"""Number of sites with own counts per pixel if all pixels are simulated, which share counts."""
 
 
 @dataclass(frozen=True)

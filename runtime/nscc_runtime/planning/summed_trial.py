@@ -114,7 +114,6 @@ class SummedTrial(Trial):
 
     @cached_property
     def _fast_effects(self) -> Selection:
-        """The effects that sums and words support."""
         return everything().without(*self.slow)
 
     @cached_property
@@ -175,8 +174,7 @@ class SummedTrial(Trial):
         return len(self.program.container.buckets), len(self.sample.places)
 
     def approximated(self) -> Difference | None:
-        """Return the error of sums relative to words with every effect, from one pixel far from
-        saturation in each tile."""
+        """Return the error of sums relative to words with every effect, far from saturation."""
         one_per_tile, sample = self.sample.one_each, self.sample
         by_sums = self.exposures.by_sums(self._fast_effects, everything(), "far", 0)[
             :, one_per_tile
@@ -281,7 +279,6 @@ class SummedTrial(Trial):
 
     @cached_property
     def _unforced(self) -> SummedTrial:
-        """The same trial with no effect forced off."""
         return replace(self, forced_off=NONE) if self.forced_off else self
 
     # -- What may be left out -----------------------------------------------------------------

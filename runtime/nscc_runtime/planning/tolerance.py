@@ -75,8 +75,7 @@ ToleranceInput = str | float | Tolerance
 
 
 class ToleranceScene(Protocol):
-    """A scene that relative tolerances refer to: it returns its mean signal and the noise of a
-    frame, in electrons."""
+    """A scene that relative tolerances refer to, with its mean signal and noise in electrons."""
 
     def signal_e(self) -> float: ...
 
@@ -157,8 +156,7 @@ def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
 
 
 def with_readout_e(noise_e: float, sensor: Sensor) -> float:
-    """Return the noise of exposures combined with the noise of the converter and of rounding to
-    codes, in electrons."""
+    """Return noise of exposures combined with that of converter and rounding, in electrons."""
     all_effects = everything()
     code_e = all_effects.require_part(Codes).electrons(sensor)
     return math.hypot(noise_e, all_effects.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))

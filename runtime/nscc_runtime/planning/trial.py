@@ -147,8 +147,7 @@ class Trial(ABC):
 
     @abstractmethod
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Return the reasons why pixels run through their words or why the reference is used; empty
-        for sums alone."""
+        """Return reasons why pixels need words, or all need the reference; empty for sums alone."""
 
     @abstractmethod
     def saved_ns(self, name: str) -> float:

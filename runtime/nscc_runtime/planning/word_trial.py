@@ -23,8 +23,7 @@ APPROXIMATE = (
 
 @dataclass(frozen=True, eq=False)
 class WordTrial(SummedTrial):
-    """A trial by words. An effect whose error by sums exceeds `limit_e` electrons is not measured
-    by words."""
+    """A trial by words. Effects whose error by sums exceeds `limit_e` electrons are skipped."""
 
     limit_e: float = np.inf
 
@@ -36,8 +35,7 @@ class WordTrial(SummedTrial):
         return Execution("words", kept_effects, kept_effects, self.requested_effects)
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """Return the error of dropping one effect by words, or by sums if that exceeds
-        `limit_e`."""
+        """Return the error of dropping one effect by words; by sums if that exceeds `limit_e`."""
         by_sums = super().alone(effect, False)
         if effect.name in self.slow or Difference(by_sums, self.sample).rms_e > self.limit_e:
             return by_sums

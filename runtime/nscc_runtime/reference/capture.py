@@ -55,8 +55,7 @@ class Reference:
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
-        """Prepare a program. Raises Rejected if its words open no shutters (NS0442) or cannot
-        run."""
+        """Prepare a program. Raises Rejected if its words open no shutters (NS0442) or fail."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
         fresh = analog_words(container)
@@ -79,8 +78,7 @@ class Reference:
         self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0,
         threads: int | None = None,
     ) -> Exposure:  # fmt: skip
-        """Return the exposure of frame number `frame`. Results do not depend on `threads` (None:
-        all processors)."""
+        """Return the exposure of frame `frame`, equal for all `threads` (None: all processors)."""
         rows = range(scene.light.shape[0])
         return self.expose_rows(scene, rows, seed, device_seed, frame, threads)
 
@@ -188,8 +186,7 @@ class _FixedShutterPixels(WordPixels):
         return self.noise[name].draw(number)
 
     def run(self, charge: Values) -> Marked:
-        """Run a frame with `charge` (N, pixels) in electrons; return the exposures and their
-        saturation marks."""
+        """Return exposures and saturation marks for `charge` (N, pixels) in electrons."""
         slots = self.container.slots
         words = iter(self.program.words)
         word = next(words, None)

@@ -29,8 +29,7 @@ class Intervals:
 
     @classmethod
     def of(cls, container: Container, every_slot: bool) -> Intervals:
-        """Return the intervals of a program. With `every_slot` each slot is one interval, which
-        exact exposures need."""
+        """Return a program's intervals; with `every_slot` one per slot, as exact exposures need."""
         at = {0, *(launch.instant for launch in container.launches)}
         slots = container.slots
         starts = range(slots) if every_slot else sorted(n for n in at if n < slots)

@@ -148,8 +148,7 @@ class _LookingPixels(WordPixels):
         return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
     def run(self, charge: Values) -> Marked:
-        """Run a frame with `charge` (intervals, pixels) in electrons; return the exposures and
-        their saturation marks."""
+        """Return exposures and saturation marks for `charge` (intervals, pixels) in electrons."""
         slots, intervals = self.container.slots, self.program.intervals
         words = iter(self.program.words)
         word = next(words, None)

@@ -124,8 +124,7 @@ class _Taps(Pixels):
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 
     def run(self, charge: Values) -> Marked:
-        """Run a frame with `charge` (N, pixels) in electrons; return the exposures and their
-        saturation marks."""
+        """Return exposures and saturation marks for `charge` (N, pixels) in electrons."""
         container, target = self.container, self.container.target
         shape = len(container.buckets), len(self.places)
         tap_charge, marked = np.zeros(shape), np.zeros(shape, np.uint8)

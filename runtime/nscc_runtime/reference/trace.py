@@ -84,8 +84,7 @@ class AnalogWord(RunningWord):
 
 
 def running_words(container: Container) -> Iterator[RunningWord]:
-    """Yield every word of a frame in the order of execution. Raises Rejected like
-    `nscc.words.legality.decoded`."""
+    """Yield every word of a frame in execution order. Raises like `nscc.words.legality.decoded`."""
     kernels, target, number = decoded(container), container.target, 0
     boundary, after_us, in_e = -1, 0.0, 0.0
     for launch in sorted(container.launches, key=lambda launch: launch.instant):

@@ -113,8 +113,7 @@ class Backward:
 
     @property
     def error_sum(self) -> Weights:
-        """Sum (lanes, buckets) of the signed weights of all words: the change of exposures if all
-        words have the error 1."""
+        """Sum (lanes, buckets) of the weights of all words: the effect of an error 1 in each."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> NDArray[np.bool_]:

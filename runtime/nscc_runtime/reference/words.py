@@ -29,8 +29,7 @@ from nscc_runtime.reference.weights import error_sign
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
 Marked = tuple[Values, NDArray[np.uint8]]
-"""Exposures (buckets, pixels) in electrons, and their saturation marks
-(`nscc_runtime.effects.marks`)."""
+"""Exposures (buckets, pixels) in electrons, and saturation marks (`nscc_runtime.effects.marks`)."""
 
 CELLS = 1 << 21
 """Largest number of slots x pixels that are processed at once, in about ten arrays of that size."""
@@ -127,8 +126,7 @@ class WordPixels(Pixels):
 
     @abstractmethod
     def draw(self, name: str, number: int) -> Values:
-        """Return the standard normal error (pixels,) of an effect in the draw `number` of its
-        words."""
+        """Return the standard normal error (pixels,) of an effect in draw `number` of its words."""
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         number = word.number

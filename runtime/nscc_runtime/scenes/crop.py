@@ -10,8 +10,8 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 
 @dataclass(frozen=True)
 class Window:
-    """The size of the array in pixels, and the position (row, column) of its top left corner in
-    pictures; None centres it."""
+    """The size of the array, and the (row, column) of its top left corner in pictures (None:
+    centred)."""
 
     rows: int
     cols: int

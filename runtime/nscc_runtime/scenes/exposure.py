@@ -27,8 +27,7 @@ BUILTIN = ExposureLevel(30000.0)
 
 
 def parse_exposure(exposure: str | float) -> ExposureLevel:
-    """Parse `E` or `E@P`: electrons above 0, and a percentile in 0..100. Raises Rejected (NS0738)
-    for other texts."""
+    """Parse `E` or `E@P`: electrons above 0, percentile in 0..100. Raises NS0738 for other text."""
     text = str(exposure)
     electrons, at, percentile = text.partition("@")
     try:

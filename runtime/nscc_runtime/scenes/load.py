@@ -46,8 +46,7 @@ _BUILTINS = ("hdr", "motion", "dark")
 
 @dataclass(frozen=True)
 class _Request:
-    """A scene to load: its name, the program's slots, the array, and options (None: not set).
-    `warn` is called with notes."""
+    """A scene to load: name, slots, array and options (None: not set). `warn` receives notes."""
 
     name: str
     slot_us: tuple[float, ...]
@@ -348,8 +347,8 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
-    """Return the light of a clip: one frame per slot, or as `--fps` distributes them; with
-    `single`, one frame as a still."""
+    """Return a clip's light: a frame per slot, or by `--fps`; with `single` one frame as a
+    still."""
     if request.single:
         return _still(
             request, partial(timing.only_frame, request.name, stored, request.first), transfer

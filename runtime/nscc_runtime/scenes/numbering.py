@@ -55,8 +55,7 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
 
 
 def _counting_part(split_names: Sequence[list[str]]) -> int | None:
-    """Return which part of the split names is the frame number; None if they do not differ in
-    exactly one number."""
+    """Return which part of the split names counts; None if not exactly one number differs."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [

@@ -51,8 +51,7 @@ def png_head(path: Path) -> PngHead:
 
 
 def _png_transfer(chunks: dict[bytes, bytes]) -> tuple[Transfer | None, tuple[Note, ...]]:
-    """Return the curve of cICP, sRGB or gAMA, in this order of precedence, and notes; None if no
-    curve is named."""
+    """Return the curve of cICP, sRGB or gAMA, in this order (None without any), and notes."""
     help_text = "--transfer selects another curve"
     if len(chunks.get(b"cICP", b"")) == 4:
         number = chunks[b"cICP"][1]

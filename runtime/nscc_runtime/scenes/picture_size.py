@@ -28,8 +28,7 @@ _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 
 
 def refuse_huge(path: Path) -> None:
-    """Raise Rejected (NS0734) for a picture file whose header states more than MOST_PIXELS. Invalid
-    headers are ignored."""
+    """Raise NS0734 if the header states more than MOST_PIXELS; invalid headers are ignored."""
     size = _stated_size(path)
     if size is not None:
         refuse_size(path, *size)

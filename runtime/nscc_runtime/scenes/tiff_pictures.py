@@ -54,7 +54,6 @@ def tiff_pages(path: Path) -> Pages:
 
 
 def _directories(path: Path) -> list[Tags]:
-    """Return the tags of each page."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []

@@ -112,8 +112,7 @@ def with_motion(
 
 
 def check_fps(fps: float) -> Fraction:
-    """Return the frame rate as the exact fraction of its printed decimals. Raises Rejected (NS0739)
-    outside 1e-6 .. 1e9."""
+    """Return the rate as the exact fraction of its decimals. Raises NS0739 outside 1e-6 .. 1e9."""
     if 1e-6 <= fps <= 1e9:
         return Fraction(repr(float(fps)))
     raise rejected(
@@ -127,8 +126,7 @@ def check_fps(fps: float) -> Fraction:
 def too_short(
     name: Path_or_name, have: int, need: int, slots: int, fps: float | None, first: int = 0
 ) -> Rejected:
-    """Return the error NS0735 for a clip that has fewer frames, `have` from frame `first` on, than
-    the slots `need`."""
+    """Return the error NS0735 for a clip of `have` frames from frame `first` on; `need` slots."""
     if fps is None:
         why = f"{slots} slots need one frame each"
         ways = "a program with fewer slots, or give the clip's frame rate: --fps F"

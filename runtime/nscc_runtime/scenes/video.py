@@ -45,7 +45,6 @@ class _Timing:
 
     @property
     def is_variable(self) -> bool:
-        """Whether frames have unequal durations."""
         steps = np.diff(self.times)
         return self.step > 0 and bool((np.abs(steps - self.step) > _UNEVEN * self.step).any())
 

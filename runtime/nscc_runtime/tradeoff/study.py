@@ -142,8 +142,7 @@ _Key = tuple[str, str]
 
 @dataclass(eq=False)
 class _Bench:
-    """The measurement of one scene. `plans` are keyed by setting; `errors` and `times_ms` by
-    (method, setting)."""
+    """The measurement of a scene: `plans` by setting; `errors`, `times_ms` by (method, setting)."""
 
     program: AnalysedProgram
     scene: NamedLight
@@ -173,7 +172,6 @@ class _Bench:
         return allowed_on(self._on(self.scene.light), tolerance, None)[0]
 
     def _on(self, light: Light) -> FixedShutters:
-        """Return the program on a scene."""
         program, seed = self.program, self.settings.device_seed
         return FixedShutters(program.container, program.sensor, light, seed, threads=1)
 
@@ -245,7 +243,6 @@ class _Bench:
         return method, setting, self.watch.ms(method, (self.scene.name, setting), run)[1]
 
     def study(self, gb_per_s: float) -> Study:
-        """Return the results of the scene."""
         light, errors, rank = self.scene.light, self.errors, _ORDER.index
         points = [
             Point(self.scene.name, *key, errors[key][i], unit, tuple(self.times_ms[key]))
