@@ -120,7 +120,7 @@ def _container(value: object) -> Container | None:
 
 
 def _array(call: str, light: object) -> NDArray[Any]:
-    """Return an array from an array, a list or a tensor on the processor. Raises WrongArgument."""
+    """Return an array from an array, list or CPU tensor. Raises WrongArgument for other objects."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
         try:
             return np.asarray(light)

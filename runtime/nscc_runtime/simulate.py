@@ -459,7 +459,8 @@ _digest = OfContainer(_sha256)
 
 
 def _option(mark: str, name: str) -> str:
-    """Return an argument's name in messages: with `mark`, the name of a command-line option."""
+    """Return how messages name an argument: `name` itself, or with a `mark` as command-line
+    option."""
     return mark + (name.replace("_", "-") if mark else name)
 
 

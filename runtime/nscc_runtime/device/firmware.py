@@ -65,8 +65,8 @@ def compiler() -> str | None:
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled now or cached. Raises NotBuilt. It is stored in
-    `folder`, by default nscc's cache folder, or a temporary folder without a cache."""
+    """Return the loader for a target, compiled now or cached in `folder` (by default nscc's cache
+    folder, or a temporary folder without a cache). Raises NotBuilt if it cannot be compiled."""
     compiler_path = compiler()
     if compiler_path is None:
         raise NotBuilt("no C++ compiler was found")
@@ -79,7 +79,8 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt."""
+    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt if that
+    fails."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]

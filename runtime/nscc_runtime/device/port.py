@@ -66,7 +66,8 @@ class Port:
 
 
 def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
-    """Open a port exclusively: 8 data bits, no parity, one stop bit. Raises PortTrouble."""
+    """Open a port exclusively: 8 data bits, no parity, 1 stop bit. Raises PortTrouble if it
+    cannot."""
     import serial
 
     try:

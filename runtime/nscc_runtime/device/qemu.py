@@ -48,7 +48,7 @@ def missing() -> str | None:
 
 
 def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled for a core. Raises NotBuilt."""
+    """Return the loader for a target, compiled for a core. Raises NotBuilt if that fails."""
     absent = missing()
     if absent is not None:
         raise NotBuilt(f"{absent} is not installed")

@@ -58,7 +58,7 @@ class CountScratch(NamedTuple):
 
 @compiled
 def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
-    """Return `nscc_runtime.noise.key`, computed from its first half `base`."""
+    """Return the random key of a group of slots in a frame, from its first half `base`."""
     return bits(base, frame, group)
 
 

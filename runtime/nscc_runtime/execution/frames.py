@@ -197,7 +197,7 @@ def near_pixels(
 
 
 def counts_agree(execution: Execution) -> bool:
-    """Return whether pixels near saturation can use the counts of sums."""
+    """Return whether sums and words draw equal counts, so that words can use the counts of sums."""
     counted = (
         effects.names(Counted) for effects in (execution.kept_effects, execution.near_effects)
     )

@@ -65,7 +65,8 @@ class LookingReference:
 
     @cached_property
     def intervals(self) -> Intervals:
-        """The intervals that are simulated as a whole."""
+        """The intervals of the frame: each slot if there is no noise, else runs of slots without
+        words."""
         return Intervals.of(self.container, every_slot=self.effects.noiseless)
 
     def expose(

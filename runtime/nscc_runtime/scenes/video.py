@@ -147,7 +147,7 @@ def _frames(path: Path, timing: _Timing) -> Iterator[NDArray[Any]]:
 
 
 def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
-    """Yield times and pictures while the file can be decoded. Raises ValueError without any."""
+    """Yield times and pictures until decoding fails. Raises ValueError if there is no picture."""
     import av
 
     count = 0
