@@ -16,7 +16,7 @@ from nscc_runtime.loop import object_file
 
 
 def modules(package: str) -> Iterator[str]:
-    """Import a package, and yield the names of its modules with loops without importing them."""
+    """Import `package`, and yield the names of those of its modules that contain loops."""
     (root,) = import_module(package).__path__
     for path in sorted(Path(root).rglob("*.py")):
         if path.stem.endswith(("loop", "loops")):

@@ -143,8 +143,7 @@ class Loop(Generic[_P]):
         return machine_code.read_object_file(file.name, file.folders) is not None
 
     def compiling(self, subject: str) -> str:
-        """Return the message that the loop is compiled, for `subject` or in every run without a
-        cache."""
+        """Return a message: `subject` is compiled once, or in every run if no cache is writable."""
         if machine_code.can_keep(object_file(self.module).folders):
             return f"compiling {subject} for this processor: once, some seconds"
         return ("compiling loops: some seconds in every run, because no cache folder can be "

@@ -33,7 +33,7 @@ class LoopParameter:
 
     @classmethod
     def of(cls, name: str, hint: Any) -> LoopParameter:
-        """Return the parameter of an annotation."""
+        """Return the parameter that the annotation `hint` declares."""
         hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
         if not get_origin(hint):
             return cls(name, np.dtype(hint), hint)
@@ -113,7 +113,7 @@ class ArrayGroup:
 
 
 def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
-    """Return the parameter of an annotation."""
+    """Return the parameter that the annotation `hint` declares."""
     if not (isinstance(hint, type) and issubclass(hint, tuple)):
         return LoopParameter.of(name, hint)
     fields = get_type_hints(hint, include_extras=True).items()

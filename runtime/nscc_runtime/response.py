@@ -116,7 +116,7 @@ class Response:
     cols).
 
     `open_s`: open time in seconds. Without saturation, a mean exposure in electrons is `zero_e` +
-    `gain` x the light collected meanwhile."""
+    `gain` x the light collected during this time."""
 
     open_s: Values
     gain: Values

@@ -109,7 +109,8 @@ def sum_light(
 
 @compiled
 def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
-    """Add the statistics of `ROWS` rows. Each column is separate, so LLVM vectorises the loop."""
+    """Add sums of powers and the maximum of `ROWS` rows to `column_sums`. Each column is separate,
+    so LLVM vectorises the loop."""
     b, c, d = cols, 2 * cols, 3 * cols
     for col in range(cols):
         light_a, light_b, light_c, light_d = lit[col], lit[b + col], lit[c + col], lit[d + col]
@@ -138,7 +139,8 @@ def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
 
 @compiled
 def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats) -> None:
-    """Add the squared differences to the right neighbour and to the neighbour below."""
+    """Add to `column_sums` the squared differences to the right neighbour and the neighbour
+    below."""
     if last:
         for col in range(cols - 1):
             right = total[first + col + 1] - total[first + col]

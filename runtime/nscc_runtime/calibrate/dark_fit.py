@@ -32,13 +32,14 @@ class DarkFit:
     times_s: tuple[float, ...]
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return the codes (2, rows, cols) without light, from the even and the odd frames."""
+        """Return the mean codes (2, rows, cols) of even and odd frames without light after
+        `exposure_s`."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
 
     def mean_at(self, exposure_s: float | None) -> float:
-        """Return the mean code of a frame without light over the good pixels."""
+        """Return the mean code of good pixels without light after `exposure_s` (None: 0 s)."""
         return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
 
 

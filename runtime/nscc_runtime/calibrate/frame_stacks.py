@@ -214,8 +214,7 @@ def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray
 def _ours(
     name: str, values: NDArray[Any], meta: Mapping[str, Any]
 ) -> tuple[NDArray[Any], float | None]:
-    """Return the codes (K, rows, cols) of a frame file, and the seconds its pixels are open or
-    None."""
+    """Return codes (K, rows, cols) of a frame file, and the seconds its pixels are open or None."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise _no_frames(
@@ -237,8 +236,7 @@ def _ours(
 
 
 def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
-    """Return a mask (rows, cols) of pixels valid in every frame of the file; None without a
-    mask."""
+    """Return a mask (rows, cols) of pixels valid in all frames of the file; None without a mask."""
     valid = arrays.get("valid")
     if valid is None or valid.size != np.prod(shape):
         return None

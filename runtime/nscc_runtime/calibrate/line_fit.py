@@ -105,13 +105,13 @@ def root(variance: float, error: float) -> tuple[float, float]:
 
 
 def robust_scale(values: Vector) -> tuple[float, float]:
-    """Return the median, and the standard deviation from the median absolute deviation."""
+    """Return the median, and the standard deviation estimated by the median absolute deviation."""
     middle = float(np.median(values))
     return middle, 1.4826 * float(np.median(np.abs(values - middle)))
 
 
 def surface(values: Map, good_mask: Mask) -> Map:
-    """Fit a quadratic surface (rows, cols), six parameters, to the good pixels."""
+    """Return the quadratic surface (rows, cols), with six parameters, fitted to the good pixels."""
     rows, cols = values.shape
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)

@@ -88,7 +88,6 @@ class EmulatedChip:
         )
 
     def exposure(self, container: Container, channels: int) -> bytes:
-        """Return the bytes of one frame of a container."""
         return self.execute(container, channels).frame
 
     def _executed(

@@ -225,8 +225,7 @@ def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.boo
 def _full(
     codes: NDArray[np.uint8], container: Container, sensor: Sensor
 ) -> NDArray[np.uint8] | np.uint8:
-    """Return the saturation marks that the codes imply; 0 if the program's words open no
-    shutters."""
+    """Return the saturation marks that codes imply; 0 if the program's words open no shutters."""
     from nscc_runtime.full_codes import marked_by_codes
 
     try:

@@ -67,7 +67,7 @@ def port_lost(port: str, seconds: float) -> Rejected:
 
 @contextmanager
 def explained(port: str, patience_s: float) -> Iterator[None]:
-    """Convert exceptions of a host's task to messages about the device at `port`."""
+    """Convert exceptions of a host's task, in a with block, to errors of the device at `port`."""
     try:
         yield
     except Silent as silent:

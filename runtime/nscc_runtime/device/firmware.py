@@ -79,8 +79,7 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt if that
-    fails."""
+    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]
@@ -251,7 +250,6 @@ class RunningFirmware(Firmware):
             self._exposing.append((job, in_background(partial(self.execute, job))))
 
     def close(self) -> int:
-        """End the process."""
         if self._line >= 0:
             os.close(self._line)
         return super().close()

@@ -230,7 +230,7 @@ class UploadProgress(_Body):
 
 @dataclass(frozen=True)
 class CaptureRequest(_Body):
-    """Expose a frame, unless the frame with this number exists or is being exposed."""
+    """A request to expose a frame, unless the frame `number` exists or is being exposed."""
 
     number: int
     channels: int
@@ -268,8 +268,8 @@ class CaptureReply(_Body):
 
 @dataclass(frozen=True)
 class ReadRequest(_Body):
-    """Send `length` bytes of a frame from `offset`, at most `chunk` bytes per packet. The host has
-    all bytes before `confirmed`."""
+    """A request for `length` bytes of a frame from `offset` on, at most `chunk` bytes per packet.
+    The host has all bytes before `confirmed`."""
 
     number: int
     offset: int

@@ -66,8 +66,7 @@ class Port:
 
 
 def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
-    """Open a port exclusively: 8 data bits, no parity, 1 stop bit. Raises PortTrouble if it
-    cannot."""
+    """Open a port exclusively: 8 data bits, no parity, 1 stop bit. Raises PortTrouble."""
     import serial
 
     try:

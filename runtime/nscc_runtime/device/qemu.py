@@ -109,6 +109,5 @@ class Emulated(RunningFirmware):
         self.write_record(b"B", frame[offset : offset + count] if number == frame_number else b"")
 
     def close(self) -> int:
-        """End the emulator."""
         self._process.kill()
         return super().close()

@@ -98,7 +98,6 @@ class Terminal:
         return any(happened & select.POLLHUP for _, happened in poller.poll(0))
 
     def close(self) -> None:
-        """Close the terminal."""
         with suppress(OSError):
             os.close(self.fd)
 

@@ -59,7 +59,7 @@ class Selection:
         return [does for _, does in self.acting(stage)]
 
     def marking(self, at: str) -> Mark | None:
-        """Return the saturation mark of a kind; None if no effect that is on sets it."""
+        """Return the saturation mark of kind `at` (see `MARKED`); None if no effect on sets it."""
         return next((effect.marks[at] for effect in self.effects if at in effect.marks), None)
 
     @remembered
@@ -121,7 +121,7 @@ def _all_of(effects: tuple[Effect, ...]) -> Selection:
 
 @cache
 def _parts_of_kind(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
-    """Return the parts of a kind of all these effects."""
+    """Return pairs of an effect and its part that is an instance of `kind`."""
     return tuple(
         (effect, effect_part) for effect in effects for effect_part in effect.parts_of_kind(kind)
     )

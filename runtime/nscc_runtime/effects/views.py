@@ -82,4 +82,5 @@ class Pixels(Where, ABC):
 
     @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """Return the standard normal error of an effect's `Errors` at a word."""
+        """Return the standard normal error (pixels,) of effect `name` at a destination of a
+        word."""

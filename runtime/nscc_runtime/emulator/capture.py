@@ -150,8 +150,7 @@ def check(container: Container, light: Light) -> None:
 
 
 def check_program(container: Container) -> None:
-    """Raise NS0741 for a program without pixel codes, and ValueError for an inconsistent
-    container."""
+    """Raise NS0741 for a program without pixel codes, ValueError for an inconsistent container."""
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",

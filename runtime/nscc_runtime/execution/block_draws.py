@@ -136,8 +136,8 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 @inlined
 def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
-    """Set out[i] to the normal number of places[first + i]. The two steps are separate loops,
-    because a single loop runs out of processor registers."""
+    """Set out[i] to the standard normal number of key `stream` at places[first + i]. The two steps
+    are separate loops, because a single loop runs out of processor registers."""
     for i in range(count):
         out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
     for i in range(count):

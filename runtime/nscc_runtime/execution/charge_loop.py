@@ -233,7 +233,8 @@ def charge(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
     counts: CountScratch,
 ) -> float:  # fmt: skip
-    """Return the charge of the pixel in the slots `begin` to `stop` - 1, after crosstalk."""
+    """Return the charge of pixel counts.places[0] in slots `begin` to `stop` - 1, with
+    crosstalk."""
     if begin >= stop:
         return 0.0
     own_e = _charge_of_site(sizes, numbers, counts.places[0], begin, stop, sites, counts)

@@ -73,7 +73,7 @@ def draw_counts(
 
 @record
 class Adding:
-    """Sizes for `add_up`: rows `begin` to `end` - 1 of a frame, and numbers of terms."""
+    """Sizes for `add_up`. `fraction`: part of a pixel's charge that moves to each neighbour."""
 
     begin: int
     end: int

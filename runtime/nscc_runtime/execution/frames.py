@@ -120,7 +120,7 @@ class ExecutedScene:
 
     @cached_property
     def summed(self) -> SummedScene:
-        """The scene by weighted sums."""
+        """The scene, simulated by weighted sums."""
         return SummedScene(self.chip, self.light, self.threads)
 
     def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:

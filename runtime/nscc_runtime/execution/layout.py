@@ -137,17 +137,17 @@ class LoopWord:
     compares: int
     reads_pix: int
     number: int
-    """Its number among the words of a frame."""
+    """The number of the word among the words of a frame."""
     sources: int
     destinations: int
     operands: int
-    """Index of its first register in `LoopProgram.operands`: sources, then destinations."""
+    """Index of the first source in `LoopProgram.operands`; then other sources, destinations."""
     begins: int
-    """The slot or interval at whose beginning it runs."""
+    """The slot or interval at whose beginning the word runs."""
     end_us: float
-    """Its end in microseconds after this beginning."""
+    """The end of the word in microseconds after the beginning of that slot."""
     time_s: float
-    """The time of this beginning in the frame, in seconds."""
+    """The time in the frame at which that slot begins, in seconds."""
     divisor: float
     in_e: float
     """The value of IN during the word, in electrons."""

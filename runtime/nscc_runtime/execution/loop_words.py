@@ -104,7 +104,7 @@ def device_of(device_seed: int) -> OnDevice:
 
 
 class Turns:
-    """Find resets and reads of PIX among the words of lanes. The words of lane l are at start[l] to
+    """The resets and reads of PIX among the words of lanes. The words of lane l are at start[l] to
     start[l + 1] - 1. A turn is a word that reads or resets PIX."""
 
     def __init__(

@@ -73,8 +73,7 @@ def _begin(
     switches: Switches, sizes: Sizes, numbers: Numbers, device: OnDevice, start_keys: Words,
     place: int, fixed: Fixed, contents: RegisterContents,
 ) -> None:  # fmt: skip
-    """Set a pixel's fixed patterns and initial registers. `start_keys` begins with the key of
-    PIX."""
+    """Set a pixel's fixed patterns and initial registers. `start_keys` begins with PIX's key."""
     begin(switches, 1, contents, 0)
     if sizes.stale:
         for register in range(switches.registers):

@@ -96,7 +96,7 @@ none. Arguments: container, microseconds for which digital registers keep their 
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
-    """Return the bits of registers as one number."""
+    """Return for each pixel of `shape` the bits of its registers as one number."""
     numbers = np.zeros(shape, np.int64)
     for k, name in enumerate(sorted(bits)):
         numbers |= bits[name].astype(np.int64) << k
@@ -146,7 +146,7 @@ class _PathReplay:
         self.passed: list[tuple[int, NDArray[np.intp], Bits]] = []
         """For each word that may act: its number, the segments, and whether it acts in them."""
         self.following: list[tuple[NDArray[np.intp], int, NDArray[np.intp]]] = []
-        """Segments, an answer, and the segments that the answer leads to."""
+        """For each answered comparison: segments, an answer, and the next segment of each."""
         self.size = 0
 
     def run(self) -> tuple[RunningWord, ...]:

@@ -19,7 +19,7 @@ _COUNT_CAP = 2.0**53
 
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
-    """Return uniform numbers strictly inside (0, 1): odd multiples of 2**-53."""
+    """Return one uniform number per pixel strictly inside (0, 1), an odd multiple of 2**-53."""
     from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
 
     places, out = _places(pixels), np.empty(np.shape(pixels))

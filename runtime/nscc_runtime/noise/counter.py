@@ -23,8 +23,7 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 
 @inlined
 def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
-    """Return 64 random bits of a key and a pixel. `lane`: 0, 1, .. for several results per
-    pixel."""
+    """Return 64 random bits of a key and a pixel. `lane`: 0, 1, .. for several results."""
     place = np.uint64(pixel)
     a, b = place & _MASK, place >> _HALF
     c, d = lane & _MASK, lane >> _HALF

@@ -40,7 +40,7 @@ def taylor(z: float) -> list[float]:
 
 
 def _table() -> NDArray[np.float64]:
-    """Return `_TERMS` coefficients for each cell, flat, from the cell of the smallest v on."""
+    """Return `_TERMS` Taylor coefficients of the quantile for each cell of arguments, flattened."""
     width = 2.0**-_CELL_BITS
     cells = np.empty((_CELLS, _TERMS))
     below = 0.0

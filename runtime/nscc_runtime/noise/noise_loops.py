@@ -101,14 +101,14 @@ class Draws:
 
 @loop
 def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
-    """Set out[i] to the uniform number at pixels[i]."""
+    """Set out[i] to the uniform number of the key at pixels[i]."""
     for i in range(draws.count):
         out[i] = uniform(draws.key, pixels[i])
 
 
 @loop
 def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
-    """Set out[i] to the normal number at pixels[i]."""
+    """Set out[i] to the standard normal number of the key at pixels[i]."""
     for i in range(draws.count):
         out[i] = normal(uniform(draws.key, pixels[i]))
 

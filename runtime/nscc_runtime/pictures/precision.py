@@ -81,8 +81,7 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Draw panels with one scale of time, and of errors per label. Raises ValueError without
-    points."""
+    """Draw panels with common scales of time and error. Raises ValueError without points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]

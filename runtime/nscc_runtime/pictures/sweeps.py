@@ -31,8 +31,7 @@ Place = float | str
 
 @dataclass(frozen=True)
 class Lines:
-    """A panel: labels of its axes (`across`, `upwards`), and each line's points (across,
-    upwards)."""
+    """A panel: its axis labels (`across`, `upwards`), and each line's points (across, upwards)."""
 
     title: str
     across: str

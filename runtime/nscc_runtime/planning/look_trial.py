@@ -229,7 +229,6 @@ class LookTrial(Trial):
         return SHIPPED.looked + sum(self.saved_ns(name) for name in effects), 0.0
 
     def planning_ms(self) -> float:
-        """Return the predicted milliseconds for measuring effects on this scene."""
         pixels = min(self.pixels, 16 * _TILES)
         exposures = sum(e.kind != "after" for e in registered()) - len(self.absent) + 2
         machine = self.program.container.machine

@@ -83,7 +83,8 @@ def measure_effects(
 
 
 def _products(fields: Values, weight: Values) -> Values:
-    """Return mean products (outputs, fields, fields) of `fields` (fields, outputs, pixels)."""
+    """Return mean products (outputs, fields, fields) of all pairs of `fields` (fields, outputs,
+    pixels)."""
     weighed = fields * (weight / max(float(weight.sum()), 1e-300))
     # Not by a library for matrices: its sums may differ from machine to machine.
     return np.array(

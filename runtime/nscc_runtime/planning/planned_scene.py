@@ -60,8 +60,8 @@ class PlannedScene(ABC):
 
     @abstractmethod
     def trial(self, forced_off: Names) -> Trial:
-        """Return the trial that measures effects on this scene. The user switched `forced_off`
-        off."""
+        """Return the trial that measures effects on this scene; `forced_off`: effects to drop
+        always."""
 
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
         """Return a slower trial with smaller errors than `trial`; None if there is none."""

@@ -144,7 +144,8 @@ class SummedTrial(Trial):
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """Return the error of dropping one effect: measured by sums far from saturation, and by
-        words near saturation. The latter is measured for effects that saturate, or on request."""
+        words near saturation. Pixels near saturation are measured for effects that saturate, or on
+        request."""
         by, name = self.exposures, effect.name
         if name in self.slow:
             return ExposureErrors.of(
@@ -324,10 +325,8 @@ class SummedTrial(Trial):
         return frozenset(name for name, e2 in square_e2.items() if e2.max() > tolerance_e**2)
 
     def settings(self, dropped: Names) -> Sequence[Setting]:
-        """Return settings that drop these effects, cheapest first.
-
-        They differ in the effects that pixels near saturation lack: those dropped effects that cost
-        them time, the same except crosstalk, or none."""
+        """Return settings that drop these effects, cheapest first. Near saturation they drop those
+        of `dropped` that cost time there, or these without crosstalk, or nothing."""
         all_effects = everything()
         slow_words = all_effects.names(SlowWords) | all_effects.names(LitLevel)
         costly = (
@@ -392,7 +391,6 @@ class SummedTrial(Trial):
         return SHIPPED.summed + light_ns + effects_ns + near_ns, near_ns
 
     def planning_ms(self) -> float:
-        """Return the predicted milliseconds for measuring effects on this scene."""
         near_count = near_sampled(self.running, self.pixels)
         measured = min(TILES + 4 * near_count, self.pixels)
         words_ns = self.work.words_ns(self._fast_effects, "nothing") * measured

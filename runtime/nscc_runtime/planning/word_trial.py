@@ -119,7 +119,8 @@ class ReferenceTrial(WordTrial):
         return self.work.reference_ns if name in self.slow - self.absent else 0.0
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Return the effects that only the reference supports, or that sums are inaccurate."""
+        """Return the reasons for the reference: effects that only it supports, or inaccurate
+        sums."""
         slow = [e for e in self.requested_effects.effects if e.name in self.slow - self.absent]
         return tuple(map(slow_reason, slow)) or (APPROXIMATE,)
 

@@ -33,7 +33,8 @@ class Resets:
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
     def lit(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words read the reset level with the light since then."""
+        """Return a mask of pixels where words read the reset level plus the light since the
+        reset."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
     def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:

@@ -113,7 +113,7 @@ class WordPixels(Pixels):
         self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
 
     def begin(self) -> None:
-        """Look up everything that does not depend on pixels."""
+        """Look up everything that does not depend on pixels, such as the effects of each stage."""
         self.at, self.target = self.effects.at, self.container.target
         self.most = most_destinations(self.target)
         self.errors_at = {

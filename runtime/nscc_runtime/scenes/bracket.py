@@ -116,7 +116,8 @@ def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
 
 
 def _exif_exposure(path: Path) -> float:
-    """Return exposure time times ISO speed over squared f-number, as far as the EXIF has them."""
+    """Return exposure time times ISO speed over squared f-number; values missing in the EXIF count
+    1."""
     from PIL import Image
 
     try:

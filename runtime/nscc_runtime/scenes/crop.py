@@ -10,7 +10,7 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 
 @dataclass(frozen=True)
 class Window:
-    """The size of the array, and the (row, column) of its top left corner in pictures (None:
+    """The array's size, and the (row, column) of its top left corner in pictures (None:
     centred)."""
 
     rows: int

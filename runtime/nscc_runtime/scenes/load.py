@@ -347,7 +347,7 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
-    """Return a clip's light: a frame per slot, or by `--fps`; with `single` one frame as a
+    """Return a clip's light: one frame per slot, or by `--fps`; with `single` one frame as a
     still."""
     if request.single:
         return _still(

@@ -47,7 +47,7 @@ def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
 
     Frame k covers [k / fps, (k + 1) / fps); time beyond the last frame, number `frames_needed` - 1,
     counts as the last frame. Boundaries are exact fractions, so a slot that ends with a frame
-    contains nothing of the next, for any number of slots."""
+    contains nothing of the next frame, for any number of slots."""
     per_us = fps / 1_000_000
     last = frames_needed(slot_us, fps) - 1
     row_start, frame_index, seconds = [0], [], []
@@ -145,7 +145,7 @@ def too_short(
 
 
 def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -> NDArray[Any]:
-    """Return the frame of a clip used as a still. Raises NS0735 beyond the end of the clip."""
+    """Return frame number `first` of a clip as a still. Raises NS0735 if the clip is shorter."""
     have = 0
     for have, picture in enumerate(stored, 1):
         if have > first:

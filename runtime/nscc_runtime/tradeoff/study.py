@@ -105,7 +105,7 @@ class Study:
 
 
 Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
-"""Iterates over the work, and may show progress."""
+"""A function that iterates over the work and may show progress."""
 
 
 def measure(
