@@ -35,7 +35,7 @@ _MUCH = 1 << 20
 
 @dataclass(frozen=True, eq=False)
 class AnalysedProgram:
-    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: (N,) in seconds."""
+    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: slot lengths (N,)."""
 
     container: Container
     sensor: Sensor

@@ -139,7 +139,8 @@ def allowed_on(
 def _measured(
     scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
 ) -> Plan:
-    """Run the five steps and return the plan, with a slower trial if sums are too inaccurate."""
+    """Measure effects, choose and measure a set to drop, and return the plan. Uses a slower trial
+    if sums are too inaccurate."""
     assert demands.allowed is not None
     too_large = trial.too_large(demands.allowed.electrons)
     moves = [move for move in trial.moves(free) if not move.names & too_large]

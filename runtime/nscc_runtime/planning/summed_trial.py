@@ -202,8 +202,8 @@ class SummedTrial(Trial):
         return self.together(Setting(NONE, exact=True))
 
     def together(self, setting: Setting) -> ExposureErrors:
-        """Return the error of a setting, relative to sums far from saturation and relative to words
-        near it.
+        """Return the error of a setting: relative to sums for pixels far from saturation, and
+        relative to words for pixels near saturation.
 
         If all saturating effects are dropped, noise dominates the error; several frames are then
         exposed as additional outputs."""

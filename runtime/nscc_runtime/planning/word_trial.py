@@ -23,7 +23,7 @@ APPROXIMATE = (
 
 @dataclass(frozen=True, eq=False)
 class WordTrial(SummedTrial):
-    """A trial by words. Effects whose error by sums exceeds `limit_e` electrons are skipped."""
+    """A trial by words. Effects whose error by sums exceeds `limit_e` are not measured by words."""
 
     limit_e: float = np.inf
 
