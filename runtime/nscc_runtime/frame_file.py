@@ -366,8 +366,9 @@ class FrameFile:
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
     ) -> FrameFile:
-        """Return the file of a frame, with the contents named in `keep` (see KEEP). Without light,
-        none is kept. `shutters`: the argument of `packed_shutters`, needed to keep "shutter"."""
+        """Return the file of a frame, with the contents named in `keep` (see KEEP). If `light` is
+        None, no light is kept. `shutters`: the argument of `packed_shutters`, needed to keep
+        "shutter"."""
         kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:

@@ -52,7 +52,7 @@ AS_IT_IS = -32768
 
 
 class ObjectKind(IntEnum):
-    """The kind of an object."""
+    """The kind of an object of an upload."""
 
     READOUTS = 1
     KERNELS = 2
@@ -64,7 +64,7 @@ class ObjectKind(IntEnum):
 
 @dataclass(frozen=True)
 class Object:
-    """One object. `register`: the register of a plane, 0 for other kinds."""
+    """An object of an upload. `register`: the register of a plane, 0 for other kinds."""
 
     kind: ObjectKind
     register: int

@@ -108,8 +108,8 @@ class SummedTrial(Trial):
 
     @property
     def alike(self) -> bool:
-        """Whether an effect that changes no sampled pixel changes no pixel at all: true if no pixel
-        is near saturation."""
+        """Whether no pixel is near saturation. Then an effect that changes no sampled pixel changes
+        none."""
         return not self.running
 
     @cached_property

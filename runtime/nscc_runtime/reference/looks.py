@@ -194,7 +194,7 @@ class _LookingPixels(WordPixels):
                 self.digital.run(word.op)
 
     def _compared_total(self, word: RunningWord) -> Values:
-        """Return the value that a comparison tests for being above 0."""
+        """Return the electrons (pixels,) of which a comparison tests whether they are above 0."""
         total = self.total(word)
         for compare in self.at("compare"):
             total = compare(self, total, word)
