@@ -80,7 +80,7 @@ class Frame:
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
-        """Mask of the pixels that received more light than the exposure indicates."""
+        """Mask (buckets, rows, cols) of pixels that received more light than `exposure_e` tells."""
         return np.asarray(self.saturated_by != 0)
 
     @property
@@ -119,7 +119,7 @@ def read_out(
 
 
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
-    """Return the bits of `saturated_by` of codes that are the last of the scale."""
+    """Return the bits of `saturated_by` of those codes in `frame` that are the last code."""
     bit = marks()["codes"].bit
     return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 

@@ -229,7 +229,7 @@ def _kernels(container: Container) -> bytes:
 
 
 def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """Yield schedule rows (advance, kernel, times, level), merging launches at equal distances."""
+    """Yield schedule rows (advance, kernel, times, level or None), merging equal launches."""
     at = 0
     steps = []
     for launch in container.launches:

@@ -86,8 +86,7 @@ class Well(Saturates, stage="well"):
 
 @dataclass(frozen=True)
 class Soft(Saturates, stage="registers"):
-    """Declares that registers are linear up to `linear_e` electrons, and lose `lost_e` of larger
-    values."""
+    """Declares that registers are linear up to `linear_e` and lose `lost_e` of larger values."""
 
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]
@@ -148,8 +147,7 @@ class Converter(Part, stage="converter"):
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """Declares the converter's scale: `electrons` per code, and the code `offset` of zero
-    electrons."""
+    """Declares the converter's scale: `electrons` per code, and the code of 0 electrons."""
 
     electrons: OfSensor
     offset: OfSensor

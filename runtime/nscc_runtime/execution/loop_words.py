@@ -117,7 +117,7 @@ class Turns:
 
     @property
     def unread(self) -> NDArray[np.bool_]:
-        """Mask of resets without effect: PIX is reset again before it is read."""
+        """Mask (words,) of resets without effect: PIX is reset again before it is read."""
         return np.asarray(self._resets & self._then(self._resets, 1))
 
     @property

@@ -115,7 +115,7 @@ class AnalysedProgram:
 
     @cached_property
     def group_ids(self) -> NDArray[np.int64]:
-        """Numbers of the groups of slots that occur; group 0 contains closed slots."""
+        """Numbers (groups,) of the groups of slots that occur; group 0 contains closed slots."""
         return np.unique(self.reference.groups.of_slot)
 
     @cached_property

@@ -1,11 +1,12 @@
 """Make a plan for a scene, in five steps.
 
-1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents. 2.
-`measured_effects`: drop each effect alone, on these pixels with the same random numbers. 3.
-`choose`: find the sets of effects that save most time, if their errors add up to less than the
-tolerance. 4. `choose`: drop all effects of a set at once and compare with the truth. If the error
-plus two standard errors exceeds the tolerance, try the next set. 5. `decisions`: enter for every
-effect whether it is simulated, its measured error and the reason.
+1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
+2. `measured_effects`: drop each effect alone, on these pixels with the same random numbers.
+3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
+   tolerance.
+4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
+   standard errors exceeds the tolerance, try the next set.
+5. `decisions`: enter for every effect whether it is simulated, its measured error and the reason.
 
 Effects are only measured if that saves more time than it takes, or if the user requests the table.
 Otherwise every effect is simulated."""

@@ -65,7 +65,7 @@ class LookingReference:
 
     @cached_property
     def intervals(self) -> Intervals:
-        """The intervals of the frame: each slot if there is no noise, else runs of slots without
+        """The intervals of the frame: single slots without noise, else runs of slots without
         words."""
         return Intervals.of(self.container, every_slot=self.effects.noiseless)
 

@@ -10,8 +10,7 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 
 @dataclass(frozen=True)
 class Window:
-    """The array's size, and the (row, column) of its top left corner in pictures (None:
-    centred)."""
+    """The array's size, and the (row, column) of its top left corner in pictures or None."""
 
     rows: int
     cols: int
