@@ -96,8 +96,8 @@ class Capture(Frame):
 
     @property
     def margin(self) -> NDArray[np.bool_] | None:
-        """Mask (rows, cols) of pixels that depend on light beyond the array; None without
-        images."""
+        """Mask (rows, cols) of pixels that depend on light beyond the array; None for a program
+        without images and planes."""
         return self.told.get("margin")
 
     @property

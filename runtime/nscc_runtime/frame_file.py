@@ -391,7 +391,7 @@ class FrameFile:
             for key in ("frame", "exposure_e", "valid"):
                 _write_array(archive, key, getattr(self.frame, key))
             marked = self.frame.saturated_by
-            blocks = (block != 0 for block in marked)  # of many repeats, never all at once
+            blocks = (block != 0 for block in marked)  # one repeat at a time, to limit memory
             _write_entry(archive, "saturated", marked.shape, np.dtype(np.bool_), blocks)
             _write_array(archive, "saturated_by", marked)
             for key, values in self.frame.told.items():

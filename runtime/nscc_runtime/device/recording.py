@@ -46,7 +46,8 @@ class Recording:
         self._events: list[tuple[int, int]] = []
 
     def take(self, kind: bytes, data: bytes) -> BoardJob | None:
-        """Process a record; return a job if it ends one. Raises ValueError for another kind."""
+        """Process a record; return a job for the kind "J". Raises ValueError for an unknown
+        kind."""
         match kind:
             case b"F":
                 self._forget()

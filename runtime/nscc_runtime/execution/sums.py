@@ -24,7 +24,8 @@ _MOST_KEPT = 1 << 21
 @dataclass(frozen=True, eq=False)
 class FrameWeights:
     """Weights (sums, frames, lanes) of frames of light for
-    `nscc_runtime.execution.sum_loop.scene_sums`, for all lights with the same timing."""
+    `nscc_runtime.execution.sum_loop.scene_sums`, for all lights with the same timing.
+    `frame_weight` (frames,): total weight of each frame."""
 
     timing: Hashable
     weights: NDArray[np.float64]

@@ -68,7 +68,7 @@ class Content:
 
     @property
     def pictures(self) -> Iterator[NDArray[Any]]:
-        """The light as an iterator of pictures: the frames (rows, cols[, 3]) of a clip, or one."""
+        """The light as an iterator of pictures: the frames of a clip, or one picture."""
         return self._pictures(self.light)
 
     @property

@@ -151,7 +151,7 @@ def _measured(
     effects_to_measure |= trial.slow - trial.absent - trial.forced_off
     negligible = scene.approximates(_NEGLIGIBLE * demands.allowed.electrons, None)
     slower = scene.slower_trial(trial, demands.allowed.electrons)
-    # Measurements near saturation are slow: they are made on request, or if they decide.
+    # Measurements near saturation are slow, so first try without, except on request.
     for near_saturation in (True,) if figures else (False, True):
         measured = measure_effects(
             trial,

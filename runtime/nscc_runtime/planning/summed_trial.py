@@ -79,7 +79,7 @@ class SummedTrial(Trial):
     @cached_property
     def sample(self) -> Sample:
         total_e = (self.light.motion or self.light).sum_e
-        dark = everything().require_part(CountedDark)  # a few pixels may have most of it
+        dark = everything().require_part(CountedDark)  # it differs between pixels
         current = self.program.array.device(self.sensor, self.device_seed).fixed(dark.per_s)
         dark_e = (current * self.program.slot_s.sum()).reshape(total_e.shape)
         return sample_of(total_e + dark_e, self.near_pixels, self.sensor.full_well_e)
@@ -140,7 +140,7 @@ class SummedTrial(Trial):
         by = self.exposures
         return by.by_reference(self._fast_effects) - by.by_reference(everything())
 
-    # -- What is measured ---------------------------------------------------------------------
+    # -- Measurements -------------------------------------------------------------------------
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """Return the error of dropping one effect: measured by sums far from saturation, and by
@@ -282,7 +282,7 @@ class SummedTrial(Trial):
     def _unforced(self) -> SummedTrial:
         return replace(self, forced_off=NONE) if self.forced_off else self
 
-    # -- What may be left out -----------------------------------------------------------------
+    # -- Effects to drop ----------------------------------------------------------------------
 
     def moves(self, free: Names) -> Sequence[Move]:
         """Return a move for each effect that sums support, and one for all saturating effects."""
@@ -297,7 +297,7 @@ class SummedTrial(Trial):
                     continue
                 names |= lit & free
             moves.append(Move(names, self.saved_ns(name), name))
-        # Noise that takes pixels out of the registers' range does so in few: too rare to measure.
+        # Noise drives few pixels out of the registers' range, too few to be measured.
         by_noise = (self.program.reach.least_e[:, self.program.lanes] <= 0).any()
         if self.saturation and self.saturation <= free and not by_noise:
             moves.append(Move(self.saturation, self._near_ns(NOTHING), None))

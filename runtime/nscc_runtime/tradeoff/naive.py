@@ -81,7 +81,8 @@ class Naive:
 
 
 def copy_gb_per_s() -> float:
-    """Return the memory traffic of copying more than the caches hold, in GB/s, at best."""
+    """Return the memory traffic in GB/s of copying more than the caches hold, the best of some
+    runs."""
     source = np.ones(_COPIED_BYTES // 8)
     target = np.zeros_like(source)
     best_s = np.inf
