@@ -112,7 +112,7 @@ def expose(
 @dataclass(frozen=True, eq=False)
 class _Decoded:
     """A program's words and codes as the arrays that the compiled loop reads. `code_planes`: packed
-    planes. `code_rows`: their numbers."""
+    planes of the codes. `code_rows`: the numbers of their registers."""
 
     layout: Layout
     steps: Steps

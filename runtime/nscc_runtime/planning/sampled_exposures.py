@@ -64,7 +64,8 @@ class SampledExposures:
     def by_sums(
         self, kept_effects: Selection, requested_effects: Selection, region: str, frame: int
     ) -> Values:
-        """Return exposures by sums of sampled pixels in `region` "far" or "near" (saturation)."""
+        """Return exposures (buckets, pixels) by sums of the sampled pixels "far" from or "near"
+        saturation (`region`)."""
         inner = self._arrays[region][2]
         if not len(inner):
             return np.empty((len(self.program.container.buckets), 0))
