@@ -1,5 +1,6 @@
-"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot. `nscc
-run` is this with files around it, `nscc_runtime.capture` is it for Python."""
+"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
+
+`nscc run` adds files to it, and `nscc_runtime.capture` is its Python interface."""
 
 from __future__ import annotations
 
@@ -43,14 +44,13 @@ class Request:
     """How to expose a scene.
 
     With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.15noise of the frame's own, or electrons), the worst pixel to `tolerance_max`, where there is
-    one, by a plan: the one given, that of a file, or one made now, whose text is given back if
-    `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
-    effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
-    With a `turn` the plan of an earlier scene serves this one, too, where it covers it.
-    `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
-    bit. A `torch_device` draws and adds up the frames of a plan by sums, many at once.
-    """
+    0.15noise of the frame's own noise, or electrons), and the worst pixel to `tolerance_max` if
+    that is set. The plan is the given `plan`, read from a file, or made now; if `plan` names a file
+    that does not exist, its text is returned. Otherwise words are executed slot by slot, without
+    effects or with all of `effects` exactly. `audit` compares frames under a plan with this
+    reference. With a `turn`, the plan of an earlier scene is reused if it covers this scene.
+    `repeat`: number of frames, None for a single frame. Results do not depend on `threads` (None:
+    all processors). `torch_device`: the torch device that computes frames by sums."""
 
     effects: Selection
     planned: bool = True
@@ -78,12 +78,12 @@ class Request:
         mark: str = "",
         **options: Any,
     ) -> Request:
-        """What a user asks for: no effects, or `auto` where a plan or a promise is wanted.
+        """Return the request for a user's options: no effects, or `auto` if a plan or a tolerance
+        is requested.
 
-        `fidelity` "reference" simulates `effects` slot by slot. Raises Rejected: NS0739 (status 2)
-        for options that contradict each other, which messages name with `mark` before them, NS0756
-        for effects that there are not.
-        """
+        `fidelity` "reference" simulates `effects` slot by slot. `mark`: prefix of option names in
+        messages. Raises Rejected: NS0739 (status 2) for options that exclude each other, NS0756 for
+        unknown effects."""
         tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
         tolerances = {name: value for name, value in tolerances.items() if value is not None}
         given_options = {"audit": audit, "plan": plan is not None}
@@ -121,25 +121,26 @@ class Request:
 
 @dataclass(frozen=True)
 class Listener:
-    """Who is told how a run goes: a line of text, where somebody reads it, a warning (which may
-    raise), and progress. `timings` gathers the seconds that were spent."""
+    """The callbacks of a run.
+
+    `say`: called with lines of text, None if nobody reads them. `warn`: called with warnings; it
+    may raise. `progress`: shows progress. `timings`: collects the seconds spent."""
 
     say: Callable[[str], None] | None = None
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
     progress: Progress = unseen
     timings: Timings = field(default_factory=Timings)
     lines_said: set[str] = field(default_factory=set)
-    """Lines that are said once."""
+    """Lines that were said already, because each is said only once."""
 
 
 @dataclass(frozen=True, eq=False)
 class Simulated:
-    """What became of it: the frame(s) and where they come from.
+    """The result of a run: the frame(s) and their origin.
 
-    `effects` are those that were simulated. With a plan: the plan, its audit if there was one, the
-    text of a plan's file to be written, and what to raise once the frame is written if the audit
-    says that the promise was broken.
-    """
+    `effects`: the effects that were simulated. With a plan: the plan, its audit if requested, the
+    text of a plan file to write, and `broken`, the error to raise after writing the frame if the
+    audit failed."""
 
     frame: Frame
     origin: Provenance
@@ -157,7 +158,7 @@ def simulate(
     request: Request,
     listener: Listener | None = None,
 ) -> Simulated:
-    """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
+    """Expose the scene. Raises Rejected if the program, the scene or the plan is unsuitable."""
     listener = listener or Listener()
     try:
         simulated = _simulated(container, light, sensor, request, listener)
@@ -197,7 +198,7 @@ def _simulated(
 def _streamed(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """A chip without logic: plane by plane, with all effects that were named and that it has."""
+    """Simulate a chip without logic plane by plane, with all named effects that it can have."""
     from nscc_runtime.noise.noise_loops import fill_normals
     from nscc_runtime.reference.stream import absent_effects, stream_frames
 
@@ -221,7 +222,7 @@ def _streamed(
 def _pictured(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """Images and planes: slot by slot and word by word, with all effects that were named."""
+    """Simulate images and planes slot by slot and word by word, with all named effects."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
@@ -249,7 +250,7 @@ def _pictured(
 def _exact(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Frame:
-    """Words slot by slot: without effects, or by the reference."""
+    """Expose by executing words slot by slot, without effects or by the reference."""
     repeat = request.repeat
     if container.machine is not None:
         return _gathered(_looking(container, light, sensor, request, listener), repeat, listener)
@@ -276,7 +277,7 @@ def _exact(
 def _looking(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Iterable[Frame]:
-    """The frames of a program whose pixels look: kept states go on from one to the next."""
+    """Return frames of a program whose pixels look; kept states continue from frame to frame."""
     from nscc_runtime.looked_frames import frames
     from nscc_runtime.looking.path_loop import run_paths
     from nscc_runtime.noise.noise_loops import fill_normals
@@ -296,7 +297,7 @@ def _looking(
 def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """By a plan: made here, or read from its file."""
+    """Simulate by a plan that is made here, read from a file, or passed in the request."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import measured_again
     from nscc_runtime.planning.plan_file import plan_text, read_plan
@@ -341,8 +342,8 @@ def _planned(
 def _make_plan(
     scene: PlannedScene, container: Container, light: Light, sensor: Sensor, request: Request
 ) -> Plan:
-    """A plan made for this scene, or an earlier one that covers it. Who asks for a plan's file or
-    for an audit gets every figure of the table."""
+    """Return a plan made for this scene, or an earlier plan that covers it. If the user requests a
+    plan file or an audit, every figure of the table is measured."""
     from nscc_runtime.planning.make import PlanRequest, make_plan
 
     turn, repeat = request.turn, request.repeat or 1
@@ -362,7 +363,7 @@ def _make_plan(
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
-    """The frame, or all of `repeat` with an axis in front."""
+    """Return the only frame, or all `repeat` frames with a leading axis."""
     frames = listener.progress(frames_made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
@@ -372,7 +373,7 @@ def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listen
 
 
 def _eaten(frame: Frame) -> Diagnostic | None:
-    """The warning that light has eaten reset levels."""
+    """Return the warning that light lowered reset levels (black suns); None without such pixels."""
     bit, marked = marks()["level"].bit, frame.saturated_by
     pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
     count = int(np.count_nonzero(pixels))
@@ -391,7 +392,7 @@ def _eaten(frame: Frame) -> Diagnostic | None:
 
 
 def _over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
-    """The warning that what the user forced off, or the plan given, costs more than allowed."""
+    """Return the warning that forced effects, or the given plan, exceed the tolerance."""
     forced = [
         decision.name
         for decision in plan.decisions
@@ -423,7 +424,7 @@ def _instead(plan_given: bool) -> str:
 
 
 def _broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
-    """The promise did not hold (status 1)."""
+    """Return the error (status 1) for an audit that measured more than the tolerance."""
     if plan.breach is not None:
         advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:
@@ -454,11 +455,11 @@ def _sha256(container: Container) -> str:
 
 
 _digest = OfContainer(_sha256)
-"""By which frames and plans name a program."""
+"""The SHA-256 digest that identifies a program in frames and plans."""
 
 
 def _option(mark: str, name: str) -> str:
-    """An argument as a message calls it: of the command line where there is a mark before it."""
+    """Return how messages name an argument: `name`, or with a `mark` a command-line option."""
     return mark + (name.replace("_", "-") if mark else name)
 
 
