@@ -38,19 +38,26 @@ def disassemble(container: Container) -> str:
         "this container has no words to disassemble",
         "`nscc build --emit planes,schedule` writes its planes and their times",
     )
-    sections = (
-        _head(container),
-        _source(container.source_lines),
-        _times(container.slot_us),
-        *(_kernel(container, number) for number in range(len(container.kernels))),
-        _schedule(container),
-        _readouts(container),
-        _table(container),
-        _machine(container),
-        _pictures(container),
-        _pixels(container),
-    )
-    return "\n\n".join("\n".join(lines) for lines in map(list, sections) if lines) + "\n"
+    parts = sections(container).values()
+    return "\n\n".join("\n".join(lines) for lines in parts if lines) + "\n"
+
+
+def sections(container: Container) -> dict[str, list[str]]:
+    """The lines of the text, in their order, under a title for each part."""
+    kernels = enumerate(container.kernels)
+    parts = {
+        "target": _head(container),
+        "source": _source(container.source_lines),
+        "slots": _times(container.slot_us),
+        **{f"kernel {kernel.name}": _kernel(container, number) for number, kernel in kernels},
+        "schedule": _schedule(container),
+        "readouts": _readouts(container),
+        "codes": _table(container),
+        "machine": _machine(container),
+        "pictures": _pictures(container),
+        "pixels": _pixels(container),
+    }
+    return {title: list(lines) for title, lines in parts.items()}
 
 
 def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
