@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from nscc.chips.target import Target
 from nscc.emit.sending_report import sending_text, sent_lines
-from nscc.logic.problem import Gate
+from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.passes import LookingLowered
+from nscc.looks.solve import Item
 from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
@@ -34,13 +36,32 @@ def plan_text(plan: ExposurePlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-def planned_text(planned: Planned) -> str:
-    """All exposure plans, fewest analog writes first, and why other lowerings have none."""
+def planned_text(planned: Planned | LookingPlan | Sending) -> str:
+    """All exposure plans, fewest analog writes first, and why other lowerings have none; of a
+    program that looks its moments, of a chip without logic the times of its planes."""
+    if isinstance(planned, Sending):
+        return sending_text(planned)
+    if isinstance(planned, LookingPlan):
+        return _moments_text(planned)
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 
-def gated_text(gated: Gated) -> str:
+def _moments_text(plan: LookingPlan) -> str:
+    """The comparisons of each boundary, and the pixels that close, reset PIX and open there."""
+    lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
+    for moment in plan.moments:
+        changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
+        changes += [("rise", v) for v in moment.rises]
+        texts = [f"where above {comparison.level} steps" for comparison in moment.comparisons]
+        texts += [f"{kind} in {v.bit_count()} of {len(moment.before)}" for kind, v in changes if v]
+        lines.append(f"boundary {moment.boundary:>4} {'; '.join(texts)}")
+    return "\n".join(lines) + "\n"
+
+
+def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
     """The gates of every searched plan, best first."""
+    if not isinstance(gated, Gated):
+        return "".join(map(looking_gates_text, gated))
     texts = [
         f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program.target)}"
         for decoding in gated.decodings
@@ -63,7 +84,19 @@ def gates_text(decoding: Decoding, target: Target) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _segments(lines: list[str], title: str, segments: tuple[tuple[Gate, ...], ...]) -> None:
+def looking_gates_text(lowered: LookingLowered) -> str:
+    """The words of every boundary on virtual registers, and the registers' places."""
+    solution, places = lowered.looking, lowered.schedule.allocation.places
+    assert solution is not None
+    lines = [f"encoding: {solution.encoding.name}"]
+    lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
+    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
+    for boundary, items in solution.items.items():
+        _segments(lines, f"boundary {boundary}", (items,))
+    return "\n".join(lines) + "\n"
+
+
+def _segments(lines: list[str], title: str, segments: tuple[tuple[Item, ...], ...]) -> None:
     if segments:
         lines.append(title)
         lines += ["  " + "; ".join(map(str, segment)) for segment in segments]
@@ -126,9 +159,7 @@ def text_after(name: str, value: Any) -> str:
     texts: dict[str, Callable[[Any], str]] = {
         "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,
-        "plan": lambda plan: (
-            sending_text(plan) if isinstance(plan, Sending) else planned_text(plan)
-        ),
+        "plan": planned_text,
         "gates": gated_text,
         "schedule": schedule_of,
         "words": container_text,

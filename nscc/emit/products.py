@@ -103,8 +103,9 @@ def _complete(compiled: Compiled) -> tuple[Choice, Container, Proof]:
 
 
 def _text_or_words(kind: str, compiled: Compiled) -> bytes:
-    from nscc.emit.listing import gates_text, schedule_text, text_after
+    from nscc.emit.listing import gates_text, looking_gates_text, schedule_text, text_after
     from nscc.emit.report import report, report_bytes
+    from nscc.looks.passes import LookingLowered
     from nscc.syntax.printing import print_tree
     from nscc.words.file import to_bytes
 
@@ -115,6 +116,8 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
             return print_tree(compiled.tree, compiled.program.source).encode()
         case "ir":
             return text_after("program", compiled.program).encode()
+        case "gates" if isinstance(lowered, LookingLowered):
+            return looking_gates_text(lowered).encode()
         case "gates":
             return gates_text(lowered.decoding, lowered.program.target).encode()
         case "schedule":

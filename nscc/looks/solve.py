@@ -25,6 +25,9 @@ class SetIn:
 
     level: int
 
+    def __str__(self) -> str:
+        return f"IN at {self.level}"
+
 
 Item = Gate | Op | SetIn
 
