@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.npy import npy_header_2
+from nscc.npy import npy_header
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, size
 from nscc_runtime.scenes.mat_files import mat_array, mat_names
@@ -23,14 +23,6 @@ from nscc_runtime.scenes.mat_files import mat_array, mat_names
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
-NPY_HEADERS: dict[
-    tuple[int, int], Callable[[IO[bytes]], tuple[tuple[int, ...], bool, np.dtype[Any]]]
-] = {
-    (1, 0): np.lib.format.read_array_header_1_0,
-    (2, 0): npy_header_2,
-}
-"""Readers of shape, order and type of an .npy file, by version."""
-
 Check = Callable[[tuple[int, ...]], None]
 """Raises Rejected for a shape of light that does not fit the program and the array."""
 
@@ -146,10 +138,7 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
 
 
 def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
-    version = np.lib.format.read_magic(file)
-    if version not in NPY_HEADERS:
-        raise ValueError(f"npy format version {version}")
-    shape, fortran, dtype = NPY_HEADERS[version](file)
+    _, shape, fortran, dtype = npy_header(file)
     check_type(path, KEY, dtype)
     check(shape)
     if fortran:  # one block: the first axis is strided over the whole file
