@@ -21,7 +21,7 @@ class Record:
     fields: ClassVar[tuple[str, ...]] = ()
 
     def __init_subclass__(cls) -> None:
-        cls.fields = (*cls.fields, *cls.__annotations__)
+        cls.fields = (*cls.fields, *vars(cls).get("__annotations__", ()))
         type.__setattr__(cls, "__match_args__", cls.fields)
 
     def __init__(self, *values: Any) -> None:
@@ -242,13 +242,17 @@ class BookInline(Node):
     rows: tuple[BookRow, ...]
 
 
-class BookFromFile(Node):
-    """`shutters NAME from "FILE" [key KEY] [sha256 "..."]`."""
+class FromFile(Node):
+    """`.. NAME from "FILE" [key KEY] [sha256 "..."]`."""
 
     name: Name
     path: Text
     key: Name | None
     sha256: Text | None
+
+
+class BookFromFile(FromFile):
+    """The array of `shutters`."""
 
 
 class Open(Node):
@@ -320,13 +324,8 @@ class Kernel(Node):
     divisor: Expr | None
 
 
-class KernelFromFile(Node):
-    """`kernel NAME from "FILE" [key KEY] [sha256 "..."]`."""
-
-    name: Name
-    path: Text
-    key: Name | None
-    sha256: Text | None
+class KernelFromFile(FromFile):
+    """The array of `kernel`."""
 
 
 class Image(Node):
@@ -388,37 +387,11 @@ class PixelsFromFile(Node):
 
 
 Statement = (
-    Version
-    | TargetByName
-    | TargetFromFile
-    | EqualSlots
-    | ListedSlots
-    | Let
-    | CodeRange
-    | CodeBits
-    | CodeRow
-    | Require
-    | BookInline
-    | BookFromFile
-    | Open
-    | Bucket
-    | Sense
-    | StateRange
-    | StateBit
-    | Next
-    | Reset
-    | Read
-    | Kernel
-    | KernelFromFile
-    | Image
-    | Plane
-    | Outside
-    | Assume
-    | Report
-    | PixelsExpr
-    | PixelsTile
-    | PixelsFromFile
-)
+    Version | TargetByName | TargetFromFile | EqualSlots | ListedSlots | Let | CodeRange
+    | CodeBits | CodeRow | Require | BookInline | BookFromFile | Open | Bucket | Sense
+    | StateRange | StateBit | Next | Reset | Read | Kernel | KernelFromFile | Image | Plane
+    | Outside | Assume | Report | PixelsExpr | PixelsTile | PixelsFromFile
+)  # fmt: skip
 
 
 class File(Node):
