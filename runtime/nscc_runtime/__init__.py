@@ -1,4 +1,4 @@
-"""Runs compiled shutter programs: scenes, the emulated chip, devices, frame files and pictures.
+"""Run compiled shutter programs: scenes, the emulated chip, devices, frame files and pictures.
 
     import nscc, nscc_runtime
 
@@ -6,9 +6,8 @@
     taken = nscc_runtime.capture(p, "builtin:hdr", effects="auto")
     taken.frame     # uint8 (buckets, rows, cols)
 
-It executes words, and imports of nscc what words and targets are, never what compiles. Most of it
-needs `nscc[run]`. `docs/python.md` shows the whole of it.
-"""
+This package executes words. It imports the definitions of words and targets from `nscc`, but not
+the compiler. Most of it needs `nscc[run]`. `docs/python.md` describes the whole package."""
 
 from __future__ import annotations
 
@@ -28,7 +27,7 @@ _NAMES = {
     "light": ("Light",),
     "sensor": ("Sensor",),
 }
-"""What is public, by its module."""
+"""The public names, by module."""
 
 __all__ = [
     "Capture",

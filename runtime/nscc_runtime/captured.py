@@ -1,4 +1,5 @@
-"""What a capture gives in Python: the arrays of a frame file, and where they come from."""
+"""The result of a capture in Python: the arrays of a frame file, and the settings of the
+capture."""
 
 from __future__ import annotations
 
@@ -29,7 +30,7 @@ from nscc_runtime.planning.plan_file import plan_table
 from nscc_runtime.response import Response
 
 _SIDE, _MOST = 256, 1024
-"""Pixels a side that a picture has on a page: at least about, and at most."""
+"""Side of a picture in a notebook, in pixels: about `_SIDE` at least, `_MOST` at most."""
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -74,14 +75,13 @@ class Capture(Frame):
 
     @property
     def light(self) -> Light:
-        """The exposed light; of a colour capture that of red."""
+        """The exposed light; for a colour capture the red light."""
         return self.exposed.light
 
     @property
     def truth_e(self) -> NDArray[np.floating[Any]]:
-        """The light without shutters: electrons over the frame (rows, cols) of a still, electrons a
-        slot (N, rows, cols) of a clip. Reconstructions have the same unit.
-        """
+        """The light without shutters, in the unit of reconstructions. Electrons over the frame
+        (rows, cols) for a still, electrons per slot (N, rows, cols) for a clip."""
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property
@@ -96,16 +96,16 @@ class Capture(Frame):
 
     @property
     def margin(self) -> NDArray[np.bool_] | None:
-        """Where images and planes depend on what is beyond the array; None without any."""
+        """Pixels whose images and planes depend on light beyond the array; None without any."""
         return self.told.get("margin")
 
     @property
     def reports(self) -> dict[str, Any]:
-        """What the program reports of its planes, by "KIND PLANE".
+        """The reports of the program on its planes, by "KIND PLANE".
 
-        `any` is a bool; `events` int32 (events, 2), columns and rows in reading order; `box` the
-        least column and row and the largest ones, or None where no bit is 1. With `repeat`, lists.
-        """
+        `any` is a bool. `events` is int32 (events, 2), columns and rows in reading order. `box`
+        contains the smallest column and row and the largest column and row, or is None if no bit is
+        1. With `repeat`, each is a list."""
         pictures = self.container.pictures
         reports: dict[str, Any] = {}
         for report in pictures.reports if pictures is not None else ():
@@ -137,14 +137,14 @@ class Capture(Frame):
     def light_e_per_s(self) -> NDArray[np.float64]:
         """Estimate the light from the unsaturated pixels of each neighbourhood.
 
-        The offset that the words add is subtracted, and the rest is divided by the open time, as
+        The offset that the words add is subtracted, and the result is divided by the open time, as
         in the picture of `nscc run --png`. Repeated captures use the first frame, colour captures
-        the red one.
+        the red frame.
 
         Returns
         -------
         array of float64
-            Electrons a second, (buckets, rows, cols); NaN if no neighbour gives a value.
+            Electrons per second, (buckets, rows, cols); NaN if no neighbour gives a value.
         """
         estimates = (light_estimate(readout) for readout in self._readouts())
         return np.stack([np.where(known, light, np.nan) for light, known in estimates])
@@ -239,7 +239,6 @@ class Capture(Frame):
 
 
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
-    """A report of one frame as a Python value."""
     if kind == "any":
         return bool(values)
     if kind == "events":
@@ -248,7 +247,6 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:
-    """A grey picture (rows, cols), or one (rows, cols, 3) of red, green and blue."""
     import cv2
 
     _, data = cv2.imencode(

@@ -1,10 +1,9 @@
-"""Compiles all loops of packages ahead, so that no command has to wait for a compiler.
+"""Compile all loops of packages ahead, so that no command has to wait for a compiler.
 
     python -m nscc_runtime.compile_ahead nscc_runtime nscc_training
 
-is an installer's last step: half a minute once. Loops lie in modules whose names end in `loop` or
-`loops` (see `nscc_runtime.loop`).
-"""
+This is the last step of an installation and takes half a minute. Loops are in modules whose names
+end in `loop` or `loops` (see `nscc_runtime.loop`)."""
 
 from __future__ import annotations
 
@@ -17,7 +16,7 @@ from nscc_runtime.loop import object_file
 
 
 def modules(package: str) -> Iterator[str]:
-    """The modules of a package that have loops; imports the package, and none of its modules."""
+    """Import `package`, and yield the names of those of its modules that contain loops."""
     (root,) = import_module(package).__path__
     for path in sorted(Path(root).rglob("*.py")):
         if path.stem.endswith(("loop", "loops")):

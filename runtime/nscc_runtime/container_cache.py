@@ -1,4 +1,4 @@
-"""What is analysed of a program once, and kept as long as the program is."""
+"""Cache the analyses of a program for as long as the program exists."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 _ANALYSES = "_analyses"
-"""The attribute of a container that holds its analyses. They refer to the container: kept anywhere
-else they would keep it alive."""
+"""The attribute of a container that stores its analyses. Analyses refer to the container, so
+storing them anywhere else would keep the container alive."""
 
 
 class OfContainer(Generic[P, T]):
-    """`make(container, ..)`, once for each container and all equal arguments, which are given by
-    place and hashable: of a sensor, say, or of effects."""
+    """A function `make(container, ..)` whose results are cached for each container and equal
+    arguments. The arguments must be positional and hashable."""
 
     def __init__(self, make: Callable[Concatenate[Container, P], T]) -> None:
         self._make = make
         self._renew()
-        after_fork(self._renew)  # a thread of the parent process may hold the lock
+        after_fork(self._renew)  # a thread of the parent process may have held the lock
 
     def _renew(self) -> None:
         self._making = Lock()
 
     def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:
-        with self._making:  # threads that share a program wait for one analysis of it
+        with self._making:  # threads that share a program wait for a single analysis
             analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, {})
             if (self, key) not in analyses:
                 analyses[self, key] = self._make(container, *key, **named)

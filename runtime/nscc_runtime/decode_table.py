@@ -1,9 +1,8 @@
-"""What a frame file says of its pixels' shutters: enough to get from a frame back to light.
+"""The arrays of a frame file that describe the shutters of its pixels, for computing light from a
+frame.
 
-An exposure is, as long as nothing saturates, bias + sum over slots of gain * shutter * light, and
-noise. All three depend on a pixel by its shutter alone, and the words tell how
-(`nscc_runtime.response`).
-"""
+Without saturation, an exposure is bias + sum over slots of gain * shutter * light, and noise. All
+three depend only on the pixel's shutter and follow from the words (`nscc_runtime.response`)."""
 
 from __future__ import annotations
 
@@ -35,11 +34,12 @@ from nscc_runtime.response import converter_e2, open_shutters, shutter_response
 _KNOWN: tuple[type[Part], ...] = (
     Converter, CountedDark, CountedLight, Errors, Leak, LitLevel, SlowWords, WordGain,
 )  # fmt: skip
-"""What is told from the words, or is the reader's to know; of others the plan says how large."""
+"""Kinds of effects whose variance follows from the words, or is known to the reader. The plan
+states the size of other effects."""
 
 
 def with_table(file: FrameFile, container: Container) -> FrameFile:
-    """The file with the arrays that decoders need, as its meta says that it was exposed."""
+    """Return the file with the arrays that decoders need."""
     arrays = decode_arrays(container, Sensor(file.meta["sensor"]), file.meta["plan"])
     return replace(file, kept_arrays={**file.kept_arrays, **arrays})
 
@@ -47,16 +47,15 @@ def with_table(file: FrameFile, container: Container) -> FrameFile:
 def decode_arrays(
     container: Container, sensor: Sensor, plan: Mapping[str, Any] | None
 ) -> dict[str, NDArray[Any]]:
-    """The arrays by their keys in a frame file; none where pixels have no codes, or where words
-    open no shutters that codes alone tell, as those of pixels that look.
+    """Return the arrays that decoders need, by their keys in a frame file.
 
-    `decode_row` (rows, cols): which shutter a pixel has, a row of the others; `decode_shutter`
-    uint8 (shutters, buckets, ceil(N / 8)), packed along N, the first slot in the lowest bit;
-    `decode_slot_us` float64 (N,); `decode_gain`, `decode_bias_e` and `decode_variance_e2` float32
-    (shutters, buckets): an exposure is bias + gain * (sum of the light of open slots), with that
-    variance and the photons' own, of an exposure's size where they are counted.
-    `plan` as in a frame's meta: None for frames of a chip, which has every effect.
-    """
+    They are empty if pixels have no codes, if pixels look, or if the words open no shutters.
+    `decode_row` (rows, cols): the shutter of each pixel, as a row of the other arrays.
+    `decode_shutter` uint8 (shutters, buckets, ceil(N / 8)): packed along N, the first slot in the
+    lowest bit. `decode_slot_us` float64 (N,): slot lengths. `decode_gain`, `decode_bias_e`,
+    `decode_variance_e2` float32 (shutters, buckets): an exposure is bias + gain * (sum of the light
+    of open slots), with this variance plus the variance of photon counts. `plan`: the plan in a
+    frame's meta; None for frames of a chip, which has every effect."""
     if container.pixel_codes is None or container.machine is not None:
         return {}
     kept_effects = everything() if plan is None else _kept_selection(plan)
@@ -88,13 +87,12 @@ def decode_arrays(
 
 
 def _kept_selection(plan: Mapping[str, Any]) -> Selection:
-    """The effects that a plan kept."""
     names = frozenset(row["name"] for row in plan["effects"] if row["decision"] == "kept")
     return Selection(names & everything().on, frozenset())
 
 
 def _planned_e2(kept_effects: Selection, plan: Mapping[str, Any] | None) -> float:
-    """The variance of effects of which only the plan says how large they are."""
+    """Return the variance of effects whose size only the plan states, in square electrons."""
     known = set().union(*(kept_effects.names(kind) for kind in _KNOWN))
     plan_effects = [] if plan is None else plan["effects"]
     return sum(

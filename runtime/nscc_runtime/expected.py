@@ -1,4 +1,4 @@
-"""The noise that a frame is expected to have, before there is one."""
+"""Predict the noise of a frame from the program and the sensor."""
 
 from __future__ import annotations
 
@@ -15,12 +15,13 @@ from nscc_runtime.sensor import Sensor, default_sensor
 def expected_noise(
     container: Container, sensor: Sensor | None = None
 ) -> tuple[float, float] | None:
-    """The rms in electrons, over pixels and buckets, in the dark and at half a full well.
+    """Return the RMS noise in electrons, over pixels and buckets: in the dark, and at half a full
+    well.
 
-    Photons, dark current, resets, reads, analog words and the converter's steps are counted, with
-    the figures of `sensor` (default: the chip's own), as light that fell while pixels were open.
-    None for a program without pixels or without shutters that codes alone tell.
-    """
+    It includes photons, dark current, resets, reads, analog words and the converter, with the
+    values of `sensor` (None: the target's defaults). It is relative to the light that a pixel
+    collects while it is open. Returns None for a program without pixels, or whose shutters depend
+    on more than codes."""
     sensor = sensor or default_sensor(converter_of(container))
     arrays = decode_arrays(container, sensor, None) if container.machine is None else {}
     if not arrays:

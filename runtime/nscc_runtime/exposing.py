@@ -1,4 +1,4 @@
-"""The emulator in Python: what a chip would have captured, from programs and light to arrays.
+"""The emulator in Python: simulate captures of a chip, from programs and light to arrays.
 
     import nscc, nscc_runtime
 
@@ -6,9 +6,8 @@
     taken = nscc_runtime.capture(p, "builtin:hdr", effects="auto")
     taken.frame, taken.exposure_e, taken.plan
 
-The calls take what `nscc run` takes, under the same names, with the same defaults.
-`docs/emulator.md` says what a plan is and what it promises.
-"""
+The functions have the options of `nscc run`, with the same names and defaults. `docs/emulator.md`
+describes plans and their promise."""
 
 from __future__ import annotations
 
@@ -300,7 +299,7 @@ def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
         As `capture`.
     """
     report = capture(program, light, audit=True, **options).audit
-    assert report is not None  # it was asked for
+    assert report is not None  # `audit=True` was passed
     return report
 
 
@@ -401,7 +400,7 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
 
 
 def _text(call: str, name: str, value: object, count: int) -> str | None:
-    """Text as the command line takes it, of a number or of several."""
+    """Return `count` numbers as command-line text; texts and None are returned unchanged."""
     if value is None or isinstance(value, str):
         return value
     items = value if isinstance(value, tuple | list) else [value]

@@ -1,4 +1,4 @@
-"""Frame files as all commands read them: what is damaged is refused before anything uses it."""
+"""Read and check frame files for all commands. Damaged files are refused before they are used."""
 
 from __future__ import annotations
 
@@ -28,25 +28,24 @@ _KINDS = {
     LIGHT: ("f", "light, floats"),
     DEVIATION: ("f", "standard deviations, floats"),
 }
-"""Arrays of the frame's shape: the kinds of numpy type that they may have, in words."""
+"""Arrays of the frame's shape: the allowed kinds of numpy type, and their description."""
 _MOST_LIGHT = 1e30
-"""Electrons, or electrons a second: no frame has more, and float32 holds their sums."""
+"""Largest number of electrons, or of electrons per second, in a frame file."""
 _MOST_FRAME_S = 1e8
 
 
 def read_frame_arrays(
     path: Path, is_needed: Callable[[str], bool] = lambda name: True
 ) -> tuple[Arrays, dict[str, Any]]:
-    """Read and check `frame`, the meta, and the arrays for which `is_needed(name)` of a frame file.
-
-    Raises InvalidArrays for a file that is no sound frame file, OSError where it cannot be read.
-    """
+    """Read and check `frame`, the meta, and the arrays of a frame file for which `is_needed(name)`.
+    Raises InvalidArrays if the file is not a valid frame file, and OSError if it cannot be read."""
     arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or is_needed(name))
     return arrays, checked_meta(arrays)
 
 
 def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
-    """Check the arrays of a frame file, and return its meta; raises InvalidArrays."""
+    """Check the arrays of a frame file and return its meta. Raises InvalidArrays if they are
+    invalid."""
     for name in ("meta", "frame"):
         if name not in arrays:
             raise InvalidArrays(f"the array `{name}` is missing")
@@ -77,7 +76,7 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
 
 
 def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
-    """The `meta` of a frame file; None for arrays of another file."""
+    """Return the `meta` of a frame file; None for arrays of another file."""
     text = arrays.get("meta")
     if text is None or text.dtype.kind != "U" or text.size != 1:
         return None
@@ -89,8 +88,7 @@ def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
 
 
 def is_plan(plan: object) -> bool:
-    """Whether a frame's meta may have such a `plan`: none, or one whose effects have a name and a
-    decision."""
+    """Return whether `plan` is None or a mapping whose effects have a name and a decision."""
     if plan is None:
         return True
     rows = plan.get("effects", []) if isinstance(plan, dict) else None
@@ -101,11 +99,10 @@ def is_plan(plan: object) -> bool:
 
 
 def image_of(frame: Path) -> NDArray[np.float32]:
-    """What `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols), from the light
-    that the frame file has; of repeats, their mean.
+    """Return the image that `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols).
 
-    Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
-    """
+    It is computed from the light in the frame file; repeats are averaged. Raises Rejected (NS0819,
+    status 2) if the file is not a frame file of pixels that look."""
     reads(frame)
     try:
         arrays, meta = read_frame_arrays(frame, {LIGHT, DEVIATION}.__contains__)

@@ -1,31 +1,32 @@
-"""The frame file: what one exposure (or K of them) leaves behind, as an .npz of a fixed layout.
+"""The frame file: the result of one exposure (or of K exposures), as an .npz of a fixed layout.
 
-    frame         uint8   (buckets, rows, cols)  the readout: 8 bits a pixel
+    frame         uint8   (buckets, rows, cols)  the readout: 8 bits per pixel
     exposure_e    float64 (buckets, rows, cols)  electrons before the ADC
-    valid         bool    (buckets, rows, cols)  False where the exposure means nothing
-    saturated     bool    (buckets, rows, cols)  True where light was lost: it was at least so much
-    saturated_by  uint8   (buckets, rows, cols)  to what, a bit each: 1 well, 2 register,
+    valid         bool    (buckets, rows, cols)  False where the exposure is meaningless
+    saturated     bool    (buckets, rows, cols)  True where light was lost: a lower bound
+    saturated_by  uint8   (buckets, rows, cols)  the causes as bits: 1 well, 2 register,
                                                  4 converter, 8 reset level, 16 black sun
     meta          text    JSON, see `meta`
 
-A program with images and planes has `image_NAME` float64 (rows, cols), electrons before the
-converter, `image_codes_NAME` uint8 and `image_saturated_by_NAME` uint8 (32: a value left the range
-of registers) for every image that it reads, `plane_NAME` bool for every plane, `report_any_NAME`,
-`report_events_NAME` (with `_count` and `_overflow`), `report_box_NAME`, and `margin` bool: pixels
-that depend on what is beyond the array. Its `frame` holds the buckets that it reads, perhaps none.
+A program with images and planes also has, for every image that it reads, `image_NAME` float64
+(rows, cols), electrons before the converter, `image_codes_NAME` uint8 and `image_saturated_by_NAME`
+uint8 (32: a value left the range of registers). For every plane it has `plane_NAME` bool, for
+reports `report_any_NAME`, `report_events_NAME` (with `_count` and `_overflow`) and
+`report_box_NAME`, and `margin` bool: pixels that depend on light beyond the array. `frame` then
+contains the buckets that the program reads, possibly none.
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
-it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open, and
-`light_e_per_s` and `light_sd_e_per_s` float64 (buckets, rows, cols), the light that this tells.
+it reads, `open_slots` int64 (buckets, rows, cols), the number of slots in which each pixel was
+open, and `light_e_per_s` and `light_sd_e_per_s` float64 (buckets, rows, cols), the light estimated
+from these and its standard deviation.
 
-K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
-cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
-`shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
-bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols). What decoders
-need, `decode_..`, comes from `nscc_runtime.decode_table`.
+With K repeats these arrays have a leading axis K. On request there are also: `light` float32 (N,
+rows, cols); `truth_e`, the light of all slots, float64 (rows, cols) of a still or the `light` of a
+clip; `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the
+lowest bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
+`nscc_runtime.decode_table` describes the arrays `decode_..` for decoders.
 
-Same frame, same bytes: the archive holds no times, and its entries have a fixed order.
-"""
+Equal frames give equal bytes: the archive contains no times, and its entries have a fixed order."""
 
 from __future__ import annotations
 
@@ -55,22 +56,21 @@ from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 SCHEMA = "nscc-frame-1"
 KEEP = ("light", "truth", "shutter", "codes")
 _MOST_BITS = 8
-"""`frame` is uint8: a wider ADC does not fit."""
+"""Largest number of bits of an ADC: `frame` is uint8."""
 _BLOCK_BYTES = 1 << 24
 
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """The arrays of a frame file, each (buckets, rows, cols); repeats have an axis K in front.
+    """The arrays of a frame file, each (buckets, rows, cols); repeats have a leading axis K.
 
-    `frame`: codes of the converter; `exposure_e`: electrons before it; `valid`: False where these
-    mean nothing. `saturated_by`: 0, or the bits of what cut the exposure off. 1 well: PIX was full
-    when it was read; 2 register: an analog register held less than was written to it; 4
-    converter: the code is the last one; 8 reset level: PIX was full when the level that is
-    subtracted was read, so the exposure may be anything down to 0; 16 black sun: that level was the
-    one of a reset. `told`: what a program that
-    looks has told beside them (`states_NAME`, `open_slots`, its light), by key.
-    """
+    `frame`: codes of the converter. `exposure_e`: electrons before the converter. `valid`: False
+    where these are meaningless. `saturated_by`: causes of saturation as bits, 0 if not saturated. 1
+    well: PIX was full when it was read. 2 register: an analog register stored less than was written
+    to it. 4 converter: the code is the last code. 8 reset level: PIX was full when the subtracted
+    level was read, so the exposure may be anything down to 0. 16 black sun: that level was a reset
+    level. `told`: further arrays of a program that looks (`states_NAME`, `open_slots`, its light)
+    or that has images, by key."""
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
@@ -80,12 +80,12 @@ class Frame:
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
-        """Where there was more light than the exposure tells."""
+        """Mask of the pixels that received more light than the exposure indicates."""
         return np.asarray(self.saturated_by != 0)
 
     @property
     def first(self) -> Frame:
-        """The first frame of repeats; a single frame itself."""
+        """The first frame of repeats; a single frame is returned unchanged."""
         arrays = (self.frame, self.exposure_e, self.valid, self.saturated_by)
         if self.frame.ndim == 3:
             return self
@@ -99,12 +99,12 @@ def read_out(
     sensor: Sensor | None = None,
     noise_lsb: NDArray[np.float64] | float = 0.0,
 ) -> Frame:
-    """What the ADC makes of an exposure, `noise_lsb` codes off before it rounds.
+    """Convert an exposure to codes, with noise of `noise_lsb` codes before rounding.
 
-    frame = clip(round_half_even(exposure_e / electrons_per_lsb) + offset, 0, top code), the figures
-    those of `sensor` (default: the target's own). A value that is no number reads 0 and is invalid;
-    infinities read as the end of the scale. NS0742 for a target whose ADC has more than 8 bits.
-    """
+    frame = clip(round_half_even(exposure_e / electrons_per_lsb + noise_lsb) + offset, 0, top code),
+    with the values of `sensor` (None: the target's defaults). NaN becomes 0 and is not valid;
+    infinities become the ends of the scale. Raises Rejected (NS0742) for a target whose ADC has
+    more than 8 bits."""
     sensor = sensor or default_sensor(target)
     check_adc(target)
     known = ~np.isnan(exposure.exposure_e)
@@ -119,7 +119,7 @@ def read_out(
 
 
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
-    """The bits of `saturated_by` that codes tell by themselves: which is the last of the scale."""
+    """Return the bits of `saturated_by` of codes that are the last of the scale."""
     bit = marks()["codes"].bit
     return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
@@ -132,17 +132,15 @@ def converted(
     seeds: tuple[int, int],
     frame: int,
 ) -> Frame:
-    """Frame number `frame` read out with the converter's noise, where `effects` have some.
-
-    `seeds` are those of the frames' noise and of the device.
-    """
+    """Convert the exposure of frame number `frame` to codes, with the noise of the converter in
+    `effects`. `seeds`: noise seed, device seed."""
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
     places = np.arange(shape[1] * shape[2], dtype=np.int64)
     noise_effects = effects.acting("converter")
     if noise_effects:
         sigma_lsb = hypot(*(sigma(sensor) for _, sigma in noise_effects))
-        # The first effect's stream is that of all: a sum of normal errors is one.
+        # One draw with the first effect's stream: the sum of normal errors is normal.
         stream = noise_effects[0][0].stream
         keys = [key(seeds[0], stream, frame=frame, group=k) for k in range(shape[0])]
         noise = sigma_lsb * np.reshape([normals(k, places) for k in keys], shape)
@@ -150,7 +148,7 @@ def converted(
 
 
 def check_adc(target: Target) -> None:
-    """Refuse an ADC of more bits than a frame file holds (NS0742)."""
+    """Raise Rejected (NS0742) for an ADC with more bits than a frame file supports."""
     if target.adc_bits > _MOST_BITS:
         raise rejected(
             "NS0742",
@@ -162,12 +160,12 @@ def check_adc(target: Target) -> None:
 
 
 def stacked(frames: Sequence[Frame]) -> Frame:
-    """Several frames of one scene, with an axis in front."""
+    """Return several frames of one scene as one frame with a leading axis."""
     return joined(frames, np.stack)
 
 
 def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
-    """A frame whose every array `join` makes of those of the frames."""
+    """Return a frame whose arrays are `join` of the arrays of the frames."""
     return Frame(
         join([frame.frame for frame in frames]),
         join([frame.exposure_e for frame in frames]),
@@ -178,7 +176,7 @@ def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray
 
 
 def repeated(frame: Frame, count: int) -> Frame:
-    """The same frame K times, as an axis in front: with all effects off frames do not differ."""
+    """Return the frame `count` times with a leading axis: frames without effects are equal."""
 
     def stack(values: NDArray[Any]) -> NDArray[Any]:
         return np.broadcast_to(values, (count, *values.shape))
@@ -188,7 +186,7 @@ def repeated(frame: Frame, count: int) -> Frame:
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
-    """What a person wants to know first, a line a bucket; of the first frame where there are K."""
+    """Return a summary of a frame, one line per bucket; of the first frame of repeats."""
     width = max((len(name) for name in container.buckets_read), default=0)
     lines, first = [], frame.first
     for b, name in enumerate(container.buckets_read):
@@ -205,7 +203,7 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
 
 
 def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
-    """What a frame says of its images, planes and reports, a line each."""
+    """Return a summary of the images, planes and reports of a frame, one line each."""
     told_arrays, lines = frame.told, []
     for name in pictures.reads:
         if f"image_{name}" in told_arrays:
@@ -233,7 +231,7 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
 
 
 def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
-    """How many pixels of an array are saturated, and by what."""
+    """Return a text with the number of saturated pixels of an array, and the causes."""
     text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
     counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
     named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
@@ -242,11 +240,8 @@ def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where a frame came from, as far as arrays do not tell.
-
-    `program_sha256` is that of the container; seeds are None where nothing was simulated; `plan`
-    and `audit` are JSON values.
-    """
+    """The origin of a frame. `program_sha256`: digest of the container. Seeds are None if nothing
+    was simulated. `plan`, `audit`: JSON values."""
 
     program_sha256: str
     sensor: Sensor
@@ -261,16 +256,16 @@ _UNPLANNED = (
     "tolerance", "tolerance_e", "signal_e", "noise_e", "predicted_e", "bound_e", "predicted_p999_e",
     "predicted_max_e", "tolerance_max", "tolerance_max_e", "noise_ratio",
 )  # fmt: skip
-"""What a run without a plan does not know."""
+"""Keys of a plan that are None in a run without a plan."""
 
 
 def unplanned(
     chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
 ) -> dict[str, Any]:
-    """The `plan` of a run without one, which keeps the effects that it was told to: words were
-    executed slot by slot, and nothing was predicted. `moving`: whether the scene is sampled;
-    `absent`: effects that the chip cannot have, with the reason.
-    """
+    """Return the `plan` entry of a run without a plan, whose words were executed slot by slot.
+
+    `chosen`: the selected effects. `moving`: whether the scene is sampled. `absent`: effects that
+    the chip cannot have, with the reason."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     return {
         **dict.fromkeys(_UNPLANNED),
@@ -313,11 +308,8 @@ def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
 def meta(
     container: Container | None, light: Light | None, frame: Frame, origin: Provenance
 ) -> dict[str, Any]:
-    """The `meta` of a frame file.
-
-    `container` None: a program that a device held, whose buckets have numbers; `light` None: the
-    scene is not known.
-    """
+    """Return the `meta` of a frame file. `container`: None for a program on a device, whose buckets
+    are numbered. `light`: None if the scene is unknown."""
     sensor = origin.sensor
     numbered = [f"bucket{number}" for number in range(frame.frame.shape[-3])]
     return {
@@ -343,7 +335,7 @@ def meta(
 
 
 def open_us(container: Container) -> list[float] | None:
-    """For each bucket how long its pixels are open; None where pixels differ."""
+    """Return the open time of each bucket in microseconds; None if pixels differ or look."""
     if container.pixel_codes is None or container.machine is not None:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
@@ -354,7 +346,8 @@ def open_us(container: Container) -> list[float] | None:
 
 @dataclass(frozen=True, eq=False)
 class FrameFile:
-    """Everything that goes into one file: `kept_arrays` and `slots` of light, by key."""
+    """The content of a frame file. `kept_arrays`: additional arrays by key. `slots`: light that is
+    written slot by slot, by key."""
 
     frame: Frame
     meta: Mapping[str, Any]
@@ -373,10 +366,8 @@ class FrameFile:
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
     ) -> FrameFile:
-        """The file of a frame, with what of KEEP is named in `keep`; without light none is kept.
-
-        `shutters` as in `packed_shutters`, needed where `keep` names them.
-        """
+        """Return the file of a frame, with the contents named in `keep` (see KEEP). Without light,
+        none is kept. `shutters`: the argument of `packed_shutters`, needed to keep "shutter"."""
         kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:
@@ -394,7 +385,7 @@ class FrameFile:
         return cls(frame, meta, kept_arrays, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
-        """Write the archive; light goes slot by slot and repeats block by block, never whole."""
+        """Write the archive, light slot by slot and repeats block by block, to limit memory."""
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
                 _write_array(archive, key, getattr(self.frame, key))
@@ -425,7 +416,7 @@ def _write_entry(
     dtype: np.dtype[Any],
     blocks: Iterator[NDArray[Any]],
 ) -> None:
-    """One array as the entry KEY.npy: row-major, little-endian, dated 1980 as zip's epoch."""
+    """Write an array as the entry KEY.npy: row-major, little-endian, dated 1980."""
     little = dtype.newbyteorder("<")
     entry = zipfile.ZipInfo(f"{key}.npy")
     entry.external_attr = 0o600 << 16

@@ -1,4 +1,4 @@
-"""Many frames of one scene as arrays with an axis in front, in bounded memory."""
+"""Many frames of one scene as arrays with a leading axis, in bounded memory."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.frame_file import Frame
 
 MOST_BYTES = 1 << 28
-"""Larger films lie in a temporary file."""
+"""Larger series of frames are stored in a temporary file."""
 
 
 def gathered(frames: Iterable[Frame], count: int) -> Frame:
-    """`count` frames, each taken as it is made, with an axis in front.
+    """Return `count` frames as one frame with a leading axis; each is stored as soon as it is
+    exposed.
 
-    Arrays of a film of more than `MOST_BYTES` are mapped to a file without a name in the system's
-    temporary folder: memory holds the frame at work, whatever the count, and the file is gone when
-    the arrays are. Raises Rejected (NS0784) where that folder has no room.
-    """
+    If the arrays need more than `MOST_BYTES`, they are mapped to an unnamed file in the system's
+    temporary folder, which is removed with the arrays. Raises Rejected (NS0784) if that folder has
+    no room."""
     rooms: dict[str, NDArray[Any]] = {}
     for number, frame in enumerate(frames):
         arrays = dict(_named_arrays(frame))
@@ -49,13 +49,13 @@ def _named_arrays(frame: Frame) -> Iterator[tuple[str, NDArray[Any]]]:
 
 
 def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> NDArray[Any]:
-    """An array to be filled, in memory or mapped to a file."""
+    """Allocate an array, in memory or mapped to a file."""
     if not mapped:
         return np.empty(shape, kind)
     size = math.prod(shape) * kind.itemsize
     try:
         with TemporaryFile(prefix="nscc-film-") as file:
-            # Reserved before it is mapped: a full disk is told here, and not by a signal later.
+            # Reserve the space first, so that a full disk is an error here instead of a signal.
             if hasattr(os, "posix_fallocate"):
                 os.posix_fallocate(file.fileno(), 0, size)
             return np.asarray(np.memmap(file, kind, "w+", shape=shape))

@@ -1,13 +1,14 @@
-"""Which code of the converter means "full", where codes are all that is known: of a real chip.
+"""Find the codes of the converter that mean saturation, for real chips, of which only codes are
+known.
 
-A full well comes through a program's words, their gain and the registers' knee, and reads below the
-converter's last code. How far below is found by running the words over steady light, brighter and
-brighter, with the sensor's figures in the mean, until a frame would mark it
-(`nscc_runtime.effects.marks`). Noise may take a full pixel some standard deviations lower.
+A full well passes through a program's words, their gain and the registers' knee, and its code is
+below the converter's last code. To find this code, the words are run over steady light of
+increasing brightness, with the sensor's mean values, until a frame would mark saturation
+(`nscc_runtime.effects.marks`). Noise may make a full pixel some standard deviations lower.
 
-Light that changes within the frame may fill PIX before a late shutter opens, and light that is
-bright enough fills it before its reset level is read. Such a pixel reads less, and no code tells.
-"""
+Light that changes within the frame may fill PIX before a late shutter opens, and bright light may
+fill PIX before its reset level is read. Such a pixel has a lower code, which does not reveal the
+saturation."""
 
 from __future__ import annotations
 
@@ -30,22 +31,22 @@ from nscc_runtime.response import converter_e2, shutter_response
 Values = NDArray[np.float64]
 
 _LEVELS = np.geomspace(0.5, 16.0, 241)
-"""Of steady light, in full wells over what PIX sees."""
+"""Levels of steady light, in full wells over the time in which PIX collects light."""
 _ALIKE = 7
-"""Levels within which what fills first is not told from what fills next: 10 % of light."""
+"""Saturating elements at most this number of levels (10 % of light) apart are not distinguished."""
 _SIGMAS = 4.0
 _MOST_LANES = 256
-"""Shutters that are looked at together."""
+"""Number of shutters that are simulated together."""
 
 
 def marked_by_codes(
     frame: NDArray[np.uint8], container: Container, sensor: Sensor
 ) -> NDArray[np.uint8]:
-    """The bits of `saturated_by` that the codes (.., buckets, rows, cols) of a chip's frame tell
-    beside the last code of the scale.
+    """Return the bits of `saturated_by` that the codes of a chip's frame indicate, except the last
+    code.
 
-    Raises Rejected for words that open no shutters (NS0442).
-    """
+    `frame`: codes (.., buckets, rows, cols). Raises Rejected (NS0442) for words that open no
+    shutters."""
     marked = np.zeros(frame.shape, np.uint8)
     for bit, codes in full_codes(container, sensor).items():
         marked |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
@@ -54,9 +55,10 @@ def marked_by_codes(
 
 @lru_cache(maxsize=2)
 def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
-    """The codes (buckets, rows, cols) from which on pixels may be full, by bit of `saturated_by`;
-    infinite where no code tells. Raises as `marked_by_codes` does.
-    """
+    """Return the smallest codes (buckets, rows, cols) that may mean saturation, by bit of
+    `saturated_by`.
+
+    A code is infinite if no code indicates saturation. Raises Rejected like `marked_by_codes`."""
     program = analysed(container, sensor)
     used, places = np.unique(program.lanes, return_inverse=True)
     lane_batches = np.array_split(used, -(-len(used) // _MOST_LANES))
@@ -71,7 +73,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
 
 
 def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Values]:
-    """The codes (buckets, lanes) by bit."""
+    """Return the smallest codes (buckets, lanes) that may mean saturation, by bit."""
     exposure, marked = _steady(program, lanes)
     noise_e = _SIGMAS * _noise_e(program)[lanes].T
     sensor, effects = program.sensor, everything()
@@ -83,7 +85,7 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
             continue
         full = (marked & mark.bit) != 0
         first = np.where(full.any(axis=1), full.argmax(axis=1), len(_LEVELS))
-        # In brighter light late shutters read less again: PIX is full before they open.
+        # In brighter light late shutters collect less again: PIX is full before they open.
         level = np.minimum(first, len(_LEVELS) - 1)[:, None]
         least = np.take_along_axis(exposure, level, axis=1)[:, 0] - noise_e
         least = np.where(first < begin + _ALIKE, least, np.inf)
@@ -92,7 +94,7 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
 
 
 def _noise_e(program: AnalysedProgram) -> Values:
-    """The standard deviation (lanes, buckets) of a reading that no light disturbs."""
+    """Return the standard deviation (lanes, buckets) of a reading without light, in electrons."""
     sensor, effects = program.sensor, everything()
     response = shutter_response(program.container, sensor, effects)
     return np.asarray(np.sqrt(response.variance_e2 + converter_e2(sensor, effects)))
@@ -101,7 +103,7 @@ def _noise_e(program: AnalysedProgram) -> Values:
 def _steady(
     program: AnalysedProgram, lanes: NDArray[np.integer]
 ) -> tuple[Values, NDArray[np.uint8]]:
-    """The exposures (buckets, levels, lanes) of steady light in the mean, and their marks."""
+    """Return mean exposures (buckets, levels, lanes) of steady light, and saturation marks."""
     container, sensor, effects = program.container, program.sensor, everything()
     seen_s = program.slot_s @ program.tables.seen_slots()[:, lanes]
     never = seen_s <= 0
@@ -123,7 +125,7 @@ def _steady(
 
 
 class _SteadyPixels:
-    """Pixels in steady light, electrons a second `rate`, while words run; arrays are (pixels,)."""
+    """Pixels in steady light of `rate` electrons per second while words run."""
 
     def __init__(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> None:
         self.program, self.rate, self.lanes = program, rate, lanes
@@ -136,11 +138,11 @@ class _SteadyPixels:
         self.marks = Marks(self.effects, self.sensor, (*names, "PIX"), len(rate))
 
     def since_s(self) -> float:
-        """Seconds from the last word to the end of the frame."""
+        """Return the seconds from the last word to the end of the frame."""
         return max(0.0, float(self.start_s[-1]) - self.now_s)
 
     def run(self, word: AnalogWord) -> None:
-        """The light up to a word's end, and the word."""
+        """Collect the light up to a word's end, and execute the word."""
         slow = self.effects.find_part(SlowWords) is not None
         ends_s = float(self.start_s[word.boundary]) + slow * word.after_us * 1e-6
         passed_s = max(0.0, ends_s - self.now_s)

@@ -1,4 +1,4 @@
-"""What an installation of the runtime has: compiled loops, serial ports, a C++ compiler."""
+"""Check an installation of the runtime: compiled loops, serial ports, a C++ compiler."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nscc_runtime.device.firmware import compiler
 
 
 def findings() -> Iterator[Finding]:
-    """Everything about the runtime that is looked at; the loops take a moment."""
+    """Yield the findings about the runtime. Checking the loops may take some seconds."""
     yield _loops()
     yield _ports()
     yield _compiler()
@@ -42,7 +42,7 @@ def _ports() -> Finding:
 
 
 def described(text: str) -> str:
-    """A port's description behind its name, where the system has one."""
+    """Return a port's description in parentheses; empty if there is none."""
     return f" ({text})" if text not in ("", "n/a") else ""
 
 

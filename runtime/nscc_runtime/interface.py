@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 class Exposure:
     """One exposed frame, before the ADC.
 
-    `exposure_e` float64 (buckets, rows, cols): electrons, in the order of `Container.buckets`; a
-    pixel that never opens is +0. `valid` bool, the same shape: False where the value means nothing
-    (it is not finite). `saturated_by` uint8, the same shape: the bits of what cut the value off on
-    its way here (`nscc_runtime.effects.marks`); None: nothing could.
-    """
+    `exposure_e` float64 (buckets, rows, cols): electrons, in the order of `Container.buckets`; +0
+    for a pixel that never opens. `valid` bool, the same shape: False where the value is not finite
+    or meaningless. `saturated_by` uint8, the same shape: saturation marks
+    (`nscc_runtime.effects.marks`); None if saturation is impossible."""
 
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
@@ -26,8 +25,8 @@ class Exposure:
 
 @dataclass(frozen=True, eq=False)
 class Executed:
-    """One frame of pixels that look: the exposure, and the digital registers that are read, kept or
-    hold code, as planes (rows, cols)."""
+    """One frame of pixels that look: the exposure, and the final digital registers that are read,
+    kept or contain code, as planes (rows, cols)."""
 
     exposure: Exposure
     planes: Mapping[str, NDArray[np.bool_]]

@@ -1,11 +1,10 @@
-"""Plans kept from scene to scene: the next frames of a film are exposed under the plan of an
-earlier one, as long as their light is of the same kind and no stronger.
+"""Share plans between scenes: the next frames of a film are exposed under an earlier plan, as long
+as their light is similar and not stronger.
 
-What is left out of a frame errs in proportion to light, to its steps between neighbours, or steeper
-where pixels saturate; so a plan goes on being good while none of these has grown by more than the
-room that plans leave below their tolerance. Where pixels look, it also hangs on how many of them
-stand near a level, and the plan is tried on the new scene.
-"""
+The error of dropped effects grows in proportion to light, to its differences between neighbours, or
+faster where pixels saturate. So a plan stays valid while none of these has grown by more than the
+margin that plans leave below their tolerance. If pixels look, the error also depends on how many
+pixels are close to a level, so the plan is tested on the new scene."""
 
 from __future__ import annotations
 
@@ -38,29 +37,28 @@ if TYPE_CHECKING:  # captures without effects start without planning
 Values = NDArray[np.float64]
 
 _MORE = 1.03
-"""By what factor light may grow: plans leave a tenth of their tolerance."""
+"""Largest factor by which light may grow: plans leave a tenth of their tolerance as margin."""
 _LESS, _LESS_OF_PART = 0.5, 0.95
-"""Below these factors a plan is made anew: a cheaper one may do; a tolerance that is a part of the
-scene has become smaller."""
+"""A new plan is made if light falls below `_LESS` of the earlier light, because it may be cheaper.
+For a relative tolerance, which becomes smaller with light, the limit is `_LESS_OF_PART`."""
 _STEEP = (EIGHTH, LARGEST, OPEN + EIGHTH, OPEN + LARGEST)
-"""Sizes by which more saturates."""
+"""Sizes that decide how many pixels saturate."""
 _SHIFTED = 0.02
-"""The part of the light that may fall in other slots."""
+"""Largest fraction of the light that may move to other slots."""
 _WITHOUT_END = 1e30
-"""Light that is taken to have no end."""
+"""Light above this value counts as infinite."""
 _SOME = 8
-"""Of each row and column every one of so many says when light falls."""
+"""The time course of light is computed from every `_SOME`-th row and column."""
 
 
 @dataclass(frozen=True, eq=False)
 class Statistics:
-    """What of a scene's light decides on the errors of a plan.
+    """The properties of a scene's light that determine the errors of a plan.
 
-    `sizes`, in electrons: of the light of a pixel over the frame the mean, the root of the mean
-    square, that of the eighth power, the largest; these again of the light while pixels are open;
-    and the root mean square of steps between neighbours. `course` (frames,): what part of all light
-    has fallen by the end of each of the scene's frames.
-    """
+    `sizes`, in electrons: mean, root mean square, eighth root of the mean eighth power, and maximum
+    of the light of a pixel over the frame; the same for the light while pixels are open; the root
+    mean square of differences between neighbours. `course` (frames,): fraction of all light that is
+    collected by the end of each of the scene's frames."""
 
     light: Light
     sizes: Values
@@ -68,25 +66,24 @@ class Statistics:
 
     @classmethod
     def of(cls, light: Light, open_part: NDArray[np.float32]) -> Statistics:
-        """Of a scene, in one pass over its frames; `open_part` (rows, cols): how much of the frame
-        each pixel is open."""
+        """Compute the statistics of a scene. `open_part` (rows, cols): fraction of the frame in
+        which each pixel is open."""
         return cls(light, _sizes(light.sum_e, open_part), _course(light))
 
     def resembles(
         self, other_statistics: Statistics, *, saturating: bool = True, least: float = _LESS
     ) -> bool:
-        """Whether the other scene's light is of this kind and no stronger.
+        """Return whether the other scene's light is similar to this scene's light and not stronger.
 
-        It may saturate more pixels only with `saturating`, that is, if saturation is simulated. Its
-        mean is at least `least` times that of this scene.
-        """
+        More pixels may saturate only with `saturating`, that is, if saturation is simulated. The
+        other light must be at least `least` times this scene's."""
         own_sizes, other_sizes = self.sizes.tolist(), other_statistics.sizes.tolist()
         pairs = [*zip(own_sizes, other_sizes, strict=True)]
         return (
             all(size < _WITHOUT_END for size in (*own_sizes, *other_sizes))
             and all(other_size >= least * own_size for own_size, other_size in pairs[:EIGHTH])
             and all(
-                # Of what saturates a little more light may lose much more.
+                # With saturation, a little more light may cause a much larger error.
                 other_size <= own_size * (_MORE if saturating or kind not in _STEEP else 1.0)
                 for kind, (own_size, other_size) in enumerate(pairs)
             )
@@ -95,14 +92,14 @@ class Statistics:
         )
 
     def covers(self, other_statistics: Statistics, plan: Plan) -> bool:
-        """Whether a plan that was made for this scene will do for another one."""
+        """Return whether a plan that was made for this scene is also valid for another scene."""
         follows = plan.allowed is None or plan.allowed.follows
         least = _LESS_OF_PART if follows else _LESS
         return self.resembles(other_statistics, saturating=not plan.drops_saturation, least=least)
 
 
 def _course(light: Light) -> Values:
-    """See `Statistics.course`."""
+    """Return the fraction of all light that is collected by the end of each frame (frames,)."""
     weight, frames = light.frame_weight, light.frames
     if len(frames) == 1:
         return np.ones(1)
@@ -113,7 +110,7 @@ def _course(light: Light) -> Values:
 
 
 def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
-    """See `Statistics.sizes`."""
+    """Return mean, powers, maximum and differences of light `total` (see `Statistics.sizes`)."""
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
         pixels=ArraySize(rows=rows, cols=cols), total=total, open_fraction=open_part,
@@ -130,7 +127,7 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
 
 
 def _alike(light: Light, other_light: Light) -> bool:
-    """Whether frames of these lights fall in the same slots."""
+    """Return whether frames of two lights fall into the same slots."""
     if light.shape != other_light.shape or (light.motion is None) != (other_light.motion is None):
         return False
     return light.timing == other_light.timing and (
@@ -142,8 +139,8 @@ def _alike(light: Light, other_light: Light) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _KeptPlan:
-    """A plan, or one that is being made, with what its scene is like; `scenes`: how many of that
-    kind there were so far."""
+    """A plan, or a plan that is being made, with the statistics of its scene. `scenes`: number of
+    scenes of this kind so far."""
 
     statistics: Statistics
     future: Future[Plan]
@@ -151,18 +148,17 @@ class _KeptPlan:
 
     @cached_property
     def again(self) -> Plan:
-        """The plan as that of another scene."""
+        """The plan, marked as reused from another scene."""
         return replace(self.future.result(), reused=True)
 
 
 class KeptPlans:
     """The plans of a series of frames, or of the scenes of a batch, numbered from 0.
 
-    Frames that are exposed one after the other need no announcement. For scenes that are exposed
-    at the same time, announce their numbers with `expect` before the first begins. Each scene then
-    waits for the plans of lower numbers, so the result does not depend on timing. A capture that
-    fails also releases the next scene.
-    """
+    Frames that are exposed one after the other need no announcement. For scenes that are exposed at
+    the same time, announce their numbers with `expect` before the first begins. Each scene then
+    waits for the plans of lower numbers, so results do not depend on timing. A capture that fails
+    also releases the next scene."""
 
     def __init__(self) -> None:
         self._last: dict[Hashable, _KeptPlan] = {}
@@ -170,13 +166,13 @@ class KeptPlans:
         self._changed = Condition()
 
     def expect(self, numbers: Iterable[int]) -> None:
-        """Scenes with these numbers will be exposed, maybe at the same time: none is planned before
-        those with lower numbers have passed."""
+        """Announce the numbers of scenes that may be exposed at the same time. No scene is planned
+        before those with lower numbers have passed."""
         with self._changed:
             self._expected.update(numbers)
 
     def passed(self, number: int) -> None:
-        """Scene `number` has its plan, or needs none."""
+        """Note that scene `number` has its plan or needs none."""
         with self._changed:
             self._expected.discard(number)
             self._changed.notify_all()
@@ -189,13 +185,12 @@ class KeptPlans:
         make: Callable[[int], Plan],
         serves: Callable[[Plan], bool],
     ) -> Plan:
-        """Return the plan of a scene: the last plan for the same `request` if it covers this scene
-        and `serves` it, else the result of `make(frames)`.
+        """Return the last plan for the same `request` if it is valid for this scene, else
+        `make(frames)`.
 
-        `frames` is the expected number of frames with light of this kind: `turn.frames` at first,
-        later the number of scenes of the last kind. If no two scenes are alike, measuring does not
-        pay.
-        """
+        A plan is valid if its statistics cover this scene and `serves(plan)` is true. `frames` is
+        the expected number of frames with similar light: `turn.frames` at first, later the number
+        of scenes of the last kind. If no two scenes are similar, measuring does not pay."""
         with self._changed:
             self._changed.wait_for(lambda: turn.number <= min(self._expected, default=turn.number))
         mine: Future[Plan] = Future()
@@ -203,7 +198,7 @@ class KeptPlans:
             last, scenes, frames = self._last.get(request), 1, turn.frames
             if last is not None:
                 frames = min(turn.frames, last.scenes)
-            # Most scenes that differ are told apart before the last plan is there.
+            # Different scenes are usually recognised before the last plan is complete.
             alike = last is not None and last.statistics.resembles(statistics)
             if last is not None and alike and last.future.exception() is None:
                 scenes, earlier = last.scenes + 1, last.again
@@ -225,16 +220,16 @@ class KeptPlans:
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A scene's place among those that share their plans.
+    """A scene's position among the scenes that share plans.
 
     Attributes
     ----------
     plans : KeptPlans
-        Where plans are kept.
+        The shared plans.
     number : int
-        The scene's number among them.
+        Number of the scene.
     frames : int
-        How many frames of one kind are expected at most: choosing effects has to pay by them.
+        Expected largest number of similar frames: choosing effects has to pay within this number.
     """
 
     plans: KeptPlans

@@ -1,4 +1,4 @@
-"""The light on the array: the charge each slot would give each pixel, stills and clips alike."""
+"""The light on the array: the electrons that each pixel would collect in each slot."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nscc_runtime.method_cache import remembered
 from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
 
 _MOST_E = 1e36
-"""Sums of float32 may have no end."""
+"""Sums of float32 are limited to this value, because they may be infinite."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -147,7 +147,7 @@ class Light:
         return total.astype(np.float32)
 
     def _frame(self, k: int, rows: slice) -> NDArray[np.float32]:
-        """Rows of the frame of matrix entry k."""
+        """Return rows of the frame of matrix entry k."""
         frame: NDArray[np.float32] = self.frames[self.frame_index[k], rows]
         return frame
 
@@ -253,13 +253,12 @@ class Light:
     @property
     def sum_e(self) -> NDArray[np.float64]:
         """The sum of all slots (rows, cols), to float32 and at most 1e36, read-only. It adds up
-        frames instead of slots; `total_e` is more exact and slower.
-        """
+        frames instead of slots; `total_e` is more exact and slower."""
         return self._summed[0]
 
     @cached_property
     def _summed(self) -> tuple[NDArray[np.float64], bool]:
-        """See `sum_e`; and whether some pixel would have had more."""
+        """The value of `sum_e`, and whether some pixel exceeded the limit."""
         weight, count = self.frame_weight, len(self.frames)
         total, capped = np.empty(self.shape), np.empty(1, np.int64)
         sum_light(

@@ -1,6 +1,6 @@
-"""Consecutive frames of programs that look: kept states go on from each frame to the next.
+"""Consecutive frames of programs that look: kept states continue from each frame to the next.
 
-The compiled loop over paths exposes them, or the reference if the loop lacks an effect.
+The compiled loop over paths exposes them, or the reference if the loop does not support an effect.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from nscc_runtime.reference.looks import LookingReference
 Planes = Mapping[str, NDArray[np.bool_]]
 
 looking_program_of = OfContainer(LookingProgram)
-"""A program whose pixels look, on a sensor, by (container, sensor)."""
+"""Return the `LookingProgram` of a container on a sensor, cached for each pair."""
 
 
 def next_planes(
     container: Container, loaded: Planes, final_planes: Planes
 ) -> dict[str, NDArray[np.bool_]]:
-    """Return the registers at the start of the next frame: kept states from the `final_planes` of
-    this one, everything else as `loaded`."""
+    """Return the registers at the start of the next frame. Kept states are taken from the
+    `final_planes` of this frame, everything else from `loaded`."""
     machine = container.machine
     assert machine is not None
     names = (state.name for state in machine.states if state.is_kept)
@@ -50,14 +50,14 @@ def next_planes(
 
 
 Exposing = Callable[[Scene, Planes, tuple[int, int], int, range | None], Executed]
-"""What exposes (scene, loaded, seeds, frame, rows) as `LookingReference.expose` does."""
+"""A function of (scene, loaded, seeds, frame, rows) that exposes like `LookingReference.expose`."""
 
 
 def film(
     expose: Exposing, container: Container, scene: Scene, sensor: Sensor, effects: Selection,
     seeds: tuple[int, int], count: int,
 ) -> Iterator[Frame]:  # fmt: skip
-    """Frames 0 .. `count` - 1, one after the other: kept states go on from frame to frame."""
+    """Yield frames 0 to `count` - 1; kept states continue from frame to frame."""
     loaded: Planes = container.planes()
     for number in range(count):
         executed = expose(scene, loaded, seeds, number, None)
@@ -69,7 +69,7 @@ def told_frame(
     container: Container, executed: Executed, sensor: Sensor, effects: Selection,
     seeds: tuple[int, int], number: int,
 ) -> Frame:  # fmt: skip
-    """Frame number `number` as its file has it."""
+    """Return frame number `number` with converter codes, states and estimated light."""
     frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
     return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
@@ -77,8 +77,10 @@ def told_frame(
 def exposer(
     looking_program: LookingProgram, effects: Selection, threads: int = 1, by_words: bool = False
 ) -> Exposing:
-    """Return a function that exposes (scene, loaded, seeds, frame, rows) with these effects: the
-    compiled loop, or the reference if the loop lacks an effect or with `by_words`."""
+    """Return a function of (scene, loaded, seeds, frame, rows) that exposes with these effects.
+
+    It uses the compiled loop, or the reference if the loop does not support an effect, or with
+    `by_words`."""
     if by_words or looking_program.lacks(effects):
         return LookingReference(
             looking_program.container, looking_program.sensor, effects, threads
@@ -93,9 +95,10 @@ def frames(
     seed: int = 0, device_seed: int = 0, count: int = 1, threads: int | None = None,
     by_words: bool = False,
 ) -> Iterator[Frame]:  # fmt: skip
-    """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
-    frame, as `exposer` has them. `threads`, by default all processors, change no bit. What can be
-    refused is refused before the first frame."""
+    """Yield frames 0 to `count` - 1 of `light`; kept states continue from frame to frame.
+
+    `by_words`: use the reference. Results do not depend on `threads` (None: all processors). Raises
+    Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     check_adc(container.target)
     scene, threads = scene_of(container, light), threads_of(threads)

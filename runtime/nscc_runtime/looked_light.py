@@ -1,11 +1,10 @@
-"""Light from a frame whose pixels looked: each pixel's exposure over the time that it was open.
+"""Estimate light from a frame whose pixels looked: each pixel's exposure divided by its open time.
 
-No decoder and no neighbour has a part in it. The estimate is that of greatest likelihood for a
-steady light: what saturates softly is bent back, gain, leakage and dark charge are taken away as
-the sensor's figures have them in the mean, and the rest is divided by the time. Its standard
-deviation adds what the same figures say of counts, reads, words, converter and unequal pixels; it
-is infinite where a pixel was full, for there the light was at least so much.
-"""
+The estimate of a pixel uses no decoder and no neighbours. It is the maximum likelihood estimate for
+steady light: soft saturation is inverted, gain, leakage and dark charge are corrected with the
+sensor's mean values, and the result is divided by the open time. Its standard deviation includes
+photon counts, reads, words, converter and unequal pixels. It is infinite where a pixel was full,
+because the light is then only a lower bound."""
 
 from __future__ import annotations
 
@@ -27,9 +26,9 @@ from nscc_runtime.response import converter_e2, gain_spread
 Values = NDArray[np.float64]
 
 LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
-"""The keys of the frame file: (buckets, rows, cols), electrons a second."""
+"""Keys of light (buckets, rows, cols) in electrons per second, and of its standard deviation."""
 OPEN = "open_slots"
-"""The key of how many slots each bucket was open (buckets, rows, cols)."""
+"""Key in the frame file: number of slots in which each bucket was open, (buckets, rows, cols)."""
 
 
 def told_by(
@@ -39,9 +38,10 @@ def told_by(
     sensor: Sensor,
     effects: Selection,
 ) -> dict[str, NDArray[Any]]:
-    """What a frame file says beside the exposure, from the digital planes that came with one frame:
-    `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows, cols), and
-    the light as `light_of` has it."""
+    """Return the arrays of a frame file that follow from the digital `planes` of one frame.
+
+    These are `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows,
+    cols), and the light (see `light_of`)."""
     machine = container.machine
     assert machine is not None
     assert container.pixel_codes is not None
@@ -59,8 +59,10 @@ def told_by(
 
 
 def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) -> Values:
-    """How long each bucket of a pixel was open, in microseconds (buckets, rows, cols), from what
-    `told_by` says of a frame; -1 where the states are those of no pixel."""
+    """Return the open time of each bucket of a pixel in microseconds, (buckets, rows, cols).
+
+    It follows from the states in the arrays of `told_by`; -1 where no pixel can end in these
+    states."""
     assert container.machine is not None
     assert container.pixel_codes is not None
     behaviour = container.table.shutter_of_code[container.pixel_codes]
@@ -72,8 +74,11 @@ def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) ->
 def open_times(
     machine: StateMachine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
 ) -> tuple[NDArray[np.int64], Values]:
-    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
-    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
+    """Return the number of open slots and the open time in microseconds, both (buckets, rows,
+    cols).
+
+    They follow from the behaviour of each pixel and the states that were read; -1 where no pixel
+    can end in these states."""
     last = machine.nodes(machine.stages - 1)
     read = [k for k, state in enumerate(machine.states) if state.read]
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
@@ -93,14 +98,13 @@ def light_of(
     sensor: Sensor,
     effects: Selection,
 ) -> dict[str, Values]:
-    """The light and its standard deviation, by key, each (buckets, rows, cols).
+    """Return the light and its standard deviation, by key, each (buckets, rows, cols).
 
-    `frame` is one frame. `outcomes` (rows, cols): the behaviour of each pixel and the states that
-    are read. `open_us` (buckets, rows, cols): -1 if no pixel can end in these states. `effects`:
-    those of the chip (all), or those that the emulator simulated.
-    Of a pixel that never opened, or whose time is unknown, both are NaN; the deviation is NaN, too,
-    where the words that acted in a pixel are unknown.
-    """
+    `frame`: one frame. `outcomes` (rows, cols): the behaviour of each pixel and the states that are
+    read. `open_us` (buckets, rows, cols): -1 if no pixel can end in these states. `effects`: all
+    effects for a chip, or those that the emulator simulated. Both results are NaN for a pixel that
+    never opened or whose open time is unknown. The deviation is also NaN where the words that acted
+    in a pixel are unknown."""
     codes = frame.frame.astype(np.float64)
     read_e = (codes - sensor.adc_offset_lsb) * sensor.electrons_per_lsb
     open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6
@@ -128,7 +132,7 @@ def light_of(
 
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
-    """Undo the soft saturation of two registers in a row."""
+    """Invert the soft saturation of two registers in a row."""
     soft = effects.find_part(Soft)
     if soft is None:
         return read_e
@@ -141,8 +145,8 @@ def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
 
 
 def merged_image(light: Values, deviation: Values) -> Values:
-    """One light (rows, cols) of all buckets, each weighted by what it knows; where every one was
-    full, the greatest."""
+    """Return one light (rows, cols) from all buckets, weighted by inverse variance; the largest
+    value where every bucket was full."""
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.nan_to_num(1.0 / deviation**2, nan=0.0, posinf=0.0)
     known = weight.sum(axis=0)

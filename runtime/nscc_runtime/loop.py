@@ -1,4 +1,4 @@
-"""Compiled loops: a function's annotated signature says what its machine code is given.
+"""Compiled loops: the annotated signature of a function declares the arguments of its machine code.
 
     @record
     class Sizes:
@@ -12,17 +12,15 @@
 
     scaled(sizes=Sizes(pixels=9, factor=0.5), lanes=lanes, out=out)
 
-Arrays that belong together are one parameter: a NamedTuple, whose fields are annotated as arrays
-are.
+Several arrays can be one parameter: a NamedTuple whose fields are annotated like arrays.
 
-From that one declaration numba learns the types, and every call its order and what to check: an
-array's type, that it is contiguous, that it may be written where it is `Written`, and, where the
-declaration names its axes, its shape. Loops are called by name only.
+numba takes the types from this declaration. Every call takes the order of arguments from it, and
+checks each array: its type, that it is contiguous, that it may be modified if it is `Written`, and
+its shape if the declaration names its axes. Loops are called with keyword arguments only.
 
-In a loop an array is a bare pointer: flat whatever its shape, and without bounds. A loop allocates
-nothing and raises nothing, and calls only functions that are `compiled` or `inlined`. Importing a
-module of loops does not import numba; compiling does (see `nscc_runtime.machine_code`).
-"""
+In a loop an array is a bare pointer, flat for any shape and without bounds. A loop allocates no
+memory, raises no exceptions, and calls only functions that are `compiled` or `inlined`. Importing a
+module of loops does not import numba; compiling does (see `nscc_runtime.machine_code`)."""
 
 from __future__ import annotations
 
@@ -62,7 +60,7 @@ Floats32 = NDArray[np.float32]
 Bytes = NDArray[np.uint8]
 
 Written = Annotated[_T, WRITTEN]
-"""An array that the loop writes."""
+"""An array that the loop modifies."""
 
 _FIELDS: dict[type, Any] = {
     int: ctypes.c_int64,
@@ -73,11 +71,11 @@ _FIELDS: dict[type, Any] = {
 
 @dataclass_transform(kw_only_default=True)
 def record(cls: type[_T]) -> type[_T]:
-    """A class of annotated fields (int, float or np.uint64) as a record that a loop reads.
+    """Turn a class of annotated fields (int, float or np.uint64) into a record that a loop reads.
 
-    Made by the names of all its fields; in a loop they are int64, float64 and uint64. An array of
-    records has the dtype np.dtype(cls): `Annotated[NDArray[Any], cls]` in a loop's signature.
-    """
+    It is constructed with keyword arguments for all its fields. In a loop the fields are int64,
+    float64 and uint64. An array of records has the dtype np.dtype(cls), and
+    `Annotated[NDArray[Any], cls]` in a loop's signature."""
     fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
 
     def init(self: Any, **values: Any) -> None:
@@ -95,27 +93,27 @@ def record(cls: type[_T]) -> type[_T]:
 
 
 def compiled(function: _F) -> _F:
-    """A function that compiled loops may call."""
+    """Mark a function that compiled loops may call."""
     return cast(_F, _LoopFunction(cast(FunctionType, function), _jitted))
 
 
 def inlined(function: _F) -> _F:
-    """The same, made part of each loop that calls it: LLVM makes vectors of no other calls."""
+    """Mark a function that is inlined into loops, because LLVM vectorises only inlined calls."""
     return cast(_F, _LoopFunction(cast(FunctionType, function), partial(_jitted, forceinline=True)))
 
 
 def table(make: Callable[[], _T]) -> _T:
-    """An array of constants that loops read by the global name it is given; made when compiled."""
+    """Declare an array of constants for loops. `make` is called when a loop with it compiles."""
     return cast(_T, _LoopFunction(cast(FunctionType, make), lambda function: function()))
 
 
 def loop(function: Callable[_P, None]) -> Loop[_P]:
-    """The loop that a function declares: one of the object file of its module."""
+    """Declare a compiled loop, which becomes part of the object file of its module."""
     return Loop(cast(FunctionType, function))
 
 
 class Loop(Generic[_P]):
-    """A loop as machine code: read from its module's object file, or compiled on first use."""
+    """A loop as machine code, read from its module's object file or compiled on first use."""
 
     def __init__(self, function: FunctionType) -> None:
         self.function, self.__doc__ = function, function.__doc__
@@ -123,7 +121,7 @@ class Loop(Generic[_P]):
         object_file(self.module).loops.append(self)
 
     def __call__(self, *args: _P.args, **values: _P.kwargs) -> None:
-        """Run it. Drops the GIL. Raises TypeError for what the declaration does not allow."""
+        """Run the loop without the GIL. Raises TypeError for arguments that do not match."""
         if args:
             raise TypeError(f"{self.name} takes what it is given by name")
         if values.keys() != self.parameters.keys():
@@ -132,32 +130,32 @@ class Loop(Generic[_P]):
         self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
 
     def bound(self, **values: Any) -> Bound:
-        """The loop with some of its parameters checked and given."""
+        """Return the loop with some of its arguments checked and fixed."""
         return Bound(self, values)
 
     def is_compiled(self) -> bool:
-        """Whether the machine code is there: if not, its first use takes some seconds."""
+        """Return whether the machine code exists; otherwise the first use takes some seconds."""
         return "linked" in vars(object_file(self.module)) or self.is_kept()
 
     def is_kept(self) -> bool:
-        """Whether a file holds the machine code, for other runs too."""
+        """Return whether a file with the machine code exists, which other runs can use."""
         file = object_file(self.module)
         return machine_code.read_object_file(file.name, file.folders) is not None
 
     def compiling(self, subject: str) -> str:
-        """Return a line which says that `subject` is compiled, and whether it is kept."""
+        """Return a message: `subject` is compiled once, or in every run if no cache is writable."""
         if machine_code.can_keep(object_file(self.module).folders):
             return f"compiling {subject} for this processor: once, some seconds"
         return ("compiling loops: some seconds in every run, because no cache folder can be "
                 "written; XDG_CACHE_HOME names one")  # fmt: skip
 
     def load(self) -> None:
-        """Have the machine code ready, compiled if need be."""
-        object_file(self.module).linked  # noqa: B018  # made when it is asked for
+        """Load the machine code, compiling it if necessary."""
+        object_file(self.module).linked  # noqa: B018  # computes the cached property
 
     @cached_property
     def parameters(self) -> dict[str, LoopParameter | ArrayGroup]:
-        """What it is given, in order."""
+        """The declared parameters by name, in order."""
         hints = get_type_hints(self.function, include_extras=True)
         parameters = [parameter_of(name, hints[name]) for name in hints if name != "return"]
         axes = {
@@ -170,21 +168,21 @@ class Loop(Generic[_P]):
 
     @property
     def takes(self) -> int:
-        """How many addresses its machine code takes."""
+        """Number of addresses that the machine code takes."""
         return sum(len(parameter.arrays) for parameter in self.parameters.values())
 
     @cached_property
     def entry(self) -> Callable[..., None]:
-        """The machine code, which checks nothing; takes addresses."""
+        """The machine code as a function of addresses; it checks nothing."""
         return object_file(self.module).linked[self.name]
 
 
 class Bound:
-    """A loop that has been given some of its parameters; see `Loop.bound`."""
+    """A loop with some of its arguments fixed (see `Loop.bound`)."""
 
     def __init__(self, bound_loop: Loop[Any], values: dict[str, Any]) -> None:
         self._loop = bound_loop
-        self._values = values  # what is given lives as long as its address
+        self._values = values  # keeps the arrays alive as long as their addresses
         self._axes: dict[str, int] = {}
         self._open = {
             name: parameter
@@ -198,7 +196,7 @@ class Bound:
             self._addresses[name] = bound_loop.parameters[name].addresses(value, self._axes)
 
     def __call__(self, **values: Any) -> None:
-        """Run the loop with the rest of its parameters; see `Loop.__call__`."""
+        """Run the loop with the remaining arguments (see `Loop.__call__`)."""
         if self._open.keys() != values.keys():
             raise TypeError(f"{self._loop.name}: {_unlike(self._open, values)}")
         addresses, axes = self._addresses.copy(), self._axes.copy()
@@ -217,15 +215,14 @@ class Bound:
 class ObjectFile:
     """The machine code of a module's loops.
 
-    It lies in `__pycache__` beside the module or, where that cannot be written, in the user's cache
-    folder, under a digest of all that it depends on.
-    """
+    It is stored in `__pycache__` beside the module or, if that is not writable, in the user's cache
+    folder. Its name contains a digest of everything that it depends on."""
 
     module: str
     loops: list[Loop[Any]] = field(default_factory=list)
 
     def code(self) -> bytes:
-        """The object code, read or compiled."""
+        """Return the object code, read from a file or compiled."""
 
         def build() -> bytes:
             from nscc_runtime.loop_types import signature
@@ -242,12 +239,12 @@ class ObjectFile:
 
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
-        """The loops of this process, by name."""
+        """The loops linked into this process, by name."""
         return machine_code.load(self.code(), {e.name: e.takes for e in self.loops})
 
     @cached_property
     def name(self) -> str:
-        """The file's name."""
+        """The name of the file."""
         known: dict[FunctionType, str] = {}
         for module_loop in self.loops:
             _depend(module_loop.function, known)
@@ -257,7 +254,7 @@ class ObjectFile:
 
     @property
     def folders(self) -> tuple[Path, ...]:
-        """Where it may lie, best first."""
+        """The folders in which the file may be, in order of preference."""
         return machine_code.folders(cast(str, sys.modules[self.module].__file__))
 
 
@@ -265,13 +262,13 @@ _FILES: dict[str, ObjectFile] = {}
 
 
 def object_file(module: str) -> ObjectFile:
-    """The object file of a module that has been imported."""
+    """Return the object file of an imported module."""
     return _FILES.setdefault(module, ObjectFile(module))
 
 
 @dataclass(frozen=True, eq=False)
 class _LoopFunction:
-    """A function or a table for loops: what numba knows of it is made when it is needed."""
+    """A function or a table for loops. Its form for numba is made when it is first needed."""
 
     function: FunctionType
     for_loops: Callable[[FunctionType], Any]
@@ -291,7 +288,7 @@ def _jitted(function: FunctionType, **options: Any) -> Any:
 
 
 def _for_numba(function: FunctionType) -> FunctionType:
-    """A function whose globals are what numba knows."""
+    """Return a copy of a function whose globals are replaced by their forms for numba."""
     names, code = function.__globals__, function.__code__
     loop_globals = {
         name: value.for_numba
@@ -302,7 +299,7 @@ def _for_numba(function: FunctionType) -> FunctionType:
 
 
 def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
-    """Add to `known` what machine code of a function depends on: code, constants, functions."""
+    """Add to `known` all code, constants and functions that a function's machine code needs."""
     if function in known:
         return
     known[function] = ""
@@ -331,7 +328,7 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
 
 
 def _unlike(names_expected: Iterable[str], names_given: Iterable[str]) -> str:
-    """Which names are missing, and which are not known."""
+    """Return a text with the names that are missing and the names that are unknown."""
     names_by_problem = {
         "lacks": {*names_expected} - {*names_given},
         "does not take": {*names_given} - {*names_expected},

@@ -1,5 +1,4 @@
-"""What a compiled loop is given under a name, and what is checked of it (see
-`nscc_runtime.loop`)."""
+"""The parameters of compiled loops, and the checks of their arguments (see `nscc_runtime.loop`)."""
 
 from __future__ import annotations
 
@@ -10,20 +9,20 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 import numpy as np
 
 WRITTEN = object()
-"""The note of an array that a loop writes."""
+"""The annotation of an array that a loop modifies."""
 
 _DATA = object.__basicsize__
-"""Where an array keeps the address of its numbers: numpy's C interface has it first of all, after
-what every object begins with. Other ways there take four times as long."""
+"""Offset of the data address in an array object: in numpy's C interface it is the first field after
+the object header. Other ways to get the address take four times as long."""
 
 
 @dataclass(frozen=True)
 class LoopParameter:
-    """What a loop is given under a name: a record, or an array of numbers or of records.
+    """A parameter of a loop: a record, or an array of numbers or of records.
 
-    `axes` are the name and the surplus of each axis, None where any shape will do: an axis is as
-    long as the field of that name in a record, one of its `lengths`, and as in the other arrays.
-    """
+    `axes`: name and surplus of each axis, None to accept any shape. All axes of one name must have
+    equal lengths, in all arrays, and equal the field of that name in a record. `lengths`: the
+    fields of the record that are lengths of axes."""
 
     name: str
     kind: np.dtype[Any]
@@ -34,7 +33,7 @@ class LoopParameter:
 
     @classmethod
     def of(cls, name: str, hint: Any) -> LoopParameter:
-        """A parameter from its annotation."""
+        """Return the parameter that the annotation `hint` declares."""
         hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
         if not get_origin(hint):
             return cls(name, np.dtype(hint), hint)
@@ -49,18 +48,16 @@ class LoopParameter:
 
     @property
     def arrays(self) -> tuple[LoopParameter, ...]:
-        """The parameters that are passed as separate addresses: here only this one."""
+        """The parameters that are passed as separate addresses: only this one."""
         return (self,)
 
     def sized(self, axes: set[str]) -> LoopParameter:
-        """The same; of its record's fields those that are named there are lengths of axes."""
+        """Return the parameter with `lengths`: fields of its record that are named in `axes`."""
         return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
 
     def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
-        """Where a value begins; raises TypeError for one that is not as declared.
-
-        `axes` are the lengths that are known, and are added to.
-        """
+        """Return the address of an argument. Raises TypeError if it does not match the declaration.
+        `axes`: the lengths known so far; new lengths are added."""
         return (self._address(value, axes),)
 
     def _address(self, value: Any, axes: dict[str, int]) -> int:
@@ -94,19 +91,18 @@ class LoopParameter:
 
 @dataclass(frozen=True)
 class ArrayGroup:
-    """Arrays that a loop is given as one, a NamedTuple. To machine code its fields come one by one:
-    so LLVM passes a tuple's members."""
+    """Several arrays as one loop parameter, a NamedTuple. Machine code receives single fields."""
 
     name: str
     kind: type[tuple[Any, ...]]
     arrays: tuple[LoopParameter, ...]
 
     def sized(self, _axes: set[str]) -> ArrayGroup:
-        """See `LoopParameter.sized`: arrays have no lengths to tell."""
+        """Return the group unchanged: arrays contain no lengths of axes."""
         return self
 
     def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
-        """See `LoopParameter.addresses`."""
+        """Return the addresses of the arrays (see `LoopParameter.addresses`)."""
         if type(value) is not self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
         return [
@@ -117,7 +113,7 @@ class ArrayGroup:
 
 
 def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
-    """A parameter from its annotation."""
+    """Return the parameter that the annotation `hint` declares."""
     if not (isinstance(hint, type) and issubclass(hint, tuple)):
         return LoopParameter.of(name, hint)
     fields = get_type_hints(hint, include_extras=True).items()
@@ -129,13 +125,13 @@ def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
 def numba_kinds(
     parameter: LoopParameter | ArrayGroup,
 ) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
-    """What numba is told of a parameter; see `nscc_runtime.loop_types.signature`."""
+    """Return the types of a parameter, for `nscc_runtime.loop_types.signature`."""
     together = parameter.kind if isinstance(parameter, ArrayGroup) else None
     return together, [(array.kind, array.record is not None) for array in parameter.arrays]
 
 
 def _axis(text: str) -> tuple[str, int]:
-    """An axis as declared: `slots`, or `slots+1`."""
+    """Parse an axis, such as `slots` or `slots+1`, to its name and surplus."""
     name, _, extra = text.partition("+")
     return name, int(extra or 0)
 

@@ -1,4 +1,4 @@
-"""What numba is told of a loop's parameters. Importing this module imports numba."""
+"""The numba types of a loop's parameters. Importing this module imports numba."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ extending: Any = _extending
 types: Any = _types
 
 Records: Any = type("Records", (types.CPointer,), {})
-"""A pointer to records; indexed, it is one of them: numba's own pointers would copy it."""
+"""A pointer to records. Indexing returns a reference; numba's own pointers would copy."""
 
 extending.register_model(Records)(extending.models.PointerModel)
 
 
 def _record(_context: Any, builder: Any, _signature: Any, values: tuple[Any, Any]) -> Any:
-    """The address of a record, which is how numba holds one."""
+    """Return the address of a record, which represents the record in numba."""
     return builder.gep(values[0], [values[1]])
 
 
@@ -30,8 +30,8 @@ extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
 def signature(parameters: Iterable[tuple[type | None, list[tuple[np.dtype[Any], bool]]]]) -> Any:
-    """The types of a loop, for numba: of each parameter the NamedTuple that it is, or None, and of
-    its parts, or itself, the kind, and whether it is one record."""
+    """Return the numba signature of a loop. For each parameter: the NamedTuple class or None, and
+    for each of its arrays the dtype and whether it is one record."""
     parameter_types = []
     for together, arrays in parameters:
         kinds = [_type(*array) for array in arrays]

@@ -1,9 +1,8 @@
-"""Machine code of compiled loops: built with numba once, kept in a file, linked when needed.
+"""Machine code of compiled loops: built with numba once, stored in a file, linked when needed.
 
 A process that finds the file needs neither numba nor a compiler, only llvmlite's linker, which
-costs a twentieth of a second. The file's name is a digest of all that the code depends on. Without
-any folder to keep it in, every process compiles for itself.
-"""
+takes a twentieth of a second. The file's name is a digest of everything that the code depends on.
+If no folder is writable, every process compiles the loops itself."""
 
 from __future__ import annotations
 
@@ -20,22 +19,22 @@ from typing import Any
 
 _DIGEST_BYTES = 32
 _COMPILE_S: list[float] = []
-"""Seconds that each object file took to compile in this process."""
+"""Seconds that compiling each object file took in this process."""
 
 
 def working_s() -> float:
-    """Return a clock in seconds that stands still while loops are compiled."""
+    """Return a clock in seconds that stops while loops are compiled."""
     return perf_counter() - sum(_COMPILE_S)
 
 
 def folders(module: str) -> tuple[Path, ...]:
-    """Where the machine code of the module in file `module` may lie, best first."""
+    """Return the folders for the machine code of a module's file, in order of preference."""
     user = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
     return Path(module).parent / "__pycache__", Path(user) / "nscc"
 
 
 def can_keep(places: Sequence[Path]) -> bool:
-    """Whether object files can be written to a place, or to a folder made there."""
+    """Return whether object files can be written to one of the folders."""
     for place in places:
         existing = next(path for path in (place, *place.parents) if path.exists())
         if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
@@ -44,7 +43,7 @@ def can_keep(places: Sequence[Path]) -> bool:
 
 
 def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
-    """The object file `name`: read from the first place that has it whole, else built and kept."""
+    """Return the object file `name`: read from the first intact copy, else built and stored."""
     stored = read_object_file(name, places)
     if stored is not None:
         return stored
@@ -61,7 +60,7 @@ def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -
 
 
 def read_object_file(name: str, places: Sequence[Path]) -> bytes | None:
-    """The object file `name`, None where no place has it whole."""
+    """Return the object file `name`; None if no folder has it intact."""
     for place in places:
         try:
             data = (place / name).read_bytes()
@@ -84,8 +83,8 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
         module = llvm.parse_assembly(
             _own_root(cfunc.inspect_llvm()).replace(cfunc.native_name, entry)
         )
-        # With everything else private, LLVM sees that nothing here can raise, and drops the
-        # functions of numba and Python for it: what is left runs without either.
+        # If everything else is private, LLVM recognises that nothing can raise, and removes the
+        # error handling of numba and Python: the result runs without either.
         for llvm_function in module.functions:
             if not llvm_function.is_declaration and llvm_function.name != entry:
                 llvm_function.linkage = "internal"
@@ -102,10 +101,8 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
 
 
 def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
-    """Link an object file into this process.
-
-    `parameters` says how many addresses each entry takes. The callables drop the GIL.
-    """
+    """Link an object file into this process and return its functions, which run without the GIL.
+    `parameters`: number of addresses that each entry takes."""
     import llvmlite.binding as llvm
 
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine(llvm))
@@ -121,7 +118,7 @@ def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., 
 
 
 def name(stem: str, sources: Iterable[str]) -> str:
-    """The object file's name: a digest of what is compiled, of LLVM and of the processor."""
+    """Return the object file's name, with a digest of the sources, LLVM and the processor."""
     import llvmlite
     import llvmlite.binding as llvm
 
@@ -138,7 +135,7 @@ def name(stem: str, sources: Iterable[str]) -> str:
 
 
 def _own_root(text: str) -> str:
-    """LLVM code with the processor's square roots, for which numba calls the C library's."""
+    """Return LLVM code that uses the processor's square root instead of the C library's."""
     for name, kind, intrinsic in (("sqrt", "double", "f64"), ("sqrtf", "float", "f32")):
         text, calls = re.subn(rf"^declare {kind} @{name}\(.*\n", "", text, flags=re.MULTILINE)
         declared = f"declare {kind} @llvm.sqrt.{intrinsic}({kind}"
@@ -149,7 +146,7 @@ def _own_root(text: str) -> str:
 
 
 def _machine(llvm: Any) -> Any:
-    """LLVM's view of this machine, for code that is linked while the process runs."""
+    """Return LLVM's description of this machine, for code that is linked while the process runs."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     return llvm.Target.from_default_triple().create_target_machine(
@@ -162,7 +159,7 @@ def _machine(llvm: Any) -> Any:
 
 
 def _write(path: Path, data: bytes) -> None:
-    """Write a file whole or not at all: another process may be reading or writing it."""
+    """Write a file completely or not at all: other processes may be reading or writing it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(dir=path.parent)
     try:

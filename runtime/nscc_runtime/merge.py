@@ -1,9 +1,9 @@
-"""Light from one coded frame without a decoder: what neighbours saw, each for its own time.
+"""Estimate light from one coded frame without a decoder, from neighbouring pixels and their open
+times.
 
-response = response_of(program, sensor, taken.plan.kept)
-(readout,) = readouts(program, taken, response)   # a bucket each
-light, known = light_estimate(readout)            # electrons a second (rows, cols)
-"""
+    response = response_of(program, sensor, taken.plan.kept)
+    (readout,) = readouts(program, taken, response)   # one per bucket
+    light, known = light_estimate(readout)            # electrons per second (rows, cols)"""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from nscc_runtime.response import Response
 Field = NDArray[np.float64]
 
 _LARGEST_TILE = 16
-"""Codes that repeat over more pixels than this a side are taken as not repeating."""
+"""A tile of codes larger than this number of pixels per side counts as not repeating."""
 
 
 @dataclass(frozen=True, eq=False)
 class BucketReadout:
     """One bucket as it was read out; arrays are (rows, cols).
 
-    `frame` uint8; `saturated` bool; `light_e`, the electrons that fell while each pixel was open,
-    as far as its code tells, and `most_e` those of the last code; `open_s`, how long it was;
-    `window` (rows, cols), the neighbourhood that holds pixels of every code.
-    """
+    `frame` uint8: codes. `saturated` bool. `light_e`: electrons that were collected while each
+    pixel was open, estimated from its code. `most_e`: the same for the last code. `open_s`: open
+    time in seconds. `window` (rows, cols): size of a neighbourhood that contains pixels of every
+    code."""
 
     name: str
     frame: NDArray[np.uint8]
@@ -45,13 +45,13 @@ class BucketReadout:
 
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
-    """The buckets of one frame of a container with pixels."""
+    """Return the buckets of a frame of pixels. Raises Rejected for images and planes."""
     refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
     most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))
     if container.machine is not None:
-        # Pixels that looked know how long they were open, and ask no neighbour.
+        # The open time of pixels that looked is known, so neighbours are not used.
         window = (1, 1)
         open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
         light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
@@ -71,30 +71,29 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
-    """The smallest tile (rows, cols) that repeats over the array; the array's size if none does."""
+    """Return the size (rows, cols) of the smallest repeated tile; else the array's size."""
     return _period(codes), _period(codes.T)
 
 
 def _period(codes: NDArray[Any]) -> int:
-    """The smallest p for which row r equals row r + p everywhere."""
+    """Return the smallest p for which row r equals row r + p everywhere."""
     rows = len(codes)
     return next((p for p in range(1, rows) if np.array_equal(codes[p:], codes[:-p])), rows)
 
 
 def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
-    """Electrons a second (rows, cols) from the unsaturated pixels around each pixel, and where any
-    is.
+    """Return light (rows, cols) in electrons per second from the unsaturated pixels around each
+    pixel, and a mask of pixels with a value.
 
-    Summed electrons over summed open time: with shot noise alone, the best estimate that there is.
-    Pixels whose open neighbours are all saturated get the most that one of these could have told;
-    where no pixel asks its neighbours, the least that it can have seen itself.
-    """
+    The estimate is the sum of electrons divided by the sum of open times, which is optimal for pure
+    shot noise. If all open neighbours are saturated, it is the largest light that one of them can
+    represent. If pixels do not use neighbours, it is a lower bound from the pixel itself."""
     opened = readout.open_s > 0
     usable = opened & ~readout.saturated
     time = _box(np.where(usable, readout.open_s, 0.0), readout)
     known = _box(usable, readout) > 0.5
     light_e = _box(np.where(usable, readout.light_e, 0.0), readout)
-    # Noise may take a dark pixel below nothing.
+    # Noise may make a dark pixel negative.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
     if readout.window == (1, 1):
         np.divide(readout.light_e, readout.open_s, out=light, where=opened & ~known)
@@ -110,7 +109,7 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
 
 
 def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
-    """Sums over the window around every pixel."""
+    """Return the sums over the window around every pixel."""
     total = np.asarray(values, np.float64)
     for axis, width in enumerate(readout.window):
         pad = [(0, 0), (0, 0)]
@@ -123,7 +122,7 @@ def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
 
 
 def _spread(inside: Field, readout: BucketReadout) -> Field:
-    """What windows within the picture have, at the pixels: those at the edge share the nearest."""
+    """Assign values of windows to pixels; pixels at the edge use the nearest window."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2
         inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)

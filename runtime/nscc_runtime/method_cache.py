@@ -1,4 +1,4 @@
-"""Methods whose results an object keeps for as long as it lives, by their arguments."""
+"""Cache the results of methods in their object, by their arguments."""
 
 from __future__ import annotations
 
@@ -12,10 +12,8 @@ R = TypeVar("R")
 
 
 def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], R]:
-    """A method that is run once for all equal arguments, which are given by place and hashable.
-
-    Results lie in the object's `__dict__`, as those of `functools.cached_property` do.
-    """
+    """Cache a method's results for equal arguments, which must be positional and hashable. Results
+    are stored in the object's `__dict__`, like those of `functools.cached_property`."""
     name = f"remembered {method.__name__}"
 
     @wraps(method)
@@ -33,14 +31,14 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
 
 class Recent:
-    """The `most` results that were asked for last."""
+    """A cache of the `most` results that were requested last."""
 
     def __init__(self, most: int) -> None:
         self._most = most
         self._found: dict[Hashable, Any] = {}
 
     def of(self, key: Hashable, make: Callable[[], R]) -> R:
-        """What `make` gives, or gave for this key. Threads may make it more than once."""
+        """Return the result cached for `key`, or else `make()`, which several threads may call."""
         result = self._found.pop(key, None)
         if result is None:
             result = make()

@@ -1,4 +1,5 @@
-"""A picture of any size on one chip: exposed piece by piece and colour by colour, put together."""
+"""Expose a picture of any size on one chip: piece by piece and colour by colour, then join the
+frames."""
 
 from __future__ import annotations
 
@@ -26,12 +27,10 @@ COLOURS = ("red", "green", "blue")
 class Taken:
     """The result of exposing a scene, its pieces joined. Colours are a leading axis of the frames.
 
-    `container` has a code for every pixel of the picture; `program` is the container for one
-    array. `light` is the scene's light, of a colour capture that of red. `laid` is metadata for
-    the frame file. `placement` describes how the picture lies on the arrays. `pieces` is the
-    number of exposures, all colours together. The plan is that of the piece with the largest
-    predicted error.
-    """
+    `container`: has a code for every pixel of the picture. `program`: the container for one array.
+    `light`: the scene's light, for a colour capture the red light. `laid`: metadata for the frame
+    file. `placement`: how the picture lies on the arrays. `pieces`: number of exposures, all
+    colours together. The plan is that of the piece with the largest predicted error."""
 
     simulated: Simulated
     container: Container
@@ -42,7 +41,7 @@ class Taken:
     pieces: int
 
     def response(self, sensor: Sensor) -> Response:
-        """What the chip makes of steady light, at every pixel of the picture."""
+        """Return the response to steady light at every pixel of the picture."""
         array_response = response_of(self.program, sensor, self.simulated.effects)
         open_s, gain, zero_e = (
             self.placement.repeated(values)
@@ -58,13 +57,13 @@ def simulate_scene(
     request: Request,
     listener: Listener | None = None,
 ) -> Taken:
-    """Expose a scene of one or three colours; raises as `simulate`, NS0739 for what cannot be.
+    """Expose a scene of one or three colours.
 
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
-    other: their noise has the seeds `request.seed`, and so on; a plan serves the next ones that it
-    covers. Plan and audit are those of the piece that is furthest off; a tolerance that is a part
-    of the scene is of that of all.
-    """
+    other; piece k has the noise seed `request.seed` + k. Pieces with similar light share a plan.
+    The plan and audit of the result are those of the piece with the largest predicted error; a
+    relative tolerance refers to the whole scene. Raises Rejected like `simulate`, and NS0739 for
+    options that support one exposure only."""
     listener = listener or Listener()
     placement = scene[0].placement
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
@@ -80,7 +79,7 @@ def simulate_scene(
     for number, light in numbered:
         piece_request = request
         if len(lights) > 1:
-            # Pieces of a scene are seldom alike.
+            # Pieces of a scene are rarely similar.
             piece_request = replace(
                 request, seed=request.seed + number, turn=Turn(plans, number, 1)
             )
@@ -108,7 +107,7 @@ def simulate_scene(
 
 
 def _joined(pieces: Sequence[Simulated], placement: Placement, colours: int) -> Simulated:
-    """What became of all pieces of so many colours."""
+    """Return the joined result of all pieces of a scene with `colours` colours."""
     frames, piece_count = [piece.frame for piece in pieces], len(pieces) // colours
     frames = [
         joined(frames[k : k + piece_count], placement.joined)
@@ -122,8 +121,8 @@ def _joined(pieces: Sequence[Simulated], placement: Placement, colours: int) -> 
 def _for_all(
     container: Container, lights: Sequence[Light], sensor: Sensor, request: Request
 ) -> Request:
-    """The request with one tolerance for all the lights, which are of one size. A part of their
-    noise is found only where plans are measured against it."""
+    """Return the request with one tolerance for all lights, which have equal sizes. A fraction of
+    the noise is converted to electrons only if plans are measured against it."""
     if not request.planned or container.target.streamed:
         return request
     from nscc_runtime.emulator.capture import check
@@ -132,7 +131,7 @@ def _for_all(
     from nscc_runtime.planning.tolerance import OPTION_MAX, noise_part, tolerance_of
 
     class All:
-        """All the lights together."""
+        """A scene of all lights, for relative tolerances."""
 
         def planned_scenes(self) -> Iterator[PlannedScene]:
             for light in lights:
@@ -164,7 +163,7 @@ def _for_all(
 
 
 def _refuse_once(request: Request) -> None:
-    """NS0739 for what means one exposure."""
+    """Raise Rejected (NS0739) for options that support one exposure only."""
     for name in ("plan", "repeat"):
         if getattr(request, name) is not None:
             raise rejected(

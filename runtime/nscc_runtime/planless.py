@@ -1,4 +1,4 @@
-"""The message where a plan is wanted for a chip that is sent planes of bits."""
+"""The error if a plan is requested for a chip that receives planes of bits."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from nscc.diagnostics.rejection import rejected
 
 
 def planless(subject: str) -> Rejected:
-    """Return NS0750: `subject` needs a plan."""
+    """Return the error NS0750: `subject` needs a plan."""
     return rejected(
         "NS0750",
         f"{subject} needs a plan, but a chip that receives planes of bits does not use plans",

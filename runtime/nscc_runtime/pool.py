@@ -1,4 +1,4 @@
-"""Threads that are kept: starting one costs as much as a small frame."""
+"""Thread pools that are reused, because starting a thread takes as long as a small frame."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from functools import cache
 from itertools import pairwise
 
 THREADS = "nscc"
-"""How the names of threads begin that do a part of some work, and share it with no others."""
+"""Prefix of the names of threads that work on a part of a task and must not divide it further."""
 
 
 def processors() -> int:
-    """How many threads a run may use."""
+    """Return the number of processors that a run may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def threads_of(threads: int | None) -> int:
-    """Return `threads`, by default the number of processors."""
+    """Return `threads`, or the number of processors if it is None."""
     return processors() if threads is None else threads
 
 
@@ -29,22 +29,21 @@ def _pool(threads: int) -> ThreadPoolExecutor:
 
 
 def after_fork(renew: Callable[[], object]) -> None:
-    """Have `renew` called in every child process right after fork, where the system can fork."""
+    """Call `renew` in every child process right after fork, if the system supports fork."""
     if hasattr(os, "register_at_fork"):
         os.register_at_fork(after_in_child=renew)
 
 
-# Fork copies the pools of the parent process, but not their threads.
+# A fork copies the pools of the parent process, but not their threads.
 after_fork(_pool.cache_clear)
 
 
 def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
     """Call `run(begin, end)` for parts of 0 .. `count`, `threads` at a time.
 
-    Parts begin at multiples of `multiple`. Called from a thread of this kind itself, it goes
-    through all of them there. `run` must not wait for what waits for such threads: before Python
-    3.12 a `cached_property` makes one object's value at a time, so those that are made in parts
-    have to be there before.
+    Parts begin at multiples of `multiple`. If it is called from a thread of a pool itself, that
+    thread runs all parts. `run` must not wait for such threads. Before Python 3.12, threads wait
+    for each other's `cached_property` of one object, so compute those that use `in_parts` before.
     """
     name = threading.current_thread().name
     blocks = -(-count // multiple)
@@ -53,7 +52,7 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
         run(0, count)
         return
     cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]
-    # One part is done here: a thread less to wake.
+    # This thread runs one part, so one thread less has to wake up.
     futures = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]
     run(cuts[0], cuts[1])
     for future in futures:
@@ -61,10 +60,8 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
 
 
 def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int) -> None:
-    """Call `run(strip)` for consecutive strips of rows, `threads` at a time.
-
-    All strips in work together have at most `most` rows, or one each.
-    """
+    """Call `run(strip)` for consecutive strips of rows, `threads` at a time. All strips in work
+    together have at most `most` rows, or one row each."""
     strip_rows = max(1, min(most // threads, -(-len(rows) // threads)))
     strips = [rows[first : first + strip_rows] for first in range(0, len(rows), strip_rows)]
 

@@ -1,4 +1,4 @@
-"""How long work tells its caller how far it is."""
+"""The interface through which long tasks report their progress."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 Progress = Callable[[Iterable[Any], str, int | None], Iterable[Any]]
-"""Hands on the items of an iterable and may show how many: (items, label, number of items)."""
+"""A function of (items, label, number of items) that yields the items and may show progress."""
 
 
 def unseen(items: Iterable[Any], _label: str, _total: int | None) -> Iterator[Any]:
-    """Hands on the items and shows nothing."""
+    """Yield the items and show nothing."""
     yield from items

@@ -1,6 +1,6 @@
-"""What Python users give to the emulator, as what it takes; or a sentence that says what is wrong.
-Programs are `nscc.ShutterProgram`, which this floor does not know: anything with a `container` of
-words is one."""
+"""Convert arguments of Python users for the emulator, or raise an error that explains them.
+
+This package does not know `nscc.ShutterProgram`: any object with a `container` is a program."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from nscc_runtime.sensor.file import default_sensor, load_sensor
 
 
 class HasWords(Protocol):
-    """A compiled program, however it was made."""
+    """A compiled program of any class."""
 
     @property
     def container(self) -> Container:
-        """Its words."""
+        """The words of the program."""
         ...
 
 
@@ -39,7 +39,7 @@ SensorLike = Sensor | Mapping[str, float] | str | os.PathLike[str] | None
 
 
 def container_of(call: str, program: object) -> Container:
-    """The words of a program; WrongArgument for anything else."""
+    """Return the container of a program. Raises WrongArgument for any other object."""
     container = _container(program)
     if container is not None:
         return container
@@ -60,12 +60,11 @@ def container_of(call: str, program: object) -> Container:
 def laid_of(
     call: str, light: object, container: Container, warn: Callable[[Diagnostic], None]
 ) -> tuple[PlacedLight, ...]:
-    """Light in the program's slots, on the array or as a scene is laid on it.
+    """Return light in the program's slots, on the array or placed like a scene.
 
-    Of a `Light`, a scene or its name, or an array: electrons a slot (N, rows, cols), or electrons a
-    second of a still (rows, cols). Raises WrongArgument for other things, and what the loaders of
-    scenes raise (NS0730 .. NS0740); `warn` is handed what was changed in the scene.
-    """
+    `light`: a `Light`, a scene or its name, or an array of electrons per slot (N, rows, cols) or
+    per second (rows, cols). `warn` is called with notes on changes of the scene. Raises
+    WrongArgument for other objects, and the errors of scenes (NS0730 .. NS0740)."""
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
     if isinstance(light, Light):
@@ -87,8 +86,8 @@ def laid_of(
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
-    """A sensor; of its file, or of some of its numbers by name, where others have their defaults.
-    Raises WrongArgument, and Rejected as `load_sensor`."""
+    """Return a sensor, from its file, or from values by name; other values have their defaults.
+    Raises WrongArgument for other objects, and Rejected like `load_sensor`."""
     if isinstance(sensor, Sensor):
         return sensor
     if sensor is None:
@@ -104,12 +103,12 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
 
 
 def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
-    """Numbers of a sensor by name, as `--sensor-set` takes them; WrongArgument for others."""
+    """Return values as arguments of `--sensor-set`. Raises WrongArgument for other values."""
     return [f"{name} = {number(call, str(name), value)!r}" for name, value in values.items()]
 
 
 def number(call: str, name: str, value: object) -> float:
-    """The number that a call's argument is; WrongArgument for what is none."""
+    """Return an argument as float. Raises WrongArgument if it is not a number."""
     if isinstance(value, int | float | np.number) and not isinstance(value, bool):
         return float(value)
     raise wrong_argument(f"{call}: {name} is a number, not {shown(value)}")
@@ -121,7 +120,7 @@ def _container(value: object) -> Container | None:
 
 
 def _array(call: str, light: object) -> NDArray[Any]:
-    """An array of what has numbers: numpy's, lists of them, tensors on the processor."""
+    """Return an array from an array, list or CPU tensor. Raises WrongArgument for other objects."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
         try:
             return np.asarray(light)

@@ -1,15 +1,13 @@
-"""What a chip makes of steady light: the sensor's figures, through a program's words.
+"""The mean response of a chip to steady light, from the sensor's values and a program's words.
 
-As long as nothing saturates, an exposure is in the mean `zero_e` + `gain` x the light that falls
-while the pixel is open, with a variance that the light does not change and that of the photons.
-All four follow from the words (`nscc_runtime.reference.weights`) and the sensor file, which
-`nscc calibrate` measures. What frames tell of light, decode tables, calibration and the codes of
-full pixels are computed from them:
+Without saturation, a mean exposure is `zero_e` + `gain` x the light while the pixel is open. Its
+variance is a constant plus the variance of the photons. All follow from the words
+(`nscc_runtime.reference.weights`) and the sensor file, which `nscc calibrate` measures. Light
+estimates, decode tables, calibration and the codes of full pixels are computed from them:
 
     response = response_of(program, sensor, taken.plan.kept)
-    electrons = response.electrons(taken.frame)     # that fell while pixels were open
-    light = electrons / response.open_s             # electrons a second, of steady light
-"""
+    electrons = response.electrons(taken.frame)     # collected while pixels were open
+    light = electrons / response.open_s             # electrons per second, for steady light"""
 
 from __future__ import annotations
 
@@ -32,17 +30,17 @@ from nscc_runtime.reference.weights import Backward, WeightModel, backward
 Values = NDArray[np.float64]
 
 _PIXELS = np.arange(4096, dtype=np.int64)
-"""Of a chip, for the mean and the spread of what differs from pixel to pixel."""
+"""Places of a chip from which means and spreads over pixels are computed."""
 
 
 @dataclass(frozen=True, eq=False)
 class ShutterResponse:
-    """Of the shutters of a program on a sensor; each float64 (shutters, buckets).
+    """The response of the shutters of a program on a sensor; each field is float64 (shutters,
+    buckets).
 
-    `seen_s`: for how long the light reaches the exposure, weighted by how much of it does. In the
-    mean an exposure in electrons is `bias_e` + `seen_s` x the light a second, and its variance
-    `variance_e2` and that of the photons.
-    """
+    `seen_s`: open time in seconds, weighted by the fraction of the light that reaches the exposure.
+    The mean exposure in electrons is `bias_e` + `seen_s` x the light per second. Its variance is
+    `variance_e2` plus the variance of the photons."""
 
     seen_s: Values
     bias_e: Values
@@ -52,7 +50,7 @@ class ShutterResponse:
     def of_weights(
         cls, weights: Backward, slot_s: Values, sensor: Sensor, effects: Selection
     ) -> ShutterResponse:
-        """Of the words that have these weights."""
+        """Compute the response from the weights of words."""
         seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
         dark_e = mean_dark_e_per_s(sensor, effects) * seen_s
         bias_e, variance_e2 = dark_e, np.maximum(dark_e, 0.0)
@@ -65,8 +63,10 @@ class ShutterResponse:
         return cls(seen_s, bias_e, variance_e2)
 
     def gain(self, open_s: Values) -> Values:
-        """How much of the light that falls while shutters are open (shutters, buckets) reaches
-        the exposure; 1 for those that never are."""
+        """Return the fraction of the light, collected while shutters are open, that reaches the
+        exposure.
+
+        `open_s` (shutters, buckets): open times. The gain is 1 for shutters that never open."""
         return np.divide(self.seen_s, open_s, out=np.ones(open_s.shape), where=open_s > 0)
 
 
@@ -78,15 +78,13 @@ def _shutter_response(container: Container, sensor: Sensor, effects: Selection) 
 
 
 shutter_response = OfContainer(_shutter_response)
-"""The response of every shutter of a program whose pixels do not look, by (container, sensor,
-effects). Raises Rejected (NS0442) for words that open no shutters."""
+"""Return the `ShutterResponse` of a program whose pixels do not look, cached for its arguments.
+Arguments: container, sensor, effects. Raises Rejected (NS0442) for words that open no shutters."""
 
 
 def open_shutters(container: Container) -> NDArray[np.bool_]:
-    """The shutters (shutters, buckets, N) of a program, of its table or of its words.
-
-    Raises Rejected (NS0442) for words that open none.
-    """
+    """Return the shutters (shutters, buckets, N) of a program, from its table or from its words.
+    Raises Rejected (NS0442) for words that open no shutters."""
     if container.has_table:
         return container.table.shutters
     return backward(container, analog_words(container)).open().transpose(1, 2, 0)
@@ -94,31 +92,31 @@ def open_shutters(container: Container) -> NDArray[np.bool_]:
 
 @lru_cache
 def mean_dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
-    """The mean dark current of the pixels, electrons a second."""
+    """Return the mean dark current of the pixels in electrons per second."""
     dark = effects.find_part(CountedDark)
     return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
 
 
 @lru_cache
 def gain_spread(sensor: Sensor, effects: Selection) -> float:
-    """The relative standard deviation, over the pixels, of what they make of light."""
+    """Return the relative standard deviation, over the pixels, of the response to light."""
     gain = effects.find_part(PixelGain)
     return 0.0 if gain is None else float(gain.factor(sensor, 0, _PIXELS).std())
 
 
 def converter_e2(sensor: Sensor, effects: Selection) -> float:
-    """The variance that the converter adds by rounding and by noise, square electrons."""
+    """Return the variance that the converter adds by rounding and noise, in square electrons."""
     noise_lsb = effects.converter_lsb(sensor)
     return float(sensor.electrons_per_lsb**2 * (noise_lsb**2 + 1.0 / 12.0))
 
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """Of the pixels of a program on a sensor; each float64 (buckets, rows, cols).
+    """The response of the pixels of a program on a sensor; each array is float64 (buckets, rows,
+    cols).
 
-    `open_s`: how long pixels are open, 0 for those that never are. As long as nothing saturates, an
-    exposure in electrons is in the mean `zero_e` + `gain` x the light that falls meanwhile.
-    """
+    `open_s`: open time in seconds. Without saturation, a mean exposure in electrons is `zero_e` +
+    `gain` x the light collected during this time."""
 
     open_s: Values
     gain: Values
@@ -126,19 +124,17 @@ class Response:
     sensor: Sensor
 
     def electrons(self, frame: NDArray[np.integer]) -> Values:
-        """The light (.., buckets, rows, cols) that fell while pixels were open, from codes of the
-        converter. What is saturated had more."""
+        """Return the electrons (.., buckets, rows, cols) collected while pixels were open, from
+        converter codes. For saturated pixels this is a lower bound."""
         read_e = (frame - self.sensor.adc_offset_lsb) * self.sensor.electrons_per_lsb
         return np.asarray((read_e - self.zero_e) / self.gain)
 
 
 def response_of(container: Container, sensor: Sensor, effects: Selection | None = None) -> Response:
-    """The response of a program with pixels, under `effects` (default: all, as a chip has them).
+    """Return the response of a program with pixels, under `effects` (None: all, like a chip).
 
-    Of pixels that look, the open time hangs on the light: `open_s` is NaN, `gain` 1 and `zero_e` 0;
-    what their frames tell of light is `nscc_runtime.looked_light`'s. ValueError for a container
-    without pixels.
-    """
+    For pixels that look, the open time depends on the light: `open_s` is NaN, `gain` 1 and `zero_e`
+    0; see `nscc_runtime.looked_light` instead. Raises ValueError for a container without pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no response")
     effects = everything() if effects is None else effects
@@ -152,7 +148,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
         response = shutter_response(container, sensor, effects)
     except Rejected:  # NS0442: its words open no shutters
         return plain
-    # Nothing is told of light that never reaches the exposure.
+    # The gain of light that never reaches the exposure is undefined: use 1.
     gain = np.where(response.seen_s > 0, response.gain(open_s), 1.0)
     gain, zero_e = (values[lanes].transpose(2, 0, 1) for values in (gain, response.bias_e))
     return replace(plain, gain=gain, zero_e=zero_e)

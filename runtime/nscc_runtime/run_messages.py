@@ -1,4 +1,4 @@
-"""What a run says of its frame: light that has eaten reset levels, and promises of plans."""
+"""Messages of a run: light that lowered reset levels, and plans that exceed their tolerance."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def eaten(frame: Frame) -> Diagnostic | None:
-    """The warning that light has eaten reset levels."""
+    """Return the warning that light lowered reset levels (black suns); None without such pixels."""
     bit, marked = marks()["level"].bit, frame.saturated_by
     pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
     count = int(np.count_nonzero(pixels))
@@ -36,7 +36,7 @@ def eaten(frame: Frame) -> Diagnostic | None:
 
 
 def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
-    """The warning that what the user forced off, or the plan given, costs more than allowed."""
+    """Return the warning that forced effects, or the given plan, exceed the tolerance."""
     forced = [
         decision.name
         for decision in plan.decisions
@@ -68,7 +68,7 @@ def _instead(plan_given: bool) -> str:
 
 
 def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
-    """The promise did not hold (status 1)."""
+    """Return the error (status 1) for an audit whose error exceeds the promise."""
     if plan.breach is not None:
         advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:

@@ -1,5 +1,6 @@
-"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot. `nscc
-run` is this with files around it, `nscc_runtime.capture` is it for Python."""
+"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
+
+`nscc run` adds files to it, and `nscc_runtime.capture` is its Python interface."""
 
 from __future__ import annotations
 
@@ -42,14 +43,13 @@ class Request:
     """How to expose a scene.
 
     With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.15noise of the frame's own, or electrons), the worst pixel to `tolerance_max`, where there is
-    one, by a plan: the one given, that of a file, or one made now, whose text is given back if
-    `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
-    effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
-    With a `turn` the plan of an earlier scene serves this one, too, where it covers it.
-    `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
-    bit. A `torch_device` draws and adds up the frames of a plan by sums, many at once.
-    """
+    0.15noise of the frame's own noise, or electrons), and the worst pixel to `tolerance_max` if
+    that is set. The plan is the given `plan`, read from a file, or made now; if `plan` names a file
+    that does not exist, its text is returned. Otherwise words are executed slot by slot, without
+    effects or with all of `effects` exactly. `audit` compares frames under a plan with this
+    reference. With a `turn`, the plan of an earlier scene is reused if it covers this scene.
+    `repeat`: number of frames, None for a single frame. Results do not depend on `threads` (None:
+    all processors). `torch_device`: the torch device that computes frames by sums."""
 
     effects: Selection
     planned: bool = True
@@ -77,12 +77,12 @@ class Request:
         mark: str = "",
         **options: Any,
     ) -> Request:
-        """What a user asks for: no effects, or `auto` where a plan or a promise is wanted.
+        """Return the request for a user's options: no effects, or `auto` if a plan or a tolerance
+        is requested.
 
-        `fidelity` "reference" simulates `effects` slot by slot. Raises Rejected: NS0739 (status 2)
-        for options that contradict each other, which messages name with `mark` before them, NS0756
-        for effects that there are not.
-        """
+        `fidelity` "reference" simulates `effects` slot by slot. `mark`: prefix of option names in
+        messages. Raises Rejected: NS0739 (status 2) for options that exclude each other, NS0756 for
+        unknown effects."""
         tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
         tolerances = {name: value for name, value in tolerances.items() if value is not None}
         given_options = {"audit": audit, "plan": plan is not None}
@@ -120,25 +120,26 @@ class Request:
 
 @dataclass(frozen=True)
 class Listener:
-    """Who is told how a run goes: a line of text, where somebody reads it, a warning (which may
-    raise), and progress. `timings` gathers the seconds that were spent."""
+    """The callbacks of a run.
+
+    `say`: called with lines of text, None if nobody reads them. `warn`: called with warnings; it
+    may raise. `progress`: shows progress. `timings`: collects the seconds spent."""
 
     say: Callable[[str], None] | None = None
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
     progress: Progress = unseen
     timings: Timings = field(default_factory=Timings)
     lines_said: set[str] = field(default_factory=set)
-    """Lines that are said once."""
+    """Lines that were said already, because each is said only once."""
 
 
 @dataclass(frozen=True, eq=False)
 class Simulated:
-    """What became of it: the frame(s) and where they come from.
+    """The result of a run: the frame(s) and their origin.
 
-    `effects` are those that were simulated. With a plan: the plan, its audit if there was one, the
-    text of a plan's file to be written, and what to raise once the frame is written if the audit
-    says that the promise was broken.
-    """
+    `effects`: the effects that were simulated. With a plan: the plan, its audit if requested, the
+    text of a plan file to write, and `broken`, the error to raise after writing the frame if the
+    audit failed."""
 
     frame: Frame
     origin: Provenance
@@ -156,7 +157,7 @@ def simulate(
     request: Request,
     listener: Listener | None = None,
 ) -> Simulated:
-    """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
+    """Expose the scene. Raises Rejected if the program, the scene or the plan is unsuitable."""
     listener = listener or Listener()
     try:
         simulated = _simulated(container, light, sensor, request, listener)
@@ -268,7 +269,7 @@ def _exact(container: Container, light: Light, sensor: Sensor, request: Request)
 def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """By a plan: made here, or read from its file."""
+    """Simulate by a plan that is made here, read from a file, or passed in the request."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import measured_again
     from nscc_runtime.planning.plan_file import plan_text, read_plan
@@ -317,8 +318,8 @@ def _planned(
 def _make_plan(
     scene: PlannedScene, container: Container, light: Light, sensor: Sensor, request: Request
 ) -> Plan:
-    """A plan made for this scene, or an earlier one that covers it. Who asks for a plan's file or
-    for an audit gets every figure of the table."""
+    """Return a plan made for this scene, or an earlier plan that covers it. If the user requests a
+    plan file or an audit, every figure of the table is measured."""
     from nscc_runtime.planning.make import PlanRequest, make_plan
 
     turn, repeat = request.turn, request.repeat or 1
@@ -338,7 +339,7 @@ def _make_plan(
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
-    """The frame, or all of `repeat` with an axis in front."""
+    """Return the only frame, or all `repeat` frames with a leading axis."""
     frames = listener.progress(frames_made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
@@ -352,11 +353,12 @@ def _sha256(container: Container) -> str:
 
 
 _digest = OfContainer(_sha256)
-"""By which frames and plans name a program."""
+"""The SHA-256 digest that identifies a program in frames and plans."""
 
 
 def _option(mark: str, name: str) -> str:
-    """An argument as a message calls it: of the command line where there is a mark before it."""
+    """Return how messages name an argument: `name` itself, or with a `mark` as command-line
+    option."""
     return mark + (name.replace("_", "-") if mark else name)
 
 

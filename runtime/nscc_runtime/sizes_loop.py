@@ -1,4 +1,4 @@
-"""The loops that add up the light of a scene, and find how large it is."""
+"""The loops that add up the light of a scene and compute its statistics."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from nscc_runtime.loop import Floats, Floats32, Ints, Written, compiled, loop, r
 
 MEAN, SQUARE, EIGHTH, LARGEST, STEPS = 0, 1, 2, 3, 8
 OPEN = 4
-"""Where the first four of the light while pixels are open begin."""
+"""Index of the first of four statistics of the light while pixels are open."""
 KINDS = 9
 ROWS = 4
-"""Rows that are added for one time through what is found."""
+"""Number of rows that are added in one pass."""
 _LEAST = 1e-30
-"""Squares of light that is less count as that: the powers of smaller numbers are slow."""
+"""Smaller squares of light count as this value, because powers of smaller numbers are slow."""
 BLOCK = 2048
-"""Pixels whose sums stay in the cache while the frames go by."""
+"""Number of pixels whose sums stay in the cache for all frames."""
 
 
 @record
 class ArraySize:
-    """The array."""
+    """The size of the array."""
 
     rows: int
     cols: int
@@ -28,8 +28,8 @@ class ArraySize:
 
 @record
 class Frames:
-    """`count` frames of so many pixels, of which no sum is more than `most`; `even`: whether all
-    have one weight."""
+    """Sizes for `sum_light`. `count` frames of `pixels` pixels; sums are limited to `most`. `even`:
+    whether all frames have the same weight."""
 
     count: int
     pixels: int
@@ -41,7 +41,7 @@ class Frames:
 def _gather(
     frames: Floats32, step: int, count: int, first: int, stop: int, total_32: Floats32
 ) -> None:
-    """total_32[i] := the sum of pixel first + i over all frames, which are `step` apart."""
+    """Set total_32[i] to the sum of pixel first + i over all frames, which are `step` apart."""
     for i in range(stop - first):
         total_32[i] = frames[first + i]
     k = 1
@@ -62,7 +62,7 @@ def _gather(
 def _gather_weighted(
     frames: Floats32, step: int, weight: Floats, count: int, first: int, stop: int, out: Floats
 ) -> None:
-    """out[p] := the same of frames with weights, in float64."""
+    """Set out[p] to the weighted sum of pixel p over all frames, in float64."""
     for p in range(first, stop):
         out[p] = 0.0
     k = 0
@@ -87,9 +87,10 @@ def sum_light(
     out: Written[Annotated[Floats, "pixels"]],
     capped: Written[Ints],
 ) -> None:
-    """out[p] := the sum over k of weight[k] * frames[k, p], at most `most`; in float32 if all
-    weights are equal. `capped`: the number of pixels above `most`. `total_32`: scratch for `BLOCK`
-    pixels."""
+    """Set out[p] to the sum over k of weight[k] * frames[k, p], at most `most`.
+
+    The sum is in float32 if all weights are equal. `capped`: set to the number of pixels above
+    `most`. `total_32`: working memory for `BLOCK` pixels."""
     capped[0] = 0
     for first in range(0, size.pixels, BLOCK):
         stop = min(first + BLOCK, size.pixels)
@@ -108,7 +109,8 @@ def sum_light(
 
 @compiled
 def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
-    """Add `ROWS` rows: each column by itself, so that LLVM makes vectors."""
+    """Add sums of powers and the maximum of `ROWS` rows to `column_sums`. Each column is separate,
+    so LLVM vectorises the loop."""
     b, c, d = cols, 2 * cols, 3 * cols
     for col in range(cols):
         light_a, light_b, light_c, light_d = lit[col], lit[b + col], lit[c + col], lit[d + col]
@@ -137,7 +139,8 @@ def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
 
 @compiled
 def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats) -> None:
-    """Add the squares of the steps to the right and, but of the last row, down."""
+    """Add to `column_sums` the squared differences to the right neighbour and the neighbour
+    below."""
     if last:
         for col in range(cols - 1):
             right = total[first + col + 1] - total[first + col]
@@ -159,11 +162,11 @@ def sizes_of(
     lit: Written[Floats],
     column_sums: Written[Annotated[Floats, "kinds cols"]],
 ) -> None:
-    """column_sums (9, cols) := for each column the sum of `total`, of its squares and of its eighth
-    powers, and its largest value; the same of `total` times `open_fraction`; the sum of squared
-    steps between neighbours. Light is at most 1e36, so that its powers do not overflow. `lit`:
-    scratch for `ROWS` rows.
-    """
+    """Compute statistics of each column into column_sums (9, cols).
+
+    These are the sums of `total`, of its squares and of its eighth powers, and its maximum; the
+    same for `total` times `open_fraction`; and the sum of squared differences between neighbours.
+    Light is at most 1e36, so powers do not overflow. `lit`: working memory for `ROWS` rows."""
     rows, cols = pixels.rows, pixels.cols
     for i in range(KINDS * cols):
         column_sums[i] = 0.0

@@ -1,7 +1,6 @@
-"""What pixels of steady light do in a frame of a program that looks: its machine, by light.
+"""The behaviour of pixels in steady light in a frame of a program that looks, by amount of light.
 
-Comparators are exact here, and light does not change: what is left is what the program means.
-"""
+Comparators are exact here and light does not change, so only the program determines the result."""
 
 from __future__ import annotations
 
@@ -19,12 +18,12 @@ Nodes = NDArray[np.int64]
 
 @dataclass(frozen=True, eq=False)
 class Courses:
-    """One frame, for each of `wells` (lights,): the light of the whole frame in full wells.
+    """One frame for several amounts of light.
 
-    `opens` bool (lights, buckets, N) and `resets` bool (lights, N) as a machine has them; `values`
-    int64 (lights, states) when the frame ends; `flips`: at which boundary a comparison has one
-    answer for a light and another for the next, (boundary, light).
-    """
+    `wells` (lights,): the light of the whole frame in full wells. `opens` bool (lights, buckets,
+    N), `resets` bool (lights, N): open slots, and slots that begin with a reset. `values` int64
+    (lights, states): states at the end of the frame. `flips`: (boundary, light) of comparisons
+    whose answer changes between two lights."""
 
     wells: Values
     opens: NDArray[np.bool_]
@@ -34,8 +33,8 @@ class Courses:
 
 
 def courses(container: Container, behaviour: int, wells: Values, frame: int = 0) -> Courses:
-    """Those of a behaviour, in the frame of this number; kept states start as the program says in
-    frame 0, and go on from there."""
+    """Return the courses of a behaviour in frame number `frame`. Kept states have the program's
+    start values in frame 0 and continue from there."""
     machine = container.machine
     assert machine is not None
     nodes = np.full(len(wells), machine.start_nodes()[behaviour])
@@ -45,8 +44,8 @@ def courses(container: Container, behaviour: int, wells: Values, frame: int = 0)
 
 
 def thresholds(container: Container) -> Values:
-    """The lights, in full wells over the frame, at which a pixel's gathered light comes to a level
-    of some look, if nothing resets it (comparisons,)."""
+    """Return the lights (comparisons,) at which the light collected by a pixel reaches a level of a
+    look, in full wells over the frame, if nothing resets the pixel."""
     machine, share = container.machine, _share(container)
     assert machine is not None
     level = container.target.electrons_per_step / container.target.full_well_e
@@ -59,7 +58,7 @@ def thresholds(container: Container) -> Values:
 
 
 def _share(container: Container) -> Values:
-    """The part of the frame that is over at each boundary (N + 1,)."""
+    """Return the fraction of the frame that has passed at each boundary (N + 1,)."""
     ends = np.cumsum([0.0, *container.slot_us])
     return np.asarray(ends / ends[-1])
 
@@ -67,7 +66,7 @@ def _share(container: Container) -> Values:
 def _run_frame(
     container: Container, machine: StateMachine, nodes: Nodes, wells: Values
 ) -> tuple[Courses, Nodes]:
-    """A frame from these nodes on, and the nodes in which it ends."""
+    """Return a frame that starts in these nodes, and the nodes in which it ends."""
     share, all_pixels = np.diff(_share(container)), np.arange(len(wells))
     opens = np.zeros((len(wells), *machine.opens.shape[1:]), np.bool_)
     resets = np.zeros((len(wells), machine.slots), np.bool_)
@@ -100,7 +99,7 @@ def _run_frame(
 
 
 def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
-    """Where the next frame starts: what is kept as it was, everything else at its START."""
+    """Return the nodes in which the next frame starts: kept states continue, others restart."""
     is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)
     first = slice(0, int(machine.first[1]))

@@ -1,4 +1,4 @@
-"""Where the time of a run goes."""
+"""Measure the time of each part of a run."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ _EMULATION = ("analyse", "plan", "expose", "audit")
 
 @dataclass
 class Timings:
-    """Seconds spent in each part of a run, without the compilation of loops."""
+    """Seconds spent in each part of a run, by name, without compiling loops."""
 
     seconds: dict[str, float] = field(default_factory=dict)
 
     @contextmanager
     def measure(self, name: str) -> Iterator[None]:
-        """Add the time of the block to `name`."""
+        """Add the time of a with block to `name`."""
         begin = working_s()
         try:
             yield
@@ -29,9 +29,9 @@ class Timings:
 
     @property
     def emulation_s(self) -> float:
-        """Seconds of planning, exposing and auditing, without compiling loops or files."""
+        """Seconds of planning, exposing and auditing, without compiling loops or writing files."""
         return sum(self.seconds.get(f"{name}_s", 0.0) for name in _EMULATION)
 
     def json(self) -> bytes:
-        """The file of --timings."""
+        """Return the content of the file of --timings."""
         return (json.dumps(self.seconds, indent=2) + "\n").encode()

@@ -1,4 +1,5 @@
-"""Devices of torch, for captures in batches: an extra, imported where one is asked for."""
+"""Check torch devices for captures. torch is optional and imported only if a device is
+requested."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from nscc.diagnostics.arguments import shown, wrong_argument
 
 
 def check_device(call: str, device: object) -> None:
-    """Raises WrongArgument for what is no device that this torch can draw counts on."""
+    """Raise WrongArgument if torch cannot draw counts on this device."""
     if not isinstance(device, str):
         raise wrong_argument(
             f"{call}: torch_device must be a name such as 'cuda', not {shown(device)}"
@@ -28,7 +29,7 @@ def check_device(call: str, device: object) -> None:
 
 @cache
 def _drawn(device: str) -> float:
-    """A count, drawn as captures draw them: a device may hold numbers and have none to read."""
+    """Draw a count on a device, as captures do, and read it."""
     import torch
 
     from nscc_runtime.noise import RATE_CAP, on_torch

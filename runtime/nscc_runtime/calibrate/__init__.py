@@ -1,4 +1,5 @@
-"""`nscc calibrate`: parameters of a sensor from flat and dark frames, by photon transfer."""
+"""Estimate the parameters of a sensor from flat and dark frames by photon transfer (`nscc
+calibrate`)."""
 
 from __future__ import annotations
 

@@ -16,11 +16,11 @@ from nscc_runtime.sensor import sensor_toml
 
 SCHEMA = "nscc-calibration-1"
 _BENT = 0.01
-"""Relative deviation of levels from the line above which the message is a warning."""
+"""Relative deviation of levels from the fitted line above which the message is a warning."""
 
 
 def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
-    """Return a complete file for `--sensor`, every value with its standard error or its source."""
+    """Return a complete sensor file, every value with its standard error or its source."""
     flats, darks = calibration.flats, calibration.darks
     linear = calibration.quantities["linearity_error"]
     heading = [
@@ -91,7 +91,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
 
 
 def as_table(calibration: Calibration) -> str:
-    """Return a table with a row per quantity."""
+    """Return a table with one row per quantity."""
     rows = []
     for q in calibration.quantities.values():
         error = "" if q.se is None else f" +- {q.se:.2g}"
@@ -104,7 +104,8 @@ def as_table(calibration: Calibration) -> str:
 
 
 def messages(calibration: Calibration) -> list[Diagnostic]:
-    """Return a note on quantities that are unknown, and a warning on a curve that is not a line."""
+    """Return diagnostics of a calibration: a note on unknown quantities, and a note or warning if
+    levels deviate from the fitted line."""
     diagnostics: list[Diagnostic] = []
     unknown: dict[str, list[str]] = {}
     for quantity in calibration.quantities.values():

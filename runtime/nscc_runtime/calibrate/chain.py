@@ -9,13 +9,12 @@ from nscc.words.container import Container
 
 @dataclass(frozen=True)
 class Chain:
-    """The factors of noise sources in an exposure.
+    """The factors with which noise sources of the chip appear in an exposure.
 
-    `reads` and `resets`: numbers of reads and resets of PIX, each weighted with its squared
-    coefficient; `word_sum`: the signed sum of the coefficients of all analog words, which scales
-    errors common to all words. The default is one read and one word: sensor values equal those of a
-    frame.
-    """
+    `reads`, `resets`: numbers of reads and resets of PIX, each weighted with its squared
+    coefficient. `word_sum`: signed sum of the coefficients of all analog words, which scales errors
+    common to all words. The default is one read and one word: sensor values then equal those of a
+    frame."""
 
     reads: float = 1.0
     resets: float = 1.0
@@ -23,8 +22,10 @@ class Chain:
 
     @classmethod
     def of(cls, container: Container) -> Chain:
-        """Return the chain of a program that opens all pixels alike, from its words. It is the mean
-        over the codes in use. Raises Rejected as `nscc_runtime.reference.trace.analog_words`."""
+        """Compute the factors of a program from its words, as the mean over the codes in use.
+
+        The program must open all pixels alike. Raises Rejected like
+        `nscc_runtime.reference.trace.analog_words`."""
         import numpy as np
 
         from nscc_runtime.reference.trace import analog_words

@@ -13,14 +13,14 @@ from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
 
 @dataclass(frozen=True, eq=False)
 class DarkFit:
-    """The result of the darks, in codes.
+    """The result of fitting the darks, in codes.
 
-    `offset` is the mean code without charge; `offset_se` its standard error from temporal noise;
-    `offset_spread_se` its standard error as an estimate for all such pixels, including their
-    spread. `current` is in codes per second, with an error like the latter; None if all times are
-    equal or unknown: then `offset` includes the dark charge. `offsets` and `currents` (2, rows,
-    cols) are maps from the even and from the odd frames.
-    """
+    `offset`: mean code without charge. `offset_se`: its standard error from temporal noise.
+    `offset_spread_se`: its standard error including the spread over the pixels. `current`: dark
+    current in codes per second; `current_se`: its standard error including the spread. `offsets`,
+    `currents` (2, rows, cols): maps from the even and from the odd frames. If all exposure times
+    are equal or unknown, `current`, `current_se` and `currents` are None, and `offset` includes the
+    dark charge."""
 
     offset: float
     offset_se: float
@@ -32,21 +32,21 @@ class DarkFit:
     times_s: tuple[float, ...]
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return the codes of a frame without light, (2, rows, cols), from the even and the odd
-        frames."""
+        """Return the mean codes (2, rows, cols) of even and odd frames without light after
+        `exposure_s`."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
 
     def mean_at(self, exposure_s: float | None) -> float:
-        """Return the mean code of a frame without light over the good pixels."""
+        """Return the mean code of good pixels without light after `exposure_s` (None: 0 s)."""
         return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
 
 
 def dark_of(
     levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
 ) -> DarkFit | None:
-    """Fit codes over exposure time through the darks that are not clipped; None without any."""
+    """Fit codes over exposure time through the unclipped darks; None if all are clipped."""
     usable = [
         (level, moments)
         for level, moments in zip(levels, level_moments, strict=True)
@@ -96,12 +96,12 @@ def _size(terms: np.ndarray) -> float:
 
 
 def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
-    """Return the weighted sums of the levels' halves."""
+    """Return the weighted sum (2, rows, cols) of the levels' `halves`."""
     terms = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
     return sum(terms, start=np.zeros_like(levels[0].halves))
 
 
 def _mean(halves: Map, good_mask: Mask) -> tuple[float, float]:
-    """Return the mean over the good pixels and their standard deviation."""
+    """Return the mean over the good pixels, and the standard deviation over these pixels."""
     both = (halves[0][good_mask] + halves[1][good_mask]) / 2
     return float(both.mean()), float(both.std())

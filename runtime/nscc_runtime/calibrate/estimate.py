@@ -21,9 +21,9 @@ from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
 from nscc_runtime.progress import Progress, unseen
 
 ROUNDING = 1 / 12
-"""The variance of rounding by the ADC, in squared codes."""
+"""Variance of rounding by the ADC, in squared codes."""
 _SURE = 4.0
-"""Minimum dark current, in standard errors, for an estimate of its spread."""
+"""Smallest dark current, in standard errors, whose spread is estimated."""
 _MOST_PRNU = 0.2
 _CUT_OFF = "the codes of every dark reach the end of the ADC's scale: raise its offset"
 
@@ -32,9 +32,11 @@ Known = Literal["measured", "at least", "at most", "given", "unknown"]
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity: value and standard error, or the reason why it is unknown. `known`: "measured"; a
-    bound, or "given" by the user, without an error; or "unknown", with neither. `remark` explains
-    the value or its absence."""
+    """A measured quantity, or the reason why it is unknown.
+
+    `se`: standard error, None if not measured. `known`: "measured", a bound ("at least", "at
+    most"), "given" by the user, or "unknown" (`value` is None). `remark`: explains the value or why
+    it is missing."""
 
     title: str
     unit: str
@@ -76,7 +78,9 @@ def _unknown(why: str, *names: str) -> dict[str, Quantity]:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """The result of a calibration; `pixels` counts the pixels that were used."""
+    """The result of a calibration. `curve`: the photon transfer curve. `flats`, `darks`: moments of
+    the levels. `pixels`, `defects`: number of used and of excluded pixels of the `shape` (rows,
+    cols)."""
 
     quantities: dict[str, Quantity]
     curve: Transfer
@@ -88,7 +92,7 @@ class Calibration:
 
     @property
     def frames(self) -> int:
-        """Number of frames."""
+        """Number of frames, flats and darks together."""
         return sum(level.frames for level in (*self.flats, *self.darks))
 
 
@@ -99,8 +103,8 @@ def calibrate_files(
     crosstalk: float | None = None,
     progress: Progress = unseen,
 ) -> Calibration:
-    """Calibrate from files, folders or PATH@TIME, one level each. `crosstalk` None: it is measured.
-    Raises Rejected for frames that are unreadable or unsuitable."""
+    """Calibrate from files, folders or PATH@TIME, one level each. `crosstalk`: None to measure it.
+    Raises Rejected for unreadable or unsuitable frames."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
@@ -113,10 +117,9 @@ def calibrated(
 ) -> Calibration:
     """Calibrate from flats and darks with codes 0..`top_code`.
 
-    `crosstalk`, if given, replaces its measurement; EMVA 1288 assumes 0. Raises Rejected, status 2:
-    NS0757 for frames that do not fit together, NS0758 for too few frames or levels, NS0759 for
-    frames that are not flats and darks.
-    """
+    `crosstalk`: a known value, or None to measure it; EMVA 1288 assumes 0. Raises Rejected (status
+    2): NS0757 for frames that do not fit together, NS0758 for too few frames or levels, NS0759 for
+    frames that are not flats and darks."""
     light = [level_of(stack, top_code) for stack in flats]
     dim = [level_of(stack, top_code) for stack in darks]
     good_mask = good_pixels(light, dim)
@@ -241,7 +244,7 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
 
 
 def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
-    """Return a variance over the pixels, and its error, as they were before crosstalk."""
+    """Return a variance over the pixels before crosstalk, and its standard error."""
     errors = np.diag([variance[1] ** 2, float(curve.covariance[2, 2])])
     return propagated(lambda v: v[0] / kept_variance(v[1]), [variance[0], curve.crosstalk], errors)
 
@@ -256,7 +259,7 @@ def _fits(dark: DarkFit | None, flats: Sequence[LevelMoments]) -> bool:
 
 
 def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str, Quantity]:
-    """Return the PRNU; `freed`: the spread of the dark charge has been subtracted."""
+    """Return the PRNU. `freed`: whether the spread of the dark charge has been subtracted."""
     value, error = root(*_unsmeared(spread, curve))
     if value > _MOST_PRNU:
         raise rejected(

@@ -1,9 +1,8 @@
 """Read the frames of a calibration: frame files of nscc, arrays, pictures, and folders of them.
 
-Each file or folder is one level: frames of the same light and exposure time. An exposure time is
-taken, in this order, from the name as given (PATH@TIME, TIME a number with s, ms or us), from the
-key `exposure_us` of an .npz or .mat file, and from the `meta` of a frame file.
-"""
+Each file or folder is one level: frames of the same light and exposure time. The exposure time is
+taken from the first of: the name (PATH@TIME, TIME a number with s, ms or us), the key `exposure_us`
+of an .npz or .mat file, the `meta` of a frame file."""
 
 from __future__ import annotations
 
@@ -41,9 +40,10 @@ _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed
 
 @dataclass(frozen=True, eq=False)
 class Stack:
-    """Frames of one light and one exposure time. `codes` uint16 (K, rows, cols) of the ADC; `valid`
-    bool (rows, cols); `exposure_s` None if unknown. `origin` identifies the run of a frame file,
-    None for other frames."""
+    """Frames of one light and one exposure time.
+
+    `codes` uint16 (K, rows, cols): codes of the ADC. `valid` bool (rows, cols). `exposure_s`: None
+    if unknown. `origin`: identifies the run of a frame file; None for other frames."""
 
     name: str
     codes: Codes
@@ -53,8 +53,8 @@ class Stack:
 
 
 def load_stack(source: str, top_code: int) -> Stack:
-    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`. Raises Rejected, status 2:
-    NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable pictures."""
+    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`. Raises Rejected (status
+    2): NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable pictures."""
     path, time_s = _timed(source)
     name = str(path)
     if not path.exists():
@@ -89,7 +89,7 @@ def load_stack(source: str, top_code: int) -> Stack:
 
 
 def grouped(stacks: Iterable[Stack]) -> list[Stack]:
-    """Return the stacks, with those of one run (other seeds, same light) merged."""
+    """Return the stacks. Stacks of the same run (same light, other seeds) are merged into one."""
     stacks_by_run: dict[object, Stack] = {}
     for stack in stacks:
         run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
@@ -103,7 +103,7 @@ def grouped(stacks: Iterable[Stack]) -> list[Stack]:
 
 
 def _timed(source: str) -> tuple[Path, float | None]:
-    """Return path and time of PATH@TIME; an existing file of the whole name has precedence."""
+    """Split PATH@TIME into path and seconds (None without TIME), unless a file has this name."""
     match = _TIMED.fullmatch(source)
     if match is None or Path(source).exists():
         return Path(source), None
@@ -137,7 +137,7 @@ def _wrong_time(name: str, text: str) -> Rejected:
 
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
-    """Return the arrays of the file that are needed, by key; that of an .npy file is `frame`."""
+    """Return the needed arrays of a file by key; the array of an .npy file has the key `frame`."""
     reads(path)
     try:
         if path.suffix.lower() == ".mat":
@@ -150,7 +150,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
             return {KEYS[0]: np.load(path, allow_pickle=False)}
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
             names = set(archive.files)
-            if "meta" in names:  # a chip gives no exposures in electrons
+            if "meta" in names:  # frame files of a chip lack exposures in electrons
                 names &= {KEYS[0], "valid", "meta", TIME_KEY}
             for key in sorted(names):
                 with archive.zip.open(f"{key}.npy") as entry:
@@ -177,8 +177,8 @@ def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
 def _check_size(
     path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
 ) -> None:
-    """Raise NS0757 for frames larger than any chip, and for too many frames. `frame` are the axes
-    of `shape` that belong to a frame."""
+    """Raise Rejected (NS0757) for frames that are too large or too many. `frame`: the axes of
+    `shape` that belong to one frame."""
     if prod(frame) > _MOST_PIXELS:
         raise _no_frames(
             f"'{key}' in '{path}' is {size(shape)}, but a frame has at most "
@@ -211,7 +211,7 @@ def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray
 def _ours(
     name: str, values: NDArray[Any], meta: Mapping[str, Any]
 ) -> tuple[NDArray[Any], float | None]:
-    """Return the codes (K, rows, cols) of a frame file, and the open time of its pixels."""
+    """Return codes (K, rows, cols) of a frame file, and the seconds its pixels are open or None."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise _no_frames(
@@ -233,7 +233,7 @@ def _ours(
 
 
 def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
-    """Return which pixels are valid in every frame of the file."""
+    """Return a mask (rows, cols) of pixels valid in all frames of the file; None without a mask."""
     valid = arrays.get("valid")
     if valid is None or valid.size != np.prod(shape):
         return None
@@ -266,7 +266,7 @@ def _pictures(path: Path) -> NDArray[Any]:
 
 
 def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
-    """Return codes (K, rows, cols); NS0757 for values that are not codes of the ADC."""
+    """Return codes (K, rows, cols). Raises Rejected (NS0757) for other values."""
     if values.ndim == 2:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:

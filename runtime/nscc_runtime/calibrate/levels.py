@@ -1,9 +1,9 @@
 """The moments of a level: means of two halves, temporal variance, covariance of neighbours.
 
-The noise of a level is the residual of its frames after subtraction of every pixel's mean and every
-frame's mean: for two frames half the squared difference, free of fixed patterns and of drifts of
-the light. Fixed patterns are the covariance of two halves of the frames, free of noise.
-"""
+The noise of a level is the residual of its frames after subtracting every pixel's mean and every
+frame's mean. For two frames this is half the squared difference, free of fixed patterns and of
+drifts of the light. Fixed patterns are estimated by the covariance of two halves of the frames,
+which is free of noise."""
 
 from __future__ import annotations
 
@@ -21,18 +21,17 @@ Mask = NDArray[np.bool_]
 QUIET = 0.24
 """Variance in squared codes below which rounding of the ADC hides the noise (EMVA 1288)."""
 CLIPPED = 1e-4
-"""Fraction of samples at an end of the ADC's scale above which a level counts as clipped."""
+"""A level is clipped if more than this fraction of its samples is at an end of the scale."""
 
 
 @dataclass(frozen=True, eq=False)
 class Level:
     """The moments of `frames` frames of one light and exposure time, in codes.
 
-    Maps are (rows, cols). `halves` (2, rows, cols): the means of the even and of the odd frames;
-    `variance`: over time; `beside` (rows, cols - 1) and `below` (rows - 1, cols): the covariance
-    over time of a pixel and its neighbour; `at_zero` and `at_top`: how many of the frames had that
-    code there.
-    """
+    Maps are (rows, cols). `halves` (2, rows, cols): the means of the even and of the odd frames.
+    `variance`: variance over time. `beside` (rows, cols - 1), `below` (rows - 1, cols): covariance
+    over time of a pixel and its neighbour. `at_zero`, `at_top`: number of frames in which the pixel
+    had code 0 or the top code."""
 
     name: str
     exposure_s: float | None
@@ -55,9 +54,12 @@ class Level:
 
 @dataclass(frozen=True)
 class LevelMoments:
-    """Moments of a level over the good pixels. `mean_se` is the standard error of `mean` from noise
-    and rounding. `mean_rounding` and `rounding` are the standard deviations that rounding adds to
-    `mean`, and to `variance` beyond 1/12."""
+    """Moments of a level over the good pixels, in codes.
+
+    `mean_se`: standard error of `mean` from noise and rounding. `mean_rounding`, `rounding`:
+    standard deviations that rounding adds to `mean`, and to `variance` beyond 1/12. `neighbours`:
+    covariance of neighbouring pixels. `share_at_zero`, `share_at_top`: fractions of samples at the
+    ends of the scale."""
 
     name: str
     exposure_s: float | None
@@ -84,7 +86,7 @@ class LevelMoments:
 
 
 def level_of(stack: Stack, top_code: int) -> Level:
-    """Return the moments of a stack; NS0758 for a single frame, NS0757 for a repeated frame."""
+    """Compute the moments of a stack. Raises NS0758 for a single, NS0757 for a repeated frame."""
     count = len(stack.codes)
     if count < 2:
         raise rejected(
@@ -118,7 +120,7 @@ def level_of(stack: Stack, top_code: int) -> Level:
 
 
 def moments(level: Level, good_mask: Mask) -> LevelMoments:
-    """Return the moments over the pixels of `good_mask`; of neighbours where both are good."""
+    """Return the moments over the pixels of `good_mask`. Covariances use pairs of good pixels."""
     pixels = int(np.count_nonzero(good_mask))
     variance = float(level.variance[good_mask].mean())
     pairs = (
@@ -146,23 +148,23 @@ def moments(level: Level, good_mask: Mask) -> LevelMoments:
 
 
 def _rounding(variance: float, spread: float) -> tuple[float, float]:
-    """Return the effect of rounding on mean and variance of a level, as standard deviations in
-    codes.
+    """Return the standard deviations in codes that rounding adds to the mean and to the variance of
+    a level.
 
-    For normal noise of variance v, rounded at fraction f of a code, the mean is off by a sin(2 pi
-    f) / pi and the variance by 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2 v), without
-    smaller terms. f is unknown. Pixels with different means have different fractions: their average
-    adds a factor exp(-2 pi^2 spread), where `spread` is the variance of the pixels' means.
-    """
+    For normal noise of variance v, rounded at fraction f of a code, the error of the mean is a
+    sin(2 pi f) / pi and that of the variance 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2
+    v), without smaller terms. f is unknown. Pixels with different means have different fractions:
+    their average adds a factor exp(-2 pi^2 spread), where `spread` is the variance of the pixels'
+    means."""
     noise = max(variance - 1 / 12, 0.0)
     amplitude = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
     return float(amplitude / np.pi), float(amplitude * (4 * noise + np.pi**-2))
 
 
 def _refuse_twice(codes: Codes, level: Level) -> None:
-    """Raise NS0757 for a level that has the same frame twice, which underestimates its noise."""
+    """Raise NS0757 if a level contains a frame twice, which would underestimate its noise."""
     if level.variance.mean() < QUIET:
-        return  # chance may make quiet frames equal
+        return  # frames with little noise may be equal by chance
     if len({frame.tobytes() for frame in codes}) < len(codes):
         raise rejected(
             "NS0757",

@@ -19,9 +19,10 @@ IMPROBABLE = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """y = start + slope x, with the covariance (2, 2) of (start, slope). `misfit` is chi squared,
-    `freedom` the degrees of freedom, `apart` the root mean square distance of the points relative
-    to the fitted y."""
+    """A fitted line y = start + slope x, with the covariance (2, 2) of (start, slope).
+
+    `misfit`: chi squared. `freedom`: degrees of freedom. `apart`: root mean square distance of the
+    points, relative to the fitted y."""
 
     start: float
     slope: float
@@ -32,7 +33,7 @@ class Line:
 
     @property
     def chance(self) -> float:
-        """Probability of a misfit this large for points on a line; 1 for two points."""
+        """Probability of at least this misfit if the points lie on a line; 1 for two points."""
         if self.freedom < 1:
             return 1.0
         from scipy.special import gammaincc
@@ -41,15 +42,16 @@ class Line:
 
     @property
     def excess(self) -> float:
-        """Factor on the variance of the points' errors; 1 unless the misfit has a probability below
-        `IMPROBABLE`."""
+        """Factor on the variance of the points' errors; 1 unless `chance` is below `IMPROBABLE`."""
         return self.misfit / self.freedom if self.chance < IMPROBABLE else 1.0
 
 
 def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
-    """Fit a weighted least-squares line; `errors` gives the points' standard errors from fitted y.
-    Weights come from the fit instead of the points, because points that are low by chance would get
-    more weight and bias the line."""
+    """Fit a line by weighted least squares. `errors` returns the points' standard errors from
+    fitted y.
+
+    Weights use the fitted y instead of the measured y, because points that are low by chance would
+    get more weight and bias the line."""
     fitted = y
     for _ in range(5):
         weight = 1.0 / errors(fitted) ** 2
@@ -70,7 +72,7 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
 def propagated(
     function: Callable[[Vector], float], values: Sequence[float], covariance: Vector
 ) -> tuple[float, float]:
-    """Return a function of uncertain values and its standard error, to first order."""
+    """Return `function` of uncertain `values`, and its standard error to first order."""
     at = np.array(values, np.float64)
     gradient = np.zeros(len(at))
     for i, error in enumerate(np.sqrt(np.diag(covariance))):
@@ -83,8 +85,10 @@ def propagated(
 
 def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:
     """Return the variance over the good pixels of the common pattern of two maps, and its standard
-    error. `maps` is (2, rows, cols); their independent noise cancels in the mean. `parameter_count`
-    is the number of parameters fitted and subtracted before, including the mean."""
+    error.
+
+    `maps` is (2, rows, cols); independent noise of the two cancels in the mean. `parameter_count`:
+    number of parameters fitted and subtracted before, including the mean."""
     even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
     product = even * odd
     count = len(product)
@@ -93,7 +97,7 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
 
 def root(variance: float, error: float) -> tuple[float, float]:
     """Return the square root of a variance, which may be negative, and its standard error. Near 0
-    the error is the increase of the root when the variance grows by its error."""
+    the error is the increase of the root if the variance grows by its error."""
     value = sqrt(max(variance, 0.0))
     if value > 0 and variance > error:
         return value, error / (2 * value)
@@ -101,13 +105,13 @@ def root(variance: float, error: float) -> tuple[float, float]:
 
 
 def robust_scale(values: Vector) -> tuple[float, float]:
-    """Return the median, and the standard deviation from the median absolute deviation."""
+    """Return the median, and the standard deviation estimated by the median absolute deviation."""
     middle = float(np.median(values))
     return middle, 1.4826 * float(np.median(np.abs(values - middle)))
 
 
 def surface(values: Map, good_mask: Mask) -> Map:
-    """Fit a quadratic surface (rows, cols), six parameters, to the good pixels."""
+    """Return the quadratic surface (rows, cols), with six parameters, fitted to the good pixels."""
     rows, cols = values.shape
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)

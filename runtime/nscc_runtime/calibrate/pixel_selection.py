@@ -1,4 +1,4 @@
-"""Selection of pixels: defects are excluded, and flats must be flat."""
+"""Select pixels: exclude defects, and check that flats are flat."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from nscc_runtime.calibrate.line_fit import robust_scale, surface
 from nscc_runtime.scenes.errors import size
 
 OUTLIER = 12.0
-"""Distance in robust standard deviations beyond which a pixel is a defect. A lognormal dark current
-of 50 % spread exceeds it in one pixel of a hundred thousand."""
+"""A pixel further from the median than this number of robust standard deviations is a defect. A
+lognormal dark current of 50 % spread exceeds this in one pixel of a hundred thousand."""
 _LEAST_SCALE = 0.3
-"""Minimum scale in codes, about the rounding of the ADC, if all pixels are alike."""
+"""Minimum scale in codes, about the rounding of the ADC, for the case that all pixels are equal."""
 LEAST_PIXELS = 64
 """Minimum number of pixels for surfaces, medians and standard errors."""
 MOST_DEFECTS = 0.01
@@ -24,8 +24,10 @@ MOST_UNEVEN = 0.2
 
 
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
-    """Return the pixels that are valid in all levels and not outliers. NS0757 for levels of
-    different sizes or too few pixels; NS0759 where more than 1 % of the pixels are outliers."""
+    """Return a mask of the pixels that are valid in all levels and not outliers.
+
+    Raises Rejected: NS0757 for levels of different sizes or too few pixels; NS0759 if more than 1 %
+    of the pixels are outliers."""
     first = darks[0]
     for level in (*flats, *darks):
         if level.variance.shape != first.variance.shape:
@@ -69,12 +71,12 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
 
 
 def valid_pixels(levels: Sequence[Level]) -> Mask:
-    """Return the pixels that are valid in every frame."""
+    """Return a mask of the pixels that are valid in every frame."""
     return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
 
 
 def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
-    """Raise NS0759 for a flat whose light varies too much over the array."""
+    """Raise NS0759 for a flat whose light varies too much. `zero`: code without charge."""
     for level in flats:
         smooth = surface(level.mean_map, good_mask)
         light = float(level.mean_map[good_mask].mean()) - zero

@@ -13,7 +13,7 @@ from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
 from nscc_runtime.calibrate.line_fit import SURFACE_TERMS, line, shared_variance, surface
 
 _RANGE = (0.05, 0.95)
-"""Fractions of the range up to saturation over which linearity is measured (EMVA 1288)."""
+"""Linearity is measured between these fractions of the range up to saturation (EMVA 1288)."""
 _SAME = 0.01
 
 
@@ -24,12 +24,11 @@ def response_variance(
     good_mask: Mask,
 ) -> tuple[float, float]:
     """Return the variance over the pixels of the response to light, relative to its mean, and its
-    error.
+    standard error.
 
     The response of a pixel is the weighted slope of its signal over the mean signal of the levels.
-    With darks the line passes through them; without, each pixel has its own intercept. A smooth
-    surface, the fall-off of the light, is excluded.
-    """
+    With darks the line passes through them; without darks each pixel has its own intercept. A
+    smooth surface, the fall-off of the light, is subtracted."""
     halves = np.stack([_response(levels, level_moments, dark, good_mask, half) for half in (0, 1)])
     smooth = surface((halves[0] + halves[1]) / 2, good_mask)
     return shared_variance(halves - smooth, good_mask, SURFACE_TERMS)
@@ -59,7 +58,7 @@ def _response(
 
 @dataclass(frozen=True)
 class Linearity:
-    """Mean absolute deviation from the line of signal over time, in percent, of a number
+    """Mean absolute deviation of signal from a line in percent, its standard error, and the number
     of levels."""
 
     error_percent: float
@@ -70,8 +69,8 @@ class Linearity:
 def linearity(
     level_moments: Sequence[LevelMoments], dark: DarkFit | None, full: float
 ) -> Linearity | str:
-    """Return EMVA 1288's linearity error of flats of one light and several times, or why it is
-    unknown. `full` is the code at which flats saturate."""
+    """Return EMVA 1288's linearity error of flats of one light and several exposure times, or a
+    text with the reason why it is unknown. `full`: the code at which flats saturate."""
     if dark is None:
         return "no dark tells the code without charge"
     if any(level.exposure_s is None for level in level_moments):

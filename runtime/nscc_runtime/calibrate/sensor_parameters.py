@@ -1,10 +1,9 @@
-"""The parameters of a sensor file from a calibration.
+"""Choose the parameters of a sensor file from a calibration.
 
-Photon transfer measures whole frames, not the components of the sensor model. Noise of reads,
+Photon transfer measures whole frames instead of the components of the sensor model. Noise of reads,
 resets, words and ADC is measured as one (`read_noise_e`), gain of words and ADC as one
-(`electrons_per_lsb`); the other components of such a sum are set to 0, so that they do not count
-twice.
-"""
+(`electrons_per_lsb`). The other components of such a sum are set to 0 so that they do not count
+twice."""
 
 from __future__ import annotations
 
@@ -26,19 +25,21 @@ _TAKEN = {
     "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
     "dark_spread_fraction": "dark_spread",
 }  # fmt: skip
-"""Parameters that equal a quantity."""
+"""The measured quantity that equals each of these parameters."""
 _SOURCES = _TAKEN | {
     "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
     "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
     "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
 }  # fmt: skip
-"""The quantity related to each parameter."""
+"""The measured quantity to which each parameter is related."""
 
 
 @dataclass(frozen=True)
 class ParameterChoice:
-    """The value of a parameter: `measured` with its standard error, from a `bound`, `given` by the
-    user, `contained` in another parameter, or the `default`. `remark` says why."""
+    """The value of a parameter and its source.
+
+    `status`: "measured" with a standard error, from a "bound", "given" by the user, "contained" in
+    another parameter, or "default". `remark`: the reason."""
 
     value: float
     se: float | None
@@ -69,7 +70,7 @@ def parameters(
 
 
 def sensor_of(chosen: Mapping[str, ParameterChoice]) -> Sensor:
-    """Return the sensor of these parameters."""
+    """Return the sensor with these parameters."""
     return Sensor({name: choice.value for name, choice in chosen.items()})
 
 
@@ -92,7 +93,7 @@ def _contain(
 
 
 def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
-    """Set the temporal noise of dark frames as noise of the reads."""
+    """Set the read noise from the temporal noise of dark frames."""
     if noise.value is None or chain.reads < _NO_PART:
         return
     read_factor = sqrt(chain.reads)
@@ -115,9 +116,10 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
 def _pattern(
     chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
 ) -> None:
-    """Set the code without charge and the pattern of the pixels. Whole codes become the ADC's
-    offset, which is added after rounding; the remainder and the pattern become errors of the
-    words."""
+    """Set the code without charge and the fixed pattern of the pixels.
+
+    Whole codes become the ADC's offset, which is added after rounding; the remainder and the
+    pattern become errors of the words."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
@@ -143,7 +145,8 @@ def _pattern(
 
 
 def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
-    """Set the full well, and the range of registers, through which words of a frame pass it."""
+    """Set the full well, and enlarge the range of registers if necessary, because words move the
+    charge through registers."""
     if full.value is None:
         return
     if full.known == "measured":
@@ -159,7 +162,6 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
-    """Return why a parameter keeps its default."""
     quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"
@@ -176,7 +178,7 @@ def _shown(quantity: Quantity) -> str:
 
 
 def _rounded(choice: ParameterChoice) -> ParameterChoice:
-    """Round to six digits, more precise than the errors and equal on every machine."""
+    """Round to six digits, which is more precise than the errors and equal on every machine."""
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")

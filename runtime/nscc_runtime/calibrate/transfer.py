@@ -1,10 +1,9 @@
 """The photon transfer curve: usable levels, system gain, saturation.
 
-Mean and variance of a count of electrons are equal. A code is K electrons, so the variance of a
-level rises with its mean with slope K, from the noise of a frame without charge. Charge that a
+Mean and variance of a count of electrons are equal. One electron is K codes, so the variance of a
+level increases with its mean with slope K, from the noise of a frame without charge. Charge that a
 pixel shares with its neighbours reduces the variance and appears in the covariance of neighbours
-(EMVA 1288 assumes no crosstalk).
-"""
+(EMVA 1288 assumes no crosstalk)."""
 
 from __future__ import annotations
 
@@ -20,17 +19,16 @@ from nscc_runtime.calibrate.levels import QUIET, LevelMoments
 from nscc_runtime.calibrate.line_fit import Line, Vector, line
 
 LINEAR_PART = 0.7
-"""Fraction of the range up to saturation over which the gain is fitted (EMVA 1288)."""
+"""The gain is fitted up to this fraction of the range up to saturation (EMVA 1288)."""
 _DROP = 0.2
-"""Relative drop of the variance beyond its maximum that indicates saturation."""
+"""A relative drop of the variance of this size beyond its maximum indicates saturation."""
 _STILL = 0.1
-"""Fraction of the shot noise below which all saturated pixels are at their limit."""
+"""All saturated pixels are at their limit if less than this fraction of the shot noise remains."""
 
 
 @dataclass(frozen=True)
 class Saturation:
-    """The saturation of flats: `mean` code; `of_pixel` if it is the pixels' limit, below the end of
-    the ADC."""
+    """The mean code of saturated flats. `of_pixel`: whether pixels saturate before the ADC."""
 
     mean: float
     mean_se: float
@@ -39,13 +37,12 @@ class Saturation:
 
 @dataclass(frozen=True, eq=False)
 class Transfer:
-    """The fitted curve.
+    """The fitted photon transfer curve.
 
-    `offset` is the code without charge, None without darks. `noise` is the variance of codes
-    without charge (rounding included), meaningless without an offset; `gain` K in codes per
-    electron; `covariance` (3, 3) of (gain, noise, crosstalk). `used` are the levels of the fit,
-    `left_out` the others with the reasons.
-    """
+    `offset`: code without charge, None without darks. `noise`: variance of codes without charge
+    including rounding, meaningless without an offset. `gain`: K in codes per electron. `covariance`
+    (3, 3): of (gain, noise, crosstalk). `used`: the levels of the fit. `left_out`: the other levels
+    with the reasons. `saturation`: None if no flat is saturated."""
 
     offset: float | None
     offset_se: float
@@ -71,9 +68,11 @@ def transfer(
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """Fit the photon transfer curve of levels. `offset` is the code without charge with its error,
-    or None; `crosstalk`, if given, replaces its measurement. NS0758 for fewer than two usable
-    levels of light, NS0759 if the variance does not rise with the mean."""
+    """Fit the photon transfer curve of levels.
+
+    `offset`: code without charge with its standard error, or None. `crosstalk`: a known value, or
+    None to measure it. Raises Rejected: NS0758 for fewer than two usable levels of light, NS0759 if
+    the variance does not increase with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)
@@ -96,7 +95,7 @@ def transfer(
 
 
 def _unfit(level: LevelMoments, limit: float) -> str:
-    """Return why a level is excluded from the fit; empty if it is used."""
+    """Return the reason why a level is excluded from the fit; empty if it is used."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
     if level.cut_at_zero:
@@ -157,14 +156,14 @@ def _fitted(
 
 
 def _solved(slopes: Vector, known: float | None) -> Vector:
-    """Return gain, noise and crosstalk from slope and intercept of the variance and the slope of
-    the covariance."""
+    """Return gain, noise and crosstalk from the variance's slope and intercept and the covariance's
+    slope."""
     crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
     return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
 
 
 def kept_variance(crosstalk: float) -> float:
-    """Return the factor on the variance of independent pixels that give c to each neighbour."""
+    """Return the factor by which crosstalk to each neighbour changes the variance of pixels."""
     return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
 
 

@@ -1,4 +1,4 @@
-"""The chip of a stand-in: the emulator exposed to a scene."""
+"""The chip of a stand-in: the emulator, exposed to a scene."""
 
 from __future__ import annotations
 
@@ -25,13 +25,14 @@ if TYPE_CHECKING:
     from nscc_runtime.sensor import Sensor
 
 Scene = Callable[[Sequence[float]], "Light"]
-"""Returns the light on the array in slots of given lengths in microseconds."""
+"""A function of slot lengths in microseconds that returns the light on the array in these slots."""
 
 
 @dataclass(frozen=True, eq=False)
 class ExecutedFrame:
-    """A frame as a loader sends it, and the code registers after it in the form of PLANE objects.
-    Kept states are stored in code registers."""
+    """One frame of the emulator. `frame`: its bytes as a loader sends them. `planes`: the code
+    registers after the frame as bytes of PLANE objects, by register; kept states are stored in code
+    registers."""
 
     frame: bytes
     planes: Mapping[str, bytes]
@@ -39,8 +40,10 @@ class ExecutedFrame:
 
 @dataclass
 class EmulatedChip:
-    """Exposes frames of `scene` with the emulator; slots of equal lengths see equal light. `report`
-    gets the errors, because the host only learns that one occurred."""
+    """A chip that exposes frames of `scene` with the emulator; slots of equal lengths see equal
+    light.
+
+    `report` is called with each error, because the host only learns that an error occurred."""
 
     scene: Scene
     target: Target
@@ -50,8 +53,8 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def execute(self, container: Container, channels: int) -> ExecutedFrame:
-        """Expose one frame of a container. Returns all codes, then all exposures, readout by
-        readout, column by column; then all planes of states."""
+        """Expose one frame of a container with the requested `channels`. The bytes are all codes,
+        then all exposures, by readout and column, then all planes of states."""
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:
@@ -69,7 +72,7 @@ class EmulatedChip:
         )
 
     def _converting(self, container: Container) -> Sensor:
-        """Return the sensor; without a register for spreading exposures, codes stay unspread."""
+        """Return the sensor with this program's code scale, not spread if registers forbid it."""
         from nscc_runtime.sensor import default_sensor
 
         program_sensor = default_sensor(converter_of(container))
@@ -85,7 +88,6 @@ class EmulatedChip:
         )
 
     def exposure(self, container: Container, channels: int) -> bytes:
-        """Return the bytes of one frame."""
         return self.execute(container, channels).frame
 
     def _executed(
@@ -103,20 +105,18 @@ class EmulatedChip:
 
 
 def in_columns(frame: NDArray[Any]) -> bytes:
-    """Return the bytes of (readouts, rows, cols) values in the order in which a loader
-    sends them."""
+    """Return the bytes of values (readouts, rows, cols) column by column, as loaders send them."""
     return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
 
 
 def looks(container: Container) -> bool:
-    """Return whether words of the container compare analog values, so that each pixel has its own
-    FLAG."""
+    """Return whether words compare analog values, so that each pixel has its own FLAG."""
     words = (word for kernel in container.kernels for word in kernel.words)
     return any(decode(word).operation.effect is WordEffect.FLAG_ANALOG for word in words)
 
 
 def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
-    """Start work in a daemon thread, which does not delay the end of the process."""
+    """Run `work` in a daemon thread, which does not delay exit, and return its future."""
     future: Future[ExecutedFrame] = Future()
 
     def run() -> None:

@@ -1,4 +1,5 @@
-"""Frames of a device: their meta has the keys of the emulator's, without its physics."""
+"""Frames of a device. Their `meta` has the same keys as those of the emulator, without simulation
+settings."""
 
 from __future__ import annotations
 
@@ -32,8 +33,8 @@ def exposed(
     repeat: int | None = None,
     progress: Progress = unseen,
 ) -> tuple[Frame, dict[str, Any]]:
-    """Return the frame that `chip` exposes with a program, or `repeat` frames, and its meta.
-    `light` is the scene, if known. Raises Rejected (status 3) if the device fails."""
+    """Expose one frame, or `repeat` frames, with a program on a device. Return the frame and its
+    meta. `light`: the scene, if known. Raises Rejected (status 3) if the device fails."""
     chip.upload(container)
     most = repeat or 1
     shots = (chip.capture(container) for _ in range(most))
@@ -50,8 +51,7 @@ def device_meta(
     container: Container | None,
     light: Light | None = None,
 ) -> dict[str, Any]:
-    """Return the meta of a frame that `chip` just exposed. Seeds, plan and audit are None, because
-    nothing was simulated."""
+    """Return the meta of a frame just exposed by `chip`, with no seeds, plan and audit (None)."""
     info = chip.link.host.info
     assert info is not None  # a frame came
     origin = Provenance(chip.label.hex(), sensor, None, None, "device")
@@ -60,8 +60,8 @@ def device_meta(
 
 
 def target_of(chip: DeviceChip, named: str | None = None) -> Target:
-    """Return the target of the device: by its own name, or the one that the user names. Raises
-    Rejected if the device was built for another table."""
+    """Return the target of a device: the target named by the user, or else by the device. Raises
+    Rejected if the device was built for another target table."""
     info = chip.info()
     name = named or (info.target_name if info.target_name in target_names() else "scamp5")
     target = load_target(name, Path())
@@ -71,8 +71,8 @@ def target_of(chip: DeviceChip, named: str | None = None) -> Target:
 
 
 def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
-    """Yield frame-000001.npz and so on in `folder`, each at its time, skipping existing files. At
-    most `most` of them, `every_s` seconds apart. NS0784 if the folder cannot be created."""
+    """Yield up to `most` unused paths frame-000001.npz and so on in `folder`, `every_s` seconds
+    apart. Raises Rejected (NS0784) if the folder cannot be created."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -92,8 +92,8 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
 def capture_to(
     path: Path, chip: DeviceChip, target: Target, sensor: Sensor, container: Container | None
 ) -> None:
-    """Expose a frame of `container`, or of the program on the device, and write its file. `meta`
-    gets `time_utc` and `device_time_us`."""
+    """Expose a frame of `container`, or of the program on the device if None, and write its file.
+    `meta` additionally contains `time_utc` and `device_time_us`."""
     stamp = datetime.now(UTC).isoformat(timespec="microseconds")
     shot = chip.capture(container) if container else chip.capture_held(target)
     meta = device_meta(chip, shot.frame, sensor, container)

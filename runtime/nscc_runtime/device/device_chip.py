@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from nscc_runtime.light import Light
 
 _STEP = 1024
-"""Bytes per step of a progress bar."""
+"""Number of bytes per step of a progress bar."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,9 +53,10 @@ class Shot:
 
 
 class DeviceChip:
-    """The chip behind an open link. `sensor` converts codes to electrons (None: the values of the
-    target) if the loader sends codes only. All methods raise Rejected, status 3, if the device
-    fails."""
+    """The chip behind an open link.
+
+    `sensor` converts codes to electrons if the loader sends only codes; None for the values of the
+    target. All methods raise Rejected (status 3) if the device fails."""
 
     def __init__(
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
@@ -67,15 +68,14 @@ class DeviceChip:
         """SHA-256 of the container whose frames the device exposes."""
 
     def expose(self, container: Container, light: Light | None = None) -> Exposure:
-        """Expose one frame of `container`; `light` is not used, because the device sees its own
-        scene."""
+        """Expose one frame of `container`. `light` is ignored: the device sees its own scene."""
         self.upload(container)
         shot = self.capture(container)
         return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)
 
     @property
     def effects(self) -> Selection:
-        """The effects of the device: all of a chip, none of a stand-in."""
+        """The effects of the device: all for a chip, none for a stand-in."""
         info = self.link.host.info
         exact = info is not None and channels_of(info) & Channel.EXPOSURE
         return selected("none") if exact else everything()
@@ -86,15 +86,15 @@ class DeviceChip:
         host.info = None
 
         def hello_info() -> Task[Info]:
-            yield from ()  # hello came before it, and that is all
+            yield from ()  # `lasting` has said hello, which is enough
             assert host.info is not None
             return host.info
 
         return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
-        """Upload a program, unless the device has it already. A program that keeps states is always
-        sent, which resets them."""
+        """Upload a program unless the device has it already. A program that keeps states is always
+        sent, which resets the states."""
         program = self._program(container)
         info = self.info()
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
@@ -127,14 +127,16 @@ class DeviceChip:
             pass
 
     def capture(self, container: Container) -> Shot:
-        """Capture one frame of the uploaded program, which is sent again if the device lost it.
+        """Capture one frame of the uploaded program; the program is sent again if the device lost
+        it.
+
         Raises NS0774 if a lost program keeps states from frame to frame, because these cannot be
         restored."""
         program = self._program(container)
         return self._shot(container.target, container, program)
 
     def capture_held(self, target: Target) -> Shot:
-        """Capture one frame of the program on the device; NS0771 if it has none."""
+        """Capture one frame of the program on the device. Raises NS0771 if it has no program."""
         info = self.info()
         self.label = info.label
         if info.state not in (LoaderState.READY, LoaderState.EXPOSING):
@@ -179,13 +181,12 @@ def frame_of(
     data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
     container: Container | None = None,
 ) -> Frame:  # fmt: skip
-    """Return a frame from the bytes of its channels; without EXPOSURE electrons follow from the
-    codes.
+    """Convert the bytes of a frame's channels to a frame.
 
-    Codes decide which pixels are saturated: the last code of the scale, and with a program the
-    codes of a full well or register. A loader with EXPOSURE emulates a chip without saturation.
-    With a program, the light of pixels that looked comes from the planes of STATES.
-    """
+    `shape`: (readouts, rows, cols). Without the channel EXPOSURE, electrons are computed from the
+    codes. Codes decide which pixels are saturated: the last code of the scale and, with a program,
+    the codes of a full well or register. With a program whose pixels look, the frame contains the
+    light that follows from the planes of STATES."""
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
@@ -224,7 +225,7 @@ def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.boo
 def _full(
     codes: NDArray[np.uint8], container: Container, sensor: Sensor
 ) -> NDArray[np.uint8] | np.uint8:
-    """Return the saturation bits that the codes indicate for this sensor."""
+    """Return the saturation marks that codes imply; 0 if the program's words open no shutters."""
     from nscc_runtime.full_codes import marked_by_codes
 
     try:

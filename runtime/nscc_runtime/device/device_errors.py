@@ -28,12 +28,12 @@ _STAND_IN = "`nscc device serve --scene SCENE` starts a simulated device and pri
 
 
 def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
-    """A failure of the device, exit status 3; `options` as of `nscc.diagnostics.rejection`."""
+    """Return a device failure (exit status 3). `options`: see `nscc.diagnostics.rejection`."""
     return rejection.rejected(code, message, helps=helps, status=FAILED, **options)
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
-    """Return NS0760, or NS0761 for a port that is in use."""
+    """Return the error NS0760, or NS0761 for a port that is in use."""
     shown = port[:200]
     if trouble.kind == "busy":
         return rejected(
@@ -54,7 +54,7 @@ def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
 
 
 def port_lost(port: str, seconds: float) -> Rejected:
-    """Return NS0766 for a port that was lost and did not return."""
+    """Return the error NS0766 for a port that was lost and did not return."""
     return rejected(
         "NS0766",
         f"the connection to the device at '{port[:200]}' was lost and did not return within "
@@ -67,7 +67,7 @@ def port_lost(port: str, seconds: float) -> Rejected:
 
 @contextmanager
 def explained(port: str, patience_s: float) -> Iterator[None]:
-    """Turn exceptions of a host's task into messages about the device at `port`."""
+    """Convert exceptions of a host's task, in a with block, to errors of the device at `port`."""
     try:
         yield
     except Silent as silent:
@@ -166,7 +166,7 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
 
 
 def no_program(port: str) -> Rejected:
-    """Return NS0771: the device has no program."""
+    """Return the error NS0771: the device has no program."""
     return rejected(
         "NS0771",
         f"the device at '{port[:200]}' holds no program",
@@ -175,7 +175,7 @@ def no_program(port: str) -> Rejected:
 
 
 def states_lost(port: str) -> Rejected:
-    """Return NS0774: the states of the previous frame were lost."""
+    """Return the error NS0774: the states of the previous frame were lost."""
     return rejected(
         "NS0774",
         f"the device at '{port[:200]}' lost the kept states of its pixels",
@@ -185,7 +185,7 @@ def states_lost(port: str) -> Rejected:
 
 
 def wrong_target(port: str, target: Target, info: Info) -> Rejected:
-    """Return NS0764: the program is for another chip."""
+    """Return the error NS0764: the program is for another chip."""
     at = f"the device at '{port[:200]}'"
     theirs, ours = info.target_name, target.name
     if theirs != ours:
@@ -206,7 +206,7 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
 
 
 def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
-    """Refuse programs that the loader would refuse, before sending: NS0764, NS0765, NS0767."""
+    """Raise NS0764 or NS0765, before sending, for programs that the loader would refuse."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols

@@ -21,9 +21,12 @@ EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after
 
 @dataclass(frozen=True)
 class LineFaults:
-    """Simulated faults of a line. `corrupt` and `drop` are rates per byte, `delay_s` applies in
-    both directions. After a number of bytes (both directions) the line is interrupted for
-    `outage_s`, or the loader reboots, once each. None: never."""
+    """Simulated faults of a line.
+
+    `corrupt`, `drop`: rates per byte. `delay_s`: delay in both directions. `disconnect_after`:
+    number of bytes, in both directions together, after which the line is interrupted for
+    `outage_s`. `reboot_after`: number of bytes after which the loader reboots. Both happen once;
+    None for never."""
 
     corrupt: float = 0.0
     drop: float = 0.0
@@ -48,7 +51,7 @@ NAMES = {
 
 
 def parse_faults(text: str) -> LineFaults:
-    """Parse a list of faults such as EXAMPLE; raises Rejected (NS0769, status 2)."""
+    """Parse a list of faults such as EXAMPLE. Raises NS0769 (status 2) for other texts."""
     values: dict[str, Any] = {}
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
@@ -109,7 +112,7 @@ class Spoiler:
         return int(log(1 - self._random.random()) / log(1 - rate))
 
     def spoiled(self, data: bytes) -> bytes:
-        """Return the bytes at the other end of the line."""
+        """Return the bytes that arrive at the other end of the line."""
         if self._to_corrupt >= len(data) and self._to_drop >= len(data):
             self._to_corrupt -= len(data)
             self._to_drop -= len(data)
@@ -130,8 +133,7 @@ class Spoiler:
 
 
 class Accidents:
-    """Decides, from the number of transferred bytes, when the line breaks and the loader
-    reboots."""
+    """Decides, by the number of transferred bytes, when the line breaks or the loader reboots."""
 
     def __init__(self, faults: LineFaults) -> None:
         after = {"disconnect": faults.disconnect_after, "reboot": faults.reboot_after}
@@ -139,8 +141,7 @@ class Accidents:
         self._passed = 0
 
     def passed(self, count: int) -> list[str]:
-        """Return the accidents, "disconnect" and "reboot", that fall into the next
-        `count` bytes."""
+        """Return the accidents ("disconnect", "reboot") within the next `count` bytes."""
         self._passed += count
         due = [name for name, after in self._to_come.items() if self._passed >= after]
         for name in due:

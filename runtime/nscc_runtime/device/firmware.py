@@ -1,6 +1,7 @@
-"""The firmware compiled for this machine, and communication with its process. The process runs the
-real core (`runtime/firmware`). The commands to its board arrive here as a job, word by word, and
-run on the emulator."""
+"""The firmware compiled for this machine, and communication with its process.
+
+The process runs the real core (`runtime/firmware`). The commands to its board arrive here as a job,
+word by word, and run on the emulator."""
 
 from __future__ import annotations
 
@@ -42,11 +43,11 @@ _START_S = 10.0
 
 
 class NotBuilt(Exception):
-    """The firmware cannot be compiled here; the text says why."""
+    """The firmware cannot be compiled here; the text is the reason."""
 
 
 class NotStarted(NotBuilt):
-    """The firmware does not start; the text says why."""
+    """The firmware does not start; the text is the reason."""
 
 
 class Built(NamedTuple):
@@ -58,14 +59,14 @@ class Built(NamedTuple):
 
 
 def compiler() -> str | None:
-    """Return a C++ compiler of this machine: `CXX`, g++ or clang++; None without any."""
+    """Return the name of a C++ compiler (`CXX`, g++ or clang++); None if there is none."""
     names = [os.environ.get("CXX", ""), "g++", "clang++"]
     return next((name for name in names if name and shutil.which(name)), None)
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled now or cached; raises NotBuilt. It is stored in
-    nscc's cache folder, or in `folder`; without a cache, for this process only."""
+    """Return the loader for a target, compiled now or cached in `folder` (by default nscc's cache
+    folder, or a temporary folder without a cache). Raises NotBuilt if it cannot be compiled."""
     compiler_path = compiler()
     if compiler_path is None:
         raise NotBuilt("no C++ compiler was found")
@@ -78,8 +79,7 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """Return the executable of folders of the firmware for a target, compiled now or cached. Raises
-    NotBuilt."""
+    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]
@@ -122,7 +122,7 @@ def _compile(command: list[str], header: str) -> bytes:
 
 
 class Firmware:
-    """The process of the loader; its jobs arrive as records and run on `chip`."""
+    """The process of the loader. Its jobs arrive as records and run on `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         self.chip, self.target = chip, target
@@ -140,7 +140,7 @@ class Firmware:
         self.close()
 
     def fileno(self) -> int:
-        """The file descriptor that is readable when there are records."""
+        """Return the file descriptor that becomes readable when records arrive."""
         return self._out.fileno()
 
     def write_record(self, kind: bytes, data: bytes = b"") -> None:
@@ -150,14 +150,14 @@ class Firmware:
             view = view[os.write(self._in.fileno(), view) :]
 
     def fill(self) -> None:
-        """Wait for bytes; raises RuntimeError if the process has ended."""
+        """Wait for bytes. Raises RuntimeError if the process has ended."""
         data = os.read(self.fileno(), _MOST_READ)
         if not data:
             raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
         self._held += data
 
     def next(self) -> tuple[bytes, bytes] | None:
-        """Return kind and data of the next complete record, or None."""
+        """Return kind and data of the next complete record; None if it is not complete yet."""
         if len(self._held) < _RECORD.size:
             return None
         kind, size = _RECORD.unpack_from(self._held)
@@ -192,8 +192,7 @@ class Firmware:
         return frame
 
     def close(self) -> int:
-        """End the process and return its exit status, which is not 0 if a sanitizer found
-        an error."""
+        """End the process and return its exit status, not 0 if a sanitizer found an error."""
         with suppress(OSError):
             self._in.close()
         try:
@@ -220,17 +219,17 @@ class RunningFirmware(Firmware):
         return bool(self._unsent) or bool(self._exposing)
 
     def watched(self) -> list[int]:
-        """The file descriptors of the line and of the job pipe."""
+        """Return the file descriptors of the line and of the job pipe."""
         return [self._line, self.fileno()]
 
     def receive(self, data: bytes, now_us: int) -> None:
-        """Send bytes to the loader, which has its own clock."""
+        """Send bytes to the loader. `now_us` is ignored, because the loader has its own clock."""
         self._unsent += data
         with suppress(BlockingIOError):
             self._unsent = self._unsent[os.write(self._line, self._unsent) :]
 
     def poll(self, now_us: int, room: int) -> bytes:
-        """Return bytes that the loader has sent."""
+        """Handle the loader's records, and return at most `room` bytes that it has sent."""
         self.receive(b"", now_us)
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
@@ -251,7 +250,6 @@ class RunningFirmware(Firmware):
             self._exposing.append((job, in_background(partial(self.execute, job))))
 
     def close(self) -> int:
-        """End the process."""
         if self._line >= 0:
             os.close(self._line)
         return super().close()
@@ -271,7 +269,7 @@ class Process(RunningFirmware):
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:
-        """Wait for the name of the terminal, handling the records before it."""
+        """Wait for the name of the terminal, and handle the records before it."""
         while True:
             record = self.next()
             if record is None:

@@ -1,4 +1,4 @@
-"""A frame that a host requests: its expected size and time, and its received bytes."""
+"""A frame that a host requests: its expected size and time, and the bytes received so far."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from nscc_runtime.device.messages import CaptureReply, frame_bytes
 from nscc_runtime.device.objects import Upload
 
 LONGEST_US = 1_200_000_000
-"""Longest time from the first to the last word of a frame."""
+"""Longest time from the first to the last word of a frame, in microseconds."""
 CHUNK = 64
-"""Bytes of a frame are sent in multiples of this, except at its end."""
+"""Bytes of a frame are sent in multiples of this number, except at the end of the frame."""
 _BESIDE_S = 10.0
 
 
 @dataclass(eq=False)
 class FrameRequest:
-    """A frame to be exposed, with a unique number; `received` holds its bytes so far. `program` is
-    None if only the device knows it: then the frame has `pixels`."""
+    """A frame to be exposed, with a unique number. `received`: its bytes so far. `program` is None
+    if only the device knows it; `pixels` is then the number of pixels of the frame."""
 
     number: int
     channels: int
@@ -26,7 +26,7 @@ class FrameRequest:
     received: FrameBytes | None = None
 
     def bytes(self, readouts: int) -> int:
-        """Return the expected bytes of the frame; 0 for a wrong number of readouts."""
+        """Return the expected number of bytes of the frame; 0 for a wrong number of readouts."""
         program = self.program
         if program is None:
             return frame_bytes(self.channels, self.pixels, readouts, 0)
@@ -34,14 +34,14 @@ class FrameRequest:
         return matches * frame_bytes(self.channels, program.pixels, readouts, program.states)
 
     def exposure_s(self, captured: CaptureReply) -> float:
-        """Return the expected exposure time, from the loader's figures and the host's own."""
+        """Return the shorter of the loader's and the host's estimates of the exposure time."""
         own_ms = captured.estimate_ms if self.program is None else self.program.frame_ms
         return min(own_ms, captured.estimate_ms) / 1000
 
     @property
     def longest_s(self) -> float:
-        """Longest time that a loader may take. It is twice the host's estimate, plus overhead; for
-        an unknown program the limit of all loaders."""
+        """Longest time in seconds that a loader may take: twice the host's estimate, plus overhead.
+        For an unknown program it is twice the limit of all loaders."""
         program = self.program
         if program is None:
             return 2e-6 * LONGEST_US
@@ -49,8 +49,8 @@ class FrameRequest:
 
 
 class FrameBytes:
-    """The received bytes of a frame. They survive a lost line, because a loader discards bytes that
-    the host has confirmed. `origin` identifies the exposure."""
+    """The received bytes of a frame. `origin` identifies the exposure. They are kept when the line
+    is lost, because a loader discards bytes that the host has confirmed."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
         self.origin = origin
@@ -65,7 +65,7 @@ class FrameBytes:
         return len(self.data) if first < 0 else first * CHUNK
 
     def store(self, offset: int, data: bytes) -> bool:
-        """Store bytes of complete chunks; return whether any of them were missing."""
+        """Store bytes of complete chunks. Return whether any of them were missing before."""
         first, last = offset // CHUNK, -(-(offset + len(data)) // CHUNK)
         fresh = self.missing.count(1, first, last)
         if fresh:

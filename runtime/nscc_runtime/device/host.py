@@ -2,8 +2,7 @@
 
 A `Host` runs one task at a time, a generator that sends packets and waits for replies. The caller
 passes received bytes (`receive`), fetches bytes to send (`poll`), and passes the time. Every wait
-is bounded: a task finishes, or raises an exception of this module.
-"""
+is bounded: a task finishes, or raises an exception of this module."""
 
 from __future__ import annotations
 
@@ -23,23 +22,21 @@ from nscc_runtime.device.packets import REPLY, VERSION, Packet, PacketKind, Unpa
 
 Result = TypeVar("Result")
 Task = Generator[float, "Packet | None", Result]
-"""Yields the deadline of its wait; receives a packet, or None at the deadline."""
+"""A generator that yields deadlines, and receives a packet, or None at the deadline."""
 
 FIRST_WAIT_S = 0.25
 LONGEST_WAIT_S = 0.5
-"""Longest interval between retries, short compared with the two seconds for resuming a
-lost link."""
+"""Longest interval between retries, short compared with two seconds for resuming a link."""
 _SHORTEST_WAIT_S = 0.05
 _MOST_RESTARTS = 40
 _MOST_TAKEN = 4
-"""Sessions that may be taken by others, while the loader keeps running, before Contested
-is raised."""
+"""Number of sessions lost to other hosts after which Contested is raised."""
 _STALL_FACTOR = 6
 
 
 @dataclass(eq=False)
 class Silent(Exception):
-    """No reply arrived within the patience; `ever`: one arrived before."""
+    """No reply arrived in time. `ever`: whether one came before. `noise`: damaged packets."""
 
     ever: bool
     noise: int
@@ -69,21 +66,23 @@ class RequestRefused(Exception):
 
     @property
     def fault(self) -> int:
-        """The number of the fault; `messages.LoaderFault` names those of this version."""
+        """Number of the fault; `messages.LoaderFault` names the faults of this version."""
         return self.failure.fault
 
 
 class SessionLost(Exception):
-    """The loader restarted, or the line was interrupted: say hello and resume."""
+    """The loader restarted, or the line was interrupted: the host must say hello and resume."""
 
 
 class SessionTaken(SessionLost):
-    """The loader does not know this session: it restarted, or another host began one."""
+    """The loader does not know this session: it restarted, or another host began a session."""
 
 
 class Host:
-    """The host's end of a line. `new_session` returns a different number in 1 .. 2^32 - 1 each
-    time. `patience_s` is the longest silence, `line_s` the transfer time of a window of bytes."""
+    """The host's end of a line.
+
+    `new_session` returns a different number in 1 .. 2^32 - 1 each time. `patience_s`: longest
+    silence. `line_s`: transfer time of a window of bytes, in seconds."""
 
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
@@ -109,7 +108,7 @@ class Host:
         self.result: object = None
 
     def start(self, task: Generator[float, Packet | None, object], now: float) -> None:
-        """Start a task; unsent bytes of the previous task are discarded."""
+        """Start a task. Unsent bytes of the previous task are discarded."""
         self.now = self._heard = self._moved = now
         self._out.clear()
         self.result = None
@@ -118,11 +117,11 @@ class Host:
 
     @property
     def running(self) -> bool:
-        """Whether the task is running."""
+        """Whether a task is running."""
         return self._task is not None
 
     def receive(self, data: bytes, now: float) -> None:
-        """Process bytes from the line; may raise the exceptions of the task."""
+        """Process bytes from the line. Raises the exceptions of the task."""
         self.now = now
         for packet in self._unpacker.feed(data):
             self._heard = now
@@ -136,7 +135,7 @@ class Host:
                 self._step(packet)
 
     def poll(self, now: float) -> bytes:
-        """Resume an expired wait; return the bytes to send."""
+        """Resume the task if its wait has expired, and return the bytes to send."""
         self.now = now
         if self._task is not None and now >= self.deadline:
             self._step(None)
@@ -145,7 +144,7 @@ class Host:
         return out
 
     def line_restored(self, now: float) -> None:
-        """Note that the line is available again."""
+        """Tell the task that the line was lost and is available again."""
         self.now = self._heard = now
         self._unpacker = Unpacker()
         self._out.clear()
@@ -164,13 +163,13 @@ class Host:
             raise
 
     def send(self, kind: PacketKind, body: bytes = b"") -> int:
-        """Send a request; return its sequence number."""
+        """Send a request and return its sequence number."""
         self._sequence = self._sequence + 1 & 0xFFFF
         self._out += Packet(kind, self._sequence, self._session, body).wire()
         return self._sequence
 
     def moved(self) -> None:
-        """Note progress of the task, so that it does not count as stalled."""
+        """Record progress of the task, so that it does not count as stalled."""
         self._moved = self.now
 
     def check_patience(self, extra_s: float = 0.0) -> None:
@@ -190,14 +189,14 @@ class Host:
 
     @property
     def wait_s(self) -> float:
-        """Time to wait for a reply before the request is repeated."""
+        """Seconds to wait for a reply before the request is repeated."""
         if self._round_s is None:
             return FIRST_WAIT_S + self._line_s
         return max(self._round_s + 4 * self._spread_s, _SHORTEST_WAIT_S) + self._line_s
 
     def ask(self, kind: PacketKind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
-        """Send a request until it is answered; raises RequestRefused, SessionLost, Silent or
-        Stalled."""
+        """Send a request, repeatedly if necessary, and return its reply. Raises RequestRefused,
+        SessionLost, Silent or Stalled."""
         sent: dict[int, float] = {}
         wait = self.wait_s
         while True:
@@ -218,7 +217,7 @@ class Host:
             wait = min(2 * wait, max(LONGEST_WAIT_S, self.wait_s))
 
     def hello(self) -> Task[Info]:
-        """Start a session; return the loader's description."""
+        """Start a session and return the loader's description."""
         self._session = self._new_session()
         self.info = None
         reply = yield from self.ask(PacketKind.HELLO, Hello(VERSION, VERSION).pack())
@@ -235,9 +234,10 @@ class Host:
         yield from self.ask(PacketKind.CANCEL)
 
     def lasting(self, work: Callable[[], Task[Result]]) -> Task[Result]:
-        """Say hello and do `work`, restarting after lost sessions from the loader's state. Raises
-        Stalled if the loader keeps restarting, Contested if it does not restart and yet has the
-        sessions of another host."""
+        """Say hello and do `work`; after a lost session, start again from the loader's state.
+
+        Raises Stalled if the loader keeps restarting, and Contested if other hosts take the
+        sessions of a loader that does not restart."""
         lost_sessions, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:
@@ -257,7 +257,7 @@ class Host:
 
 
 def raise_failure(packet: Packet) -> None:
-    """Raise the exception of an ERROR packet: SessionLost or RequestRefused."""
+    """Raise the exception of an ERROR packet: SessionTaken or RequestRefused."""
     failure = checked(LoaderFailure.unpack, packet)
     if failure.fault == LoaderFault.NO_SESSION:
         raise SessionTaken
@@ -265,7 +265,7 @@ def raise_failure(packet: Packet) -> None:
 
 
 def checked(unpack: Callable[[bytes], Result], packet: Packet) -> Result:
-    """Unpack the body of a reply; an invalid body is refused as a fault of the loader."""
+    """Unpack the body of a reply. Raises RequestRefused for an invalid body."""
     try:
         return unpack(packet.body)
     except ValueError:

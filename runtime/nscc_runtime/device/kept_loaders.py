@@ -15,12 +15,12 @@ from nscc.files import write_together
 
 
 def _digest_of(place: Path) -> Path:
-    """Return the file with the SHA-256 of a cached loader."""
+    """Return the path of the file with the SHA-256 of a cached loader."""
     return place.with_name(f"{place.name}.sha256")
 
 
 def is_whole(place: Path) -> bool:
-    """Return whether a cached loader is intact."""
+    """Return whether a cached loader is intact and executable."""
     try:
         digest = sha256(place.read_bytes()).hexdigest().encode()
         return _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
@@ -29,13 +29,13 @@ def is_whole(place: Path) -> bool:
 
 
 def keep(place: Path, image: bytes) -> None:
-    """Store a loader with its SHA-256; raises Rejected if the folder is not writable."""
+    """Store a loader with its SHA-256. Raises Rejected if the folder is not writable."""
     write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
     place.chmod(0o755)
 
 
 def cached_folder() -> Path:
-    """Return the cache folder of loaders, or a temporary one for this process."""
+    """Return the cache folder of loaders, or a temporary folder for this process."""
     cache = cache_folder()
     if cache is not None:
         folder = cache / "firmware"
@@ -47,7 +47,7 @@ def cached_folder() -> Path:
 
 
 def passing_folder() -> Path:
-    """Return a folder that is removed when this process ends."""
+    """Return a temporary folder that is removed when this process ends."""
     folder = tempfile.mkdtemp(prefix="nscc-firmware-")
     register(shutil.rmtree, folder, ignore_errors=True)
     return Path(folder)

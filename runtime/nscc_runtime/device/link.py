@@ -25,7 +25,7 @@ _WINDOW_BITS = 16384 * 10
 
 class SerialLink:
     """An open port with its host. Methods raise Rejected (status 3) if the device fails. A lost
-    port is reopened for at most `patience_s`, and the task resumes."""
+    port is reopened for at most `patience_s` seconds, and the task resumes."""
 
     def __init__(
         self, path: str, *, baud: int = DEFAULT_BAUD, patience_s: float = PATIENCE_S
@@ -45,7 +45,7 @@ class SerialLink:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Close the port; if the task is unfinished, stop the device first."""
+        """Close the port. If the task is unfinished, stop the device first."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):
                 self._goodbye()
@@ -59,13 +59,13 @@ class SerialLink:
             self._turn()
 
     def run(self, work: Callable[[], Task[Result]]) -> Result:
-        """Run `work`, a task of this host, to its end, despite interruptions of the line."""
+        """Run the task `work` to its end, despite interruptions of the line; return its result."""
         for _ in self.steps(work, lambda: 0):
             pass
         return self.host.result  # type: ignore[return-value]
 
     def steps(self, work: Callable[[], Task[Any]], reached: Callable[[], int]) -> Iterator[int]:
-        """Run `work`, and yield once per unit by which `reached()` has grown."""
+        """Run `work`, and yield a count once for each unit by which `reached()` has grown."""
         with explained(self.path, self.patience_s):
             self.host.start(self.host.lasting(work), monotonic())
             before = reached()
@@ -100,7 +100,6 @@ class SerialLink:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:
-        """Reopen a lost port as soon as it is available."""
         until, pause = monotonic() + self.patience_s, _FIRST_REOPEN_S
         while True:
             select.select([], [], [], pause)

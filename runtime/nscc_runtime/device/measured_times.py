@@ -1,5 +1,6 @@
-"""Measure the times of launches, words, waits and readouts of a device, as keys of its target. Each
-time is the difference of two frames that differ in nothing else, so common times cancel. The
+"""Measure the times of launches, words, waits and readouts of a device, as keys of its target.
+
+Each time is the difference of two frames that differ in nothing else, so common times cancel. The
 loader's clock measures the duration."""
 
 from __future__ import annotations
@@ -42,8 +43,7 @@ _LONGEST_MS = 10_000
 
 @dataclass(frozen=True)
 class MeasuredTimes:
-    """Times in microseconds: a launch, an analog and a digital word, the loop at a boundary, a
-    readout."""
+    """Measured times in microseconds. `wait_us`: of the loop that waits for a boundary."""
 
     launch_us: float
     analog_word_us: float
@@ -52,7 +52,7 @@ class MeasuredTimes:
     readout_us: float
 
     def of(self, target: Target) -> Target:
-        """Return the target with these times."""
+        """Return a copy of the target with these times."""
         return replace(
             target,
             launch_us=self.launch_us,
@@ -97,7 +97,7 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
 
 
 def _captured(link: SerialLink, program: Upload) -> CaptureReply:
-    """Return the loader's reply about a frame of a program, after all of it has been fetched."""
+    """Capture and fetch a frame of a program, and return the loader's reply about it."""
     request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.FetchedFrame]:
@@ -108,8 +108,8 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
 
 
 def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -> Upload:
-    """Return a program with `launches` of a kernel, at once or each after a slot of no length. Late
-    launches are allowed."""
+    """Return a program that launches a kernel `launches` times: at once, or with `waits` after a
+    slot of negligible length each. Late launches are allowed."""
     slots = launches if waits else 1
     words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
     objects = (

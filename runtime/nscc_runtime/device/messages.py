@@ -1,6 +1,7 @@
-"""The bodies of requests and replies, as values. Integers are little endian. Each `unpack` raises
-ValueError for an invalid body. The checksum has been verified before, so an invalid body comes from
-another version of the protocol, or an attacker."""
+"""The bodies of requests and replies, as values. Integers are little endian.
+
+Each `unpack` raises ValueError for an invalid body. The checksum has been verified before, so an
+invalid body comes from another version of the protocol, or an attacker."""
 
 from __future__ import annotations
 
@@ -56,7 +57,7 @@ class Capability(IntFlag):
 
 class Channel(IntFlag):
     """The content of a frame: CODES, a byte per pixel; EXPOSURE, a float64 per pixel in electrons;
-    STATES, the planes of the digital registers that the program names, a bit per pixel."""
+    STATES, one bit per pixel for each digital register that the program names."""
 
     CODES = 1
     EXPOSURE = 2
@@ -64,8 +65,7 @@ class Channel(IntFlag):
 
 
 def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
-    """Return the bytes of a frame: all readouts in these channels, and `states` planes of
-    states."""
+    """Return the bytes of a frame: all readouts in these channels, and `states` planes."""
     bytes_per_pixel = (1 if channels & Channel.CODES else 0) + (
         8 if channels & Channel.EXPOSURE else 0
     )
@@ -74,7 +74,7 @@ def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
 
 
 def plane_bytes(pixels: int) -> int:
-    """Return the bytes of a plane of one bit per pixel."""
+    """Return the number of bytes of a plane of one bit per pixel."""
     return (pixels + 7) // 8
 
 
@@ -84,12 +84,11 @@ class _Body:
     layout: ClassVar[Struct]
 
     def pack(self) -> bytes:
-        """The body's bytes."""
         return self.layout.pack(*astuple(self))  # type: ignore[call-overload]
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
-        """Return the value of a body; ValueError for another length."""
+        """Return the value of a body. Raises ValueError for a body of another length."""
         return cls(*_fields(cls.layout, body))
 
 
@@ -102,7 +101,7 @@ def _fields(layout: Struct, body: bytes) -> tuple[Any, ...]:
 
 @dataclass(frozen=True)
 class Hello(_Body):
-    """The first and last version of the protocol that a host speaks."""
+    """The first and last version of the protocol that a host supports."""
 
     first: int
     last: int
@@ -113,12 +112,11 @@ class Hello(_Body):
 class Info(_Body):
     """The description of a loader.
 
-    `boot` identifies its current run: another number means that all uploads are lost. `window` is
-    the number of unacknowledged bytes on the wire. The limits are numbers of words, kernels, rows
-    of the schedule, runs of equal slots, bytes of all channels of a frame, and milliseconds from
-    first to last word. `hold` is the number of bytes of a frame that stay available behind those
-    confirmed by the host. `program` and `label` are zeros without a program.
-    """
+    `boot`: identifies its current run; another number means that all uploads are lost. `window`:
+    number of unacknowledged bytes on the wire. `most_..`, `longest_ms`: limits of words, kernels,
+    rows of the schedule, runs of equal slots, bytes of all channels of a frame, and milliseconds
+    from first to last word. `hold`: number of bytes of a frame that stay available after the host
+    has confirmed them. `program`, `label`: zeros without a program."""
 
     version: int
     state: int
@@ -150,7 +148,6 @@ class Info(_Body):
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
-        """The value of a body; ValueError where it is none."""
         fixed = _fields(cls.layout, body[: cls.layout.size])
         texts, at = [], cls.layout.size
         for _ in range(2):
@@ -179,7 +176,7 @@ class Begin(_Body):
 
 @dataclass(frozen=True)
 class ObjectEntry(_Body):
-    """An object: its kind, the register of a plane, its bytes and their SHA-256."""
+    """The announcement of an object: kind, register of a plane, number of bytes, SHA-256."""
 
     kind: int
     register: int
@@ -197,13 +194,11 @@ class Declare(_Body):
     layout = Struct("<HH")
 
     def pack(self) -> bytes:
-        """The body's bytes."""
         head = self.layout.pack(self.first, len(self.entries))
         return head + b"".join(entry.pack() for entry in self.entries)
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
-        """The value of a body; ValueError where it is none."""
         first, count = _fields(cls.layout, body[: cls.layout.size])
         packed = body[cls.layout.size :]
         if len(packed) != count * ObjectEntry.layout.size:
@@ -218,13 +213,13 @@ class Declare(_Body):
 
 
 MOST_ENTRIES = 26
-"""Most entries of one DECLARE packet."""
+"""Largest number of entries of one DECLARE packet."""
 
 
 @dataclass(frozen=True)
 class UploadProgress(_Body):
-    """The progress of an upload: entries declared, bytes received of all objects in order, and the
-    number of objects dropped for a wrong digest."""
+    """The progress of an upload. `declared`: number of announced objects. `position`: bytes
+    received of all objects in order. `failures`: objects dropped because of a wrong digest."""
 
     state: int
     failures: int
@@ -235,7 +230,7 @@ class UploadProgress(_Body):
 
 @dataclass(frozen=True)
 class CaptureRequest(_Body):
-    """Expose a frame, unless the frame of this number exists or is being exposed."""
+    """A request to expose a frame, unless the frame `number` exists or is being exposed."""
 
     number: int
     channels: int
@@ -246,12 +241,12 @@ class CaptureRequest(_Body):
 class CaptureReply(_Body):
     """The state of a capture.
 
-    `ready`: its frame can be read. `estimate_ms`: time of exposure and readout; `started_us`: the
-    loader's clock at the start. Bytes before `released` are no longer available. The frame took
-    `lasted_us` from first to last word, and `readout_us` of readout so far; `late` launches
-    exceeded the program's tolerance, the latest by `latest_us`. The checksums cover all `length`
-    bytes, and are 0 until the loader has made all of them (`complete`).
-    """
+    `ready`: whether its frame can be read. `estimate_ms`: time of exposure and readout.
+    `started_us`: the loader's clock at the start. `released`: bytes before this offset are no
+    longer available. `lasted_us`: time from first to last word. `readout_us`: time of readout so
+    far. `late`: number of launches that exceeded the program's tolerance, the latest by
+    `latest_us`. `crc32`, `adler32`: checksums of all `length` bytes, 0 until the loader has all of
+    them (`complete`)."""
 
     number: int
     ready: int
@@ -273,8 +268,8 @@ class CaptureReply(_Body):
 
 @dataclass(frozen=True)
 class ReadRequest(_Body):
-    """Send `length` bytes of a frame from `offset`, at most `chunk` of them a packet. The host has
-    all bytes before `confirmed`."""
+    """A request for `length` bytes of a frame from `offset` on, at most `chunk` bytes per packet.
+    The host has all bytes before `confirmed`."""
 
     number: int
     offset: int
@@ -286,7 +281,9 @@ class ReadRequest(_Body):
 
 @dataclass(frozen=True)
 class Status(_Body):
-    """The state and the counters of a loader since its start."""
+    """The state of a loader. `boot`: number of its current run. `uptime_us`: microseconds since its
+    start. `position`: bytes received of an upload. `packets`, `damaged`: packets received and
+    dropped since its start."""
 
     state: int
     boot: int
@@ -299,7 +296,7 @@ class Status(_Body):
 
 @dataclass(frozen=True)
 class LoaderFailure(_Body):
-    """The failure of a request; `detail` depends on the fault (the number of a word, ..)."""
+    """The failure of a request. `detail` depends on the fault, for example the number of a word."""
 
     request: int
     fault: int

@@ -1,19 +1,18 @@
-"""A compiled program as the objects that a loader takes.
+"""A compiled program as the objects that a loader receives.
 
-    READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
-    KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
-    SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
-               u32 runs, each: u32 slots, f64 microseconds of each of them;
-               u32 rows, each: u32 advance, u16 kernel, u16 times
-    PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
-    LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
-    STATES     u32 count; each: u8 digital register that comes with the frame
+  READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
+  KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
+  SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
+             u32 runs, each: u32 slots, f64 microseconds of each of them;
+             u32 rows, each: u32 advance, u16 kernel, u16 times
+  PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
+  LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
+  STATES     u32 count; each: u8 digital register that comes with the frame
 
-Registers go by their place in the target table. A row of the schedule is done `times` times: the
-light of `advance` slots falls, then IN is set to the row's level, but for AS_IT_IS, and the kernel
-runs. Slots left after the last row follow it. A launch that comes later than `grace` after its
-boundary is late. LEVELS and STATES are those of programs that look.
-"""
+Registers are numbered as in the target table. A row of the schedule is executed `times` times: the
+light of `advance` slots is collected, IN is set to the row's level (unless it is AS_IT_IS), and the
+kernel runs. Remaining slots follow the last row. A launch later than `grace` after its boundary is
+late. Only programs that look have LEVELS and STATES."""
 
 from __future__ import annotations
 
@@ -39,7 +38,7 @@ from nscc_runtime.device.messages import Begin, ObjectEntry
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
-"""Most launches of a frame, whatever its rows."""
+"""Largest number of launches of a frame, for any number of rows."""
 READOUT = Struct("<B7xd")
 SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
@@ -65,7 +64,7 @@ class ObjectKind(IntEnum):
 
 @dataclass(frozen=True)
 class Object:
-    """One object; `register` is that of a plane, else 0."""
+    """One object. `register`: the register of a plane, 0 for other kinds."""
 
     kind: ObjectKind
     register: int
@@ -81,10 +80,9 @@ class Object:
 class Upload:
     """A program in the form that is sent.
 
-    `words`, `kernels`, `rows`, `runs` are its demands on a loader's memory, `frame_ms` and
-    `readout_ms` its times; `readouts` and `states` are the numbers of registers sent with a frame
-    of `pixels`; `gains`: readouts are scaled; `levels`: IN is set.
-    """
+    `words`, `kernels`, `rows`, `runs`: its demands on a loader's memory. `frame_ms`, `readout_ms`:
+    its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`. `gains`:
+    whether readouts are scaled. `levels`: whether IN is set."""
 
     target: bytes
     label: bytes
@@ -103,7 +101,7 @@ class Upload:
 
     @cached_property
     def digest(self) -> bytes:
-        """The digest of the program."""
+        """The SHA-256 digest of the program."""
         entries = b"".join(object_.entry.pack() for object_ in self.objects)
         return program_digest(self.target, self.label, entries)
 
@@ -119,12 +117,12 @@ class Upload:
 
 
 def program_digest(target: bytes, label: bytes, entries: bytes) -> bytes:
-    """Return the digest of a program from its target's digest, its label and its packed entries."""
+    """Return the digest of a program from its target's digest, label and packed entries."""
     return sha256(b"nscc-program-1" + target + label + entries).digest()
 
 
 def target_digest(target: Target) -> bytes:
-    """Return the digest by which loader and host identify a target."""
+    """Return the SHA-256 digest by which loader and host identify a target."""
     values = target_dict(target)
     del values["description"]
     text = json.dumps(values, sort_keys=True, separators=(",", ":"), allow_nan=False)
@@ -132,8 +130,8 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """Return the objects of a container with pixels (NS0741 without); `label` is 32 bytes. Raises
-    Rejected: NS0510 for a program with planes instead of words."""
+    """Return a container in the form that is sent; `label` is 32 bytes. Raises Rejected: NS0741 for
+    a program without pixel codes, NS0510 for a program with planes instead of words."""
     refuse_planes(
         container.target,
         "the loader runs words, but this program has planes of bits",
@@ -163,7 +161,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
     objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
     planes = container.planes()
-    # Writes are masked, so this plane precedes the mask's own code.
+    # Writes to the masked register use the mask, so its plane is sent before the mask's plane.
     for register in sorted(planes, key=lambda name: name != target.masked_register):
         number = target.digital_registers.index(register)
         objects.append(Object(ObjectKind.PLANE, number, packed_plane(planes[register])))
@@ -231,8 +229,7 @@ def _kernels(container: Container) -> bytes:
 
 
 def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """Yield rows (advance, kernel, times, level) of the schedule, merging launches at equal
-    distances."""
+    """Yield schedule rows (advance, kernel, times, level), merging launches at equal distances."""
     at = 0
     steps = []
     for launch in container.launches:

@@ -1,6 +1,7 @@
-"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end. A byte
-stream may lose, change or cut anything: `Unpacker` returns packets with a valid checksum, drops the
-rest, and buffers at most one packet."""
+"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end.
+
+A byte stream may lose, change or cut anything. `Unpacker` returns packets with a valid checksum,
+drops the rest, and buffers at most one packet."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from zlib import crc32
 
 VERSION = 2
 MOST_DATA = 1024
-"""Most bytes of an object or a frame in one packet."""
+"""Largest number of bytes of an object or a frame in one packet."""
 MOST_BODY = MOST_DATA + 16
 
 _HEADER = Struct("<BBHI")
@@ -22,7 +23,7 @@ _BLOCK = 254
 
 
 class PacketKind(IntEnum):
-    """The kind of a packet; a reply has the number of its request plus 0x80."""
+    """The kind of a packet. A reply has the number of its request plus 0x80."""
 
     HELLO = 0x01
     STATUS = 0x02
@@ -42,8 +43,8 @@ REPLY = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A packet. `session` is the host's number of the session, `sequence` counts its requests; a
-    reply repeats both."""
+    """A packet. `kind`: see `PacketKind`. `sequence`: number of the request. `session`: number of
+    the host's session. A reply repeats both numbers. `body`: at most MOST_BODY bytes."""
 
     kind: int
     sequence: int
@@ -51,8 +52,7 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """Return the bytes of the packet on the line, with zero bytes at both ends. The first zero
-        byte ends any noise before."""
+        """Return the encoded packet between two zero bytes; the first ends noise on the line."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 
@@ -72,7 +72,7 @@ def unpacked(stuffed_bytes: bytes) -> Packet | None:
 
 
 class Unpacker:
-    """Finds the packets in a stream of bytes; `damaged` counts the dropped ones."""
+    """Finds the packets in a stream of bytes. `damaged`: number of dropped packets."""
 
     def __init__(self) -> None:
         self.damaged = 0
@@ -99,7 +99,7 @@ class Unpacker:
 
 
 def stuffed(data: bytes) -> bytes:
-    """Apply consistent overhead byte stuffing: `data` without zero bytes, at most 1/254 longer."""
+    """Encode `data` without zero bytes (consistent overhead byte stuffing), up to 1/254 longer."""
     out = bytearray()
     for piece in data.split(b"\0"):
         while len(piece) >= _BLOCK:
@@ -110,7 +110,7 @@ def stuffed(data: bytes) -> bytes:
 
 
 def unstuffed(data: bytes) -> bytes | None:
-    """Return the input of `stuffed`; None for bytes that it cannot produce."""
+    """Decode the result of `stuffed`; None for bytes that it cannot produce."""
     out = bytearray()
     at = 0
     while at < len(data):
@@ -125,4 +125,4 @@ def unstuffed(data: bytes) -> bytes | None:
 
 
 LONGEST_WIRE = _LARGEST + _LARGEST // _BLOCK + 2
-"""Most bytes between two zero bytes."""
+"""Largest number of bytes between two zero bytes."""

@@ -1,4 +1,4 @@
-"""The serial port: the only place that imports serial."""
+"""The serial port. No other module imports serial."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _MOST_READ = 1 << 16
 
 @dataclass(eq=False)
 class PortTrouble(Exception):
-    """A port cannot be opened; `kind` is missing, forbidden, busy, unsuited, baud or other."""
+    """A port cannot be opened. `kind`: missing, forbidden, busy, unsuited, baud or other."""
 
     kind: str
     reason: str
@@ -36,8 +36,10 @@ class Port:
         return int(self.serial.fileno())
 
     def read(self) -> bytes:
-        """Return the received bytes, if select reports any; raises PortGone. A port that is
-        readable without bytes is lost."""
+        """Return the received bytes; empty if there are none. Raises PortGone if the port is lost.
+
+        Call it when select reports the port as readable: a port that is readable without bytes is
+        lost."""
         try:
             data = os.read(self.fileno(), _MOST_READ)
         except BlockingIOError:
@@ -49,7 +51,7 @@ class Port:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write bytes; return how many the port accepted; raises PortGone."""
+        """Write bytes and return how many were accepted. Raises PortGone if the port is lost."""
         try:
             return os.write(self.fileno(), data)
         except BlockingIOError:
@@ -64,7 +66,7 @@ class Port:
 
 
 def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
-    """Open a port exclusively: 8 data bits, no parity, one stop bit. Raises PortTrouble."""
+    """Open a port exclusively: 8 data bits, no parity, 1 stop bit. Raises PortTrouble."""
     import serial
 
     try:
@@ -74,7 +76,7 @@ def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
         os.set_blocking(opened.fileno(), False)
     except ValueError as error:
         raise PortTrouble("baud", str(error)) from None
-    except OSError as error:  # pyserial's own is one
+    except OSError as error:  # pyserial's SerialException is an OSError
         raise _trouble(error) from None
     return Port(opened)
 

@@ -1,5 +1,6 @@
-"""The firmware compiled for a Cortex-M, on QEMU. Its first serial port is the line; the second one
-connects it to the emulator of the pixels."""
+"""The firmware compiled for a Cortex-M, on QEMU.
+
+Its first serial port is the line; the second one connects it to the emulator of the pixels."""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 Core = Literal["m0", "m4"]
 COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"
 _MACHINES: dict[Core, str] = {"m0": "mps2-an385", "m4": "mps2-an386"}
-"""The machine for each core. A Cortex-M3 runs the code of a Cortex-M0, with traps enabled."""
+"""The QEMU machine for each core. A Cortex-M3 runs the code of a Cortex-M0, with traps enabled."""
 _PARTS = ("core", "port", "emulated", "qemu")
 CHIP_FLAGS = (
     *CORE_FLAGS, *WARNINGS, "-O2", "-mthumb", "-fno-threadsafe-statics", "-ffunction-sections",
@@ -42,12 +43,12 @@ _START_S = 20.0
 
 
 def missing() -> str | None:
-    """Return which of the two required programs is not installed; None if both are."""
+    """Return the name of a required program that is not installed; None if both are installed."""
     return next((name for name in (COMPILER, EMULATOR) if shutil.which(name) is None), None)
 
 
 def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled for a core; raises NotBuilt."""
+    """Return the loader for a target, compiled for a core. Raises NotBuilt if that fails."""
     absent = missing()
     if absent is not None:
         raise NotBuilt(f"{absent} is not installed")
@@ -59,8 +60,7 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
 
 
 def command(core: Core, image: Path, time: str) -> list[str]:
-    """Return the command that runs an image, without its serial ports; `time` as of
-    QEMU's -icount."""
+    """Return the command that runs an image without serial ports; `time`: QEMU's -icount."""
     return [
         EMULATOR, "-M", _MACHINES[core], "-kernel", str(image), "-icount", time,
         "-display", "none", "-monitor", "none",
@@ -95,12 +95,12 @@ class Emulated(RunningFirmware):
             self._line = line.detach()
 
     def sent(self, job: BoardJob, frame: bytes) -> bytes:
-        """Return nothing: the board requests the bytes of a frame column by column."""
+        """Store the frame and return nothing: the board requests its bytes column by column."""
         self._frame = job.number, frame
         return b""
 
     def follow(self, kind: bytes, data: bytes) -> None:
-        """Do what a record of the loader's asks for."""
+        """Handle a record of the loader."""
         if kind != b"C":
             super().follow(kind, data)
             return
@@ -109,6 +109,5 @@ class Emulated(RunningFirmware):
         self.write_record(b"B", frame[offset : offset + count] if number == frame_number else b"")
 
     def close(self) -> int:
-        """End the emulator."""
         self._process.kill()
         return super().close()

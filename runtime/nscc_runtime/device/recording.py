@@ -1,4 +1,4 @@
-"""Records of a loader's commands to its board, as programs for the emulator."""
+"""Record a loader's commands to its board, as programs for the emulator."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _IN_IS_SET = 0xFFFF_FFFE
 
 
 class BoardJob(NamedTuple):
-    """A frame that a loader requests from its board."""
+    """A frame that a loader requests: number, channels to read out as a bit mask, program."""
 
     number: int
     channels: int
@@ -46,7 +46,7 @@ class Recording:
         self._events: list[tuple[int, int]] = []
 
     def take(self, kind: bytes, data: bytes) -> BoardJob | None:
-        """Process a record; return a job if a frame is to be exposed."""
+        """Process a record. Return a job if a frame is to be exposed, otherwise None."""
         match kind:
             case b"F":
                 self._forget()
@@ -77,8 +77,7 @@ class Recording:
         return None
 
     def keep(self, job: BoardJob, planes: Mapping[str, bytes]) -> None:
-        """Store the code registers after a frame, which the next frame of the program
-        starts with."""
+        """Store the code registers after a frame, with which the program's next frame starts."""
         if job is self._latest:
             names = self.target.digital_registers
             self._planes = {names.index(name): plane for name, plane in planes.items()}
@@ -121,7 +120,7 @@ def container_of(
     planes: dict[int, bytes],
 ) -> Container:
     """Return the commands to a chip as a container for the emulator. Each digital register that is
-    sent with the frame is a state of one bit, under its own name."""
+    sent with the frame is a state of one bit, with the register's name."""
     shape = (target.rows, target.cols)
     slot_us = tuple(us for count, us in runs for _ in range(count))
     bits: dict[str, NDArray[np.bool_]] = {}

@@ -1,4 +1,4 @@
-"""A stand-in behind a pseudo-terminal: a loader, a bad cable, and a port to open."""
+"""A stand-in behind a pseudo-terminal: a loader, a faulty cable, and a port to open."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _MOST_TRIES = 64
 
 
 class Loaded(Protocol):
-    """A loader: the firmware's core, on this machine or an emulated one."""
+    """A loader: the firmware's core, on this machine or on an emulated one."""
 
     @property
     def busy(self) -> bool:
@@ -37,17 +37,17 @@ class Loaded(Protocol):
         """Receive bytes from the line."""
 
     def poll(self, now_us: int, room: int) -> bytes:
-        """Return bytes for the line."""
+        """Return at most `room` bytes for the line."""
 
     def announce(self) -> None:
-        """Restart."""
+        """Restart the loader."""
 
     def watched(self) -> list[int]:
         """Return the file descriptors whose input gives `poll` work."""
 
 
 class Terminal:
-    """A pseudo-terminal whose name outlives a lost connection, where the system allows."""
+    """A pseudo-terminal whose name stays the same after a lost connection, if the system allows."""
 
     def __init__(self, name: str | None = None) -> None:
         self.name = ""
@@ -85,7 +85,7 @@ class Terminal:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write bytes; return how many were accepted."""
+        """Write bytes and return how many were accepted."""
         try:
             return os.write(self.fd, data)
         except BlockingIOError:
@@ -98,14 +98,13 @@ class Terminal:
         return any(happened & select.POLLHUP for _, happened in poller.poll(0))
 
     def close(self) -> None:
-        """Close the terminal."""
         with suppress(OSError):
             os.close(self.fd)
 
 
 class StandInServer:
-    """Transfers bytes between a terminal and a loader, with `faults` of the line. `moved` gets the
-    name of the port if it changes."""
+    """Transfers bytes between a terminal and a loader, with `faults` of the line. `moved` is called
+    with the new name of the port if the name changes."""
 
     def __init__(
         self, loader: Loaded, faults: LineFaults, moved: Callable[[str], None] = lambda _: None
@@ -121,7 +120,7 @@ class StandInServer:
         self._until: float | None = None
 
     def serve(self, *, once: bool = False, seconds: float | None = None) -> None:
-        """Serve for `seconds`, with `once` until the first host has left, or forever."""
+        """Serve for `seconds` (None: forever); with `once`, only until the first host has left."""
         self._until = None if seconds is None else monotonic() + seconds
         while not self._over():
             if self.terminal.hung_up():
@@ -176,7 +175,7 @@ class StandInServer:
                 self._boots_until = monotonic() + _BOOT_S
 
     def _disconnect(self) -> None:
-        """Remove the port, and open it again after the outage, under its old name if possible."""
+        """Remove the port, and open it again after the outage, with its old name if possible."""
         name = self.terminal.name
         # While the other side is open, the number is not reused.
         reserved = os.open(name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)

@@ -29,9 +29,11 @@ def emulated_chip(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     failed: Callable[[Exception], None] = lambda _: None,
 ) -> EmulatedChip:
-    """Return an emulated chip that sees `scene` with any program. Scenes that suit no program are
-    refused at once. Later `warn` gets messages about the scene, and `failed` the reason for a
-    missing frame, because the host only learns that it is missing."""
+    """Return an emulated chip that sees `scene` with any program.
+
+    Raises Rejected now for a scene that suits no program. Later, `warn` is called with messages
+    about the scene, and `failed` with the reason for a missing frame, because the host only learns
+    that it is missing."""
     if scene.name.startswith("builtin:") or not Path(scene.name).exists():
         scene.light((1000.0,), target)
     return EmulatedChip(
@@ -48,9 +50,10 @@ def serve(
     once: bool = False,
     seconds: float | None = None,
 ) -> None:
-    """Serve a loader behind a pseudo-terminal, over a simulated line; `opened` gets its name. Ends
-    after the first host with `once`, after `seconds`, or never. `moved` gets the new name of the
-    port if the old one is taken."""
+    """Serve a loader behind a pseudo-terminal, over a simulated line.
+
+    `opened` is called with the name of the port, and `moved` with its new name if the old name is
+    taken. Ends after the first host with `once`, after `seconds`, or never."""
     server = StandInServer(loader, faults, moved)
     try:
         opened(server.terminal.name)
@@ -63,9 +66,11 @@ def serve(
 def loaded(
     machine: Machine, target: Target, chip: EmulatedChip, say: Callable[[str], None]
 ) -> Iterator[Loaded]:
-    """Run the firmware, compiled for a machine, in its own process. `qemu` and `qemu-m0` are an
-    emulated Cortex-M4 and Cortex-M0. `say` gets a text on what runs. Raises Rejected (NS0772,
-    status 2) if the firmware cannot be compiled or does not start."""
+    """Run the firmware, compiled for a machine, in its own process.
+
+    `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is called with a text that
+    describes the loader. Raises Rejected (NS0772, status 2) if the firmware cannot be compiled or
+    does not start."""
     try:
         if machine == "host":
             built = firmware.built(target)

@@ -1,5 +1,7 @@
-"""Write the firmware's target table from nscc's own: `target.hpp` of `runtime/firmware`. python -m
-nscc_runtime.device.target_header scamp5 > runtime/firmware/targets/scamp5/target.hpp"""
+"""Write the firmware's target table from nscc's own: `target.hpp` of `runtime/firmware`.
+
+Usage: python -m nscc_runtime.device.target_header scamp5 >
+runtime/firmware/targets/scamp5/target.hpp"""
 
 from __future__ import annotations
 
@@ -33,9 +35,10 @@ _LONGEST_REFRESH = 5
 
 
 def target_header(target: Target) -> str:
-    """Return `target.hpp` for a target: the words that the loader accepts. Raises ValueError for a
-    target with words of its own, which the loader does not know, and for a target whose pixels have
-    no logic."""
+    """Return `target.hpp` for a target: the words that the loader accepts.
+
+    Raises ValueError for a target with custom words, which the loader does not know, and for a
+    target whose pixels have no logic."""
     if target.streamed:
         raise ValueError(
             f"the loader's firmware runs words, but the pixels of {target.name} have no logic"
@@ -138,8 +141,7 @@ def _registers(target: Target) -> Iterator[str]:
 
 
 def _sequences(target: Target) -> Iterator[str]:
-    """Yield the words that refresh a register, and those that open the masked register
-    for writing."""
+    """Yield the words that refresh a register, or enable writing to the masked register."""
     yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};\n"
     yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
     yield "constexpr Refresh refresh[] = {"

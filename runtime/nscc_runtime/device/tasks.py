@@ -40,11 +40,10 @@ _LONGEST_POLL_S = 0.25
 _LONGEST_SILENCE_S = 5.0
 _BUSY_WAIT_S = 0.1
 _FIRST_WINDOW = 2048
-"""Initial bytes in flight: the window grows without losses, and is halved after a loss, for slow
-lines."""
+"""Initial number of bytes in flight: grows without losses, is halved after a loss."""
 
 Watch = Callable[[int], None]
-"""Gets the number of bytes transferred."""
+"""A function that is called with the number of bytes transferred so far."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +55,7 @@ class FetchedFrame:
 
 
 def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
-    """Upload a program, resuming after a lost link; then it is ready. Returns whether the loader
-    already had it."""
+    """Upload a program, resuming after a lost link. Return whether the loader already had it."""
     progress = yield from _begun(host, program.begin)
     already_held = progress.state != LoaderState.RECEIVING
     while progress.declared < len(program.objects) and progress.state == LoaderState.RECEIVING:
@@ -74,7 +72,7 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[b
 
 
 def forget(host: Host, program: Upload) -> Task[None]:
-    """Make the loader forget its program, by a program without objects."""
+    """Make the loader forget its program, by uploading a program without objects."""
     zeros = bytes(32)
     yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
 
@@ -95,7 +93,7 @@ def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
 
 
 def pause(host: Host, seconds: float) -> Task[None]:
-    """Wait, ignoring packets."""
+    """Wait for a time in seconds; packets are ignored."""
     until = host.now + seconds
     while host.now < until:
         yield until
@@ -103,7 +101,7 @@ def pause(host: Host, seconds: float) -> Task[None]:
 
 
 class _Chunk:
-    """The bytes per packet: halved after losses, doubled after a while without."""
+    """The bytes per packet: halved after a loss, doubled after some packets without a loss."""
 
     def __init__(self, most: int) -> None:
         self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
@@ -119,8 +117,7 @@ class _Chunk:
 
 
 class _Sender:
-    """Sends a stream, many packets ahead of their acknowledgements, and goes back after a loss. The
-    loader accepts bytes only in order."""
+    """Sends a stream with many packets in flight; goes back after a loss, to keep the order."""
 
     def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
         assert host.info is not None
@@ -176,7 +173,6 @@ class _Sender:
         self.acknowledged = self.next = position
 
     def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
-        """Process an acknowledgement."""
         if not self._ours(sequence):
             self._acknowledge_late(sequence, progress)
             return
@@ -203,8 +199,7 @@ class _Sender:
             self._advance(progress.position)
 
     def _acknowledge_late(self, sequence: int, progress: UploadProgress) -> None:
-        """Process an acknowledgement that arrived after its timeout: the line is slower than
-        estimated."""
+        """Process an acknowledgement after its timeout: the line is slower than estimated."""
         since = self.given_up.pop(sequence, None)
         if since is not None:
             self.host.timed(self.host.now - since)
@@ -222,7 +217,7 @@ class _Sender:
 
 
 def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
-    """Expose a frame and fetch it; an existing frame is not exposed again."""
+    """Expose a frame and fetch it. A frame that exists already is not exposed again."""
     captured = yield from _captured(host, request)
     assert host.info is not None
     origin = host.info.boot, captured.started_us
@@ -238,7 +233,7 @@ def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
 
 
 def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
-    """Return the loader's reply about an exposed frame."""
+    """Expose a frame and return the loader's reply about it."""
     body = messages.CaptureRequest(request.number, request.channels).pack()
     poll, extra, silent = _POLL_S, 0.0, False
     while True:
@@ -269,8 +264,8 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
 
 @dataclass(frozen=True)
 class _Range:
-    """A pending request: bytes `start` to `stop` of the frame, sent at `since`. `alone`: without
-    another request before it, so that its first packet measures the reply time."""
+    """A pending request for bytes `start` to `stop` of the frame, sent at `since`. `alone`: whether
+    no other request was pending, so that its first packet measures the reply time."""
 
     start: int
     stop: int
@@ -279,9 +274,10 @@ class _Range:
 
 
 class _Fetcher:
-    """Requests ranges of a frame, some ahead, and again after losses. A loader serves them in
-    order: a packet of one means that earlier requests are complete. It keeps only a limited number
-    of bytes behind those confirmed by the host."""
+    """Requests ranges of a frame, several at a time, and again after losses.
+
+    A loader serves requests in order: a packet of one request means that earlier requests are
+    complete. It keeps only a limited number of bytes behind those confirmed by the host."""
 
     def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
         assert host.info is not None

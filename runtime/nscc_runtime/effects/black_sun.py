@@ -1,4 +1,4 @@
-"""Light that lowers the level of a reset: the black sun."""
+"""Light that lowers the reset level: the black sun."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The comparators of the pixels: the offset that each has, and the noise of a comparison."""
+"""The comparators of the pixels: the fixed offset of each, and the noise of a comparison."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _OF_BOTH: dict[str, Any] = {
 
 
 def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """The offset of each pixel."""
+    """Return the comparator offset of each pixel in electrons."""
     z = normals(key(device_seed, COMPARATOR_OFFSET.stream), pixels)
     return np.asarray(SPREAD(sensor) * FULL(sensor) * z)
 

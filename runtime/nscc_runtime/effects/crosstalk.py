@@ -16,7 +16,7 @@ FRACTION = parameter(
 
 
 def smeared(charge: Values, fraction: float) -> Values:
-    """Return q + c laplacian(q) along the last two axes (rows, cols); the border reflects."""
+    """Return q + fraction laplacian(q) of charge q (.., rows, cols); the border reflects."""
     flow = np.zeros_like(charge)
     down = charge[..., 1:, :] - charge[..., :-1, :]
     right = charge[..., :, 1:] - charge[..., :, :-1]

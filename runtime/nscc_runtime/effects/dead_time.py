@@ -1,4 +1,4 @@
-"""Gates that switch while light falls."""
+"""Dead time: words take time while light is collected."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""The declaration of an effect, from which every part of the emulator takes what it needs.
+"""The declaration of an effect, from which all simulations take what they need.
 
-The reference runs an effect's functions at their stages of a frame (`STAGES`). The fast paths
+The reference calls an effect's functions at their stages of a frame (`STAGES`). The fast paths
 support the parts of `nscc_runtime.effects.parts` and simulate an effect by its parts. An effect
-without suitable parts declares that a path cannot simulate it; a run that keeps it takes a slower
-path, in the end the reference. Planning measures what an effect changes in a scene.
-"""
+without suitable parts declares that a path cannot simulate it; a run that keeps this effect uses a
+slower path, in the end the reference. Planning measures the change that an effect causes in a
+scene."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Kind = Literal["fixed", "random", "both", "after"]
 P = TypeVar("P", bound=Part)
 
 RESERVED = ("auto", "all", "none")
-"""Names of choices of `--effects`."""
+"""Words with a special meaning in `--effects`, which no effect can have as name."""
 
 STAGES = {
     "scene": "(scene) -> scene: which light falls on the array",
@@ -50,13 +50,13 @@ STAGES = {
     "effects' errors are one draw",
     "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
 }
-"""The stages of a frame in order, and the function of an effect at each stage. `slots`, `pixels`,
-`where` and `word` are of `nscc_runtime.effects.views`."""
+"""The stages of a frame in order, and the function of an effect at each stage.
+`nscc_runtime.effects.views` defines `slots`, `pixels` and `word`."""
 
 
 @dataclass(frozen=True)
 class CannotHave:
-    """Declares that a path cannot simulate an effect, with the reason."""
+    """Declares that the loops or sums cannot simulate an effect, with the reason."""
 
     reason: str
 
@@ -65,10 +65,10 @@ class CannotHave:
 class InLoop:
     """The fields of the loops over words that an effect sets, by name.
 
-    Names are those of the records in `nscc_runtime.execution.layout`. `switch` turns the effect on,
-    `numbers` are its values, `device_key` is the key of its stream on the device, `draws_key` that
-    of its draws at words if it has no `Errors`, `function` is called by the loop.
-    """
+    Names are fields of the records in `nscc_runtime.execution.layout`. `switch`: turns the effect
+    on. `numbers`: its values. `device_key`: the random key of its fixed pattern. `draws_key`: the
+    random key of its draws at words, if it has no `Errors`. `function`: a function that the loop
+    calls."""
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
@@ -81,27 +81,26 @@ class InLoop:
 class Effect:
     """One effect of the sensor.
 
-    `nscc_runtime.effects.registry.register` requires a complete declaration.
+    `nscc_runtime.effects.registry.register` checks that the declaration is complete.
 
     Attributes
     ----------
     stream : int
-        Its number in the keys of random numbers, which never changes.
-    kind : str
+        Number of its random stream, which never changes.
+    kind : {"fixed", "random", "both", "after"}
         Fixed in every frame, new in every frame, both, or after the exposure (readout only).
     model, cost, applied, size, absent : str
         Texts: the model with its formula, the cost of simulation, the place in the reference, the
         size of the change of exposures, and when the effect changes nothing.
     parameters : tuple of Parameter
-        Parameters of the sensor that it depends on.
+        The sensor parameters that it depends on.
     reference : mapping
-        Its functions by stage.
+        Its functions in the reference, by stage.
     sums, words
-        Its parts in sums over slots, and its fields in the loops over words of single pixels and of
-        pixels that look.
+        Its parts in sums over slots, and its fields in the loops over words.
     cost_ns, light_ns : float
-        Nanoseconds per pixel saved by leaving it out of sums, measured, to a factor of about two;
-        and additional ones per frame of light. Costs elsewhere follow from its parts
+        Measured nanoseconds per pixel saved by leaving it out of sums, to a factor of about two,
+        and additional ones per frame of light. Other costs follow from its parts
         (`nscc_runtime.planning.prices`).
     always : bool
         Whether it cannot be left out.
@@ -128,18 +127,17 @@ class Effect:
     marks: Mapping[str, Mark] = field_of(default_factory=dict)
 
     def summed_ns(self, frames: int) -> float:
-        """Return the nanoseconds per pixel saved by leaving it out of sums over a number of frames
-        of light."""
+        """Return the nanoseconds per pixel saved by leaving the effect out of sums."""
         return self.cost_ns + self.light_ns * frames
 
     def parts_of_kind(self, kind: type[P]) -> list[P]:
-        """Return its parts of a kind in sums over slots."""
+        """Return the parts of the effect, in sums over slots, that are instances of `kind`."""
         if isinstance(self.sums, CannotHave):
             return []
         return [member for member in self.sums if isinstance(member, kind)]
 
     def lacks(self) -> list[str]:
-        """Return the missing entries of the declaration, as texts."""
+        """Return the missing or wrong entries of the declaration; empty if it is complete."""
         missing = [
             f"`{name}`, a text"
             for name in ("name", "title", "model", "size", "cost", "applied", "absent")

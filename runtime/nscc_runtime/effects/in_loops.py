@@ -1,4 +1,5 @@
-"""The inputs of compiled loops that depend on effects, by the names of the loops' records."""
+"""The arguments of compiled loops that depend on effects, by the field names of the loops'
+records."""
 
 from __future__ import annotations
 
@@ -16,11 +17,11 @@ from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 
 Record = type[Any]
-"""A record of `nscc_runtime.loop.record`."""
+"""A record class made by `nscc_runtime.loop.record`."""
 
 
 def switches(record: Record, effects: Selection) -> dict[str, int]:
-    """Return whether each effect with a switch is on."""
+    """Return for each switch in `record` whether its effect is on (1 or 0)."""
     names = _names(record)
     return {
         loop.switch: int(effect in effects)
@@ -30,7 +31,7 @@ def switches(record: Record, effects: Selection) -> dict[str, int]:
 
 
 def figures(record: Record, sensor: Sensor, effects: Selection) -> dict[str, float]:
-    """Return the values of the effects; 0 for effects that are off."""
+    """Return the values of effects for the fields of `record`; 0 for effects that are off."""
     names = _names(record)
     return {
         name: figure(sensor) if effect in effects else 0.0
@@ -41,7 +42,7 @@ def figures(record: Record, sensor: Sensor, effects: Selection) -> dict[str, flo
 
 
 def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
-    """Return the keys of fixed patterns of the chip."""
+    """Return the random keys of the chip's fixed patterns for the fields of `record`."""
     names = _names(record)
     return {
         loop.device_key: key(device_seed, effect.stream) for effect, loop in _in_loops()
@@ -50,7 +51,7 @@ def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
 
 
 def draws_keys(record: Record, seed: int, source: int) -> dict[str, np.uint64]:
-    """Return the keys of draws at words: of small errors by their source, and of other draws."""
+    """Return first halves of random keys of draws at words, for the fields of `record`."""
     keys_by_name: dict[str, np.uint64] = {
         error_part.at: base(seed, effect.stream, source)
         for effect in registered()

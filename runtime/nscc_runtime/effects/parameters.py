@@ -1,6 +1,7 @@
-"""Parameters of the sensor: name, default, unit, range and source of the default. Each effect
-declares its own. Reading and writing sensor files, overriding values, the attributes of a `Sensor`
-and `nscc effects` follow from the declarations."""
+"""Parameters of the sensor: name, default, unit, range and source of the default.
+
+Each effect declares its parameters. Reading and writing sensor files, overriding values, the
+attributes of a `Sensor` and `nscc effects` follow from the declarations."""
 
 from __future__ import annotations
 
@@ -16,20 +17,20 @@ OURS = "this project's default: not public"
 TARGET = "the target table"
 
 Default = float | Callable[[Target, Mapping[str, float]], float] | None
-"""A number; a function of the target and of the preceding parameters; None for the target's value
-of the same name."""
+"""A number; a function of the target and of the preceding parameters; or None for the target's
+value of the same name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter(Key):
-    """A row of the sensor's schema: a number with unit, range and `Default`. Under a heading,
-    parameters are sorted by `place`. Called, it returns a sensor's value."""
+    """A row of the sensor's schema: a number with unit, range and default. Under a heading,
+    parameters are sorted by `place`. Calling a parameter with a sensor returns its value."""
 
     kind: Number
     place: int = 0
 
     def __call__(self, sensor: Sensor) -> float:
-        """Return the value on a sensor."""
+        """Return the value of the parameter on a sensor."""
         return sensor.values[self.name]
 
     def default_for(self, target: Target, values: Mapping[str, float]) -> float:
@@ -44,7 +45,7 @@ def parameter(
     source: str = OURS, *, low_excluded: bool = False, high_excluded: bool = False,
     place: int = 0,
 ) -> Parameter:  # fmt: skip
-    """Return a parameter, listed under `heading`; `source` documents its default."""
+    """Declare a parameter, listed under `heading`. `source`: where its default comes from."""
     kind = Number(low, high, unit, low_excluded, high_excluded)
     return Parameter("", name, kind, meaning, default, source, heading=heading, place=place)
 
@@ -61,4 +62,4 @@ HEADINGS = {
     "memory": "what registers lose",
     "readout": "the ADC",
 }
-"""The headings of a sensor file in order, each with a remark."""
+"""The headings of a sensor file in order, each with an explanation."""

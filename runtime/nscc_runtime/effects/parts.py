@@ -2,8 +2,7 @@
 
 A sum over slots weights the light of every slot by the pixel's code, draws counts for groups of
 slots, and draws the errors of all words at once. Effects contribute to it by these parts. Each part
-belongs to one effect, except `Errors` and `Converter`, of which there may be several.
-"""
+belongs to one effect, except `Errors` and `Converter`, which several effects may have."""
 
 from __future__ import annotations
 
@@ -22,7 +21,7 @@ Values = NDArray[np.float64]
 
 
 class Part:
-    """A part of an effect, standing for its function at a `stage` of the reference."""
+    """A part of an effect, which fast paths use instead of the effect's function at a `stage`."""
 
     stage: ClassVar[str] = ""
 
@@ -44,30 +43,30 @@ class Echo(Part, stage="light"):
 
 @dataclass(frozen=True)
 class Response(Part, stage="response"):
-    """Each pixel has a factor on its light."""
+    """The light of each pixel is multiplied by a fixed factor."""
 
     factor: OnDevice
 
 
 class Counted(Part):
-    """Charge is counted in whole electrons."""
+    """Charge is drawn as Poisson counts of electrons."""
 
 
 @dataclass(frozen=True)
 class CountedLight(Counted, stage="count"):
-    """Light is counted."""
+    """Photon counts are Poisson numbers."""
 
 
 @dataclass(frozen=True)
 class CountedDark(Counted, stage="charge"):
-    """Dark charge is counted, `per_s` electrons per second on average."""
+    """Dark charge is a Poisson number with mean `per_s` electrons per second."""
 
     per_s: OnDevice
 
 
 @dataclass(frozen=True)
 class Exchange(Part, stage="neighbours"):
-    """A fraction of a pixel's charge goes to each of its four neighbours. `smeared(charge (..,
+    """A fraction of a pixel's charge moves to each of its four neighbours. `smeared(charge (..,
     rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
@@ -75,19 +74,19 @@ class Exchange(Part, stage="neighbours"):
 
 
 class Saturates(Part):
-    """A storage saturates; pixels near saturation run through their words."""
+    """PIX or registers saturate. Pixels near saturation run through their words."""
 
 
 @dataclass(frozen=True)
 class Well(Saturates, stage="well"):
-    """PIX saturates at exactly `full_e`: sums of one read may be clipped."""
+    """PIX is clipped at `full_e` electrons."""
 
     full_e: OfSensor
 
 
 @dataclass(frozen=True)
 class Soft(Saturates, stage="registers"):
-    """Registers are linear up to `linear_e`; at that value they lose `lost_e`."""
+    """Registers are linear up to `linear_e` electrons, and lose `lost_e` of larger values."""
 
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]
@@ -95,8 +94,8 @@ class Soft(Saturates, stage="registers"):
 
 @dataclass(frozen=True)
 class Errors(Part):
-    """Many small errors, drawn as one per bucket: `sigma_e` `at` every read or reset of PIX, or
-    every word."""
+    """Many small normal errors with standard deviation `sigma_e` at every read or reset of PIX, or
+    at every word. Their sum in a bucket is one draw."""
 
     at: Literal["reads", "resets", "words"]
     sigma_e: OfSensor
@@ -104,7 +103,7 @@ class Errors(Part):
 
 @dataclass(frozen=True)
 class WordGain(Part, stage="words"):
-    """A word multiplies by `gain` and adds a fixed error of mean `mean_e` and standard deviation
+    """A word multiplies by `gain` and adds a fixed error, with mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
     gain: OfSensor
@@ -115,8 +114,8 @@ class WordGain(Part, stage="words"):
 
 @dataclass(frozen=True)
 class Leak(Part, stage="hold"):
-    """Registers decay at a rate in 1/s of each pixel: 1 / `tau_s` on average, lognormal with
-    relative standard deviation `spread`."""
+    """Registers decay exponentially at a rate `per_s` in 1/s that differs between pixels. The rates
+    are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`."""
 
     per_s: OnDevice
     tau_s: OfSensor
@@ -125,12 +124,12 @@ class Leak(Part, stage="hold"):
 
 @dataclass(frozen=True)
 class SlowWords(Part, stage="time"):
-    """Light falls while words run."""
+    """Light is collected while words run."""
 
 
 @dataclass(frozen=True)
 class LitLevel(Part, stage="level"):
-    """Light that falls while words run is included in the level of a reset."""
+    """Light that is collected while words run is included in the reset level."""
 
 
 @dataclass(frozen=True)
@@ -140,15 +139,15 @@ class Fading(Part, stage="digital"):
 
 @dataclass(frozen=True)
 class Converter(Part, stage="converter"):
-    """The converter has an error of `sigma_lsb` codes, drawn per pixel and bucket, once for all
-    effects with this part."""
+    """The converter has normal noise of `sigma_lsb` codes. All effects with this part share one
+    draw per pixel and bucket."""
 
     sigma_lsb: OfSensor
 
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """The converter's codes: electrons per code, and the code of zero electrons."""
+    """The converter's scale. `electrons`: electrons per code. `offset`: code of zero electrons."""
 
     electrons: OfSensor
     offset: OfSensor

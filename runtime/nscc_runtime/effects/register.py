@@ -42,7 +42,7 @@ def soft(value: Values, sensor: Sensor) -> Values:
 
 @compiled
 def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
-    """Return the content of a register after a write, in the loop over words."""
+    """Return the same as `soft` for one value, in compiled loops."""
     limit = -low if value < 0.0 else high
     size = abs(value)
     if size <= knee * limit:
@@ -55,7 +55,7 @@ def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
 
 
 def _high(sensor: Sensor) -> float:
-    """Return the smaller of the two limits."""
+    """Return the smaller of the absolute limits of a register in electrons."""
     return min(abs(LOWEST(sensor)), HIGHEST(sensor))
 
 
@@ -70,7 +70,7 @@ def _compute_loss_e(sensor: Sensor, size: Values) -> Values:
 
 
 def _half_slope_loss_e(sensor: Sensor) -> float:
-    """Return the loss of a register where it keeps half of an increment: tanh' = 1/2."""
+    """Return the loss at which a register stores half of a further increment: tanh' = 1/2."""
     half = math.acosh(math.sqrt(2.0))
     return (half - math.tanh(half)) * (_high(sensor) - _linear(sensor))
 

@@ -1,5 +1,6 @@
-"""The registered effects: those of this package, then those of other distributions. Incomplete
-declarations are refused here, so that other code can rely on them."""
+"""The registered effects: those of this package, then those of other distributions.
+
+Incomplete declarations are refused when they are registered, so other code can rely on them."""
 
 from __future__ import annotations
 
@@ -38,7 +39,7 @@ _OURS = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, BLACK_SUN, ANALOG,
     REGISTER, COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING, ADC,
 )  # fmt: skip
-"""The effects in the order in which charge meets them."""
+"""The effects of this package, in the order in which they act on charge."""
 
 _registered: dict[str, Effect] = {}
 _complete = False
@@ -46,10 +47,7 @@ _complete = False
 
 
 def register(effect: Effect) -> None:
-    """Add an effect.
-
-    Raises Rejected (NS0905) with all missing entries; then nothing is added.
-    """
+    """Register an effect. Raises NS0905 with all missing entries of its declaration."""
     lacking = (
         effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is not an Effect"]
     )
@@ -125,7 +123,7 @@ def registered() -> tuple[Effect, ...]:
 
 
 def in_loop(switch: str) -> Callable[..., float]:
-    """Return the function that the loop over words calls for the effect with a switch."""
+    """Return the function that the loop over words calls for the effect with this `switch`."""
     loops = (effect.words for effect in _OURS)
     functions = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
     return next(function for function in functions if function is not None)
@@ -137,17 +135,17 @@ def by_name() -> dict[str, Effect]:
 
 
 def optional() -> tuple[str, ...]:
-    """Return the names of effects that can be left out."""
+    """Return the names of the effects that can be left out."""
     return tuple(effect.name for effect in registered() if not effect.always)
 
 
 def marks() -> dict[str, Mark]:
-    """Return the marks of frames by kind."""
+    """Return the marks of all effects by kind."""
     return {at: mark for effect in registered() for at, mark in effect.marks.items()}
 
 
 def always_on() -> frozenset[str]:
-    """Return the names of effects that cannot be left out."""
+    """Return the names of the effects that cannot be left out."""
     return frozenset(by_name()).difference(optional())
 
 
@@ -163,7 +161,7 @@ def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
 
 
 def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
-    """Return the effects as JSON values; defaults of parameters are those of `sensor`."""
+    """Return the effects as JSON values. The defaults of parameters are the values of `sensor`."""
     return [
         {
             "name": effect.name,

@@ -1,4 +1,4 @@
-"""Selections of effects, as `--effects` makes them."""
+"""Selections of effects, as `--effects` describes them."""
 
 from __future__ import annotations
 
@@ -23,8 +23,11 @@ P = TypeVar("P", bound=Part)
 
 @dataclass(frozen=True)
 class Selection:
-    """The effects that are on, including `always` ones, and those named explicitly. With `auto` a
-    planner decides on the effects that are not named; `on` contains them all."""
+    """A set of effects.
+
+    `on`: names of the effects that are on, including those that are always on. `forced`: names that
+    the user switched on or off. `auto`: whether a planner decides on the other effects; `on` then
+    contains all of these."""
 
     on: frozenset[str]
     forced: frozenset[str]
@@ -32,7 +35,7 @@ class Selection:
 
     @property
     def noiseless(self) -> bool:
-        """Whether only `always` effects are on: the exposure is the sum of light."""
+        """Whether only permanent effects are selected, so that the exposure is the sum of light."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
@@ -44,7 +47,7 @@ class Selection:
         return tuple(effect for effect in registered() if effect in self)
 
     def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
-        """Return the effects that act in the reference at a stage, with their functions."""
+        """Return the effects that act at a stage of the reference, with their functions."""
         return [
             (effect, effect.reference[stage])
             for effect in self.effects
@@ -52,16 +55,16 @@ class Selection:
         ]
 
     def at(self, stage: str) -> list[Callable[..., Any]]:
-        """Return the functions of the effects in the reference at a stage."""
+        """Return the functions of the effects at a stage of the reference."""
         return [does for _, does in self.acting(stage)]
 
     def marking(self, at: str) -> Mark | None:
-        """Return the marks of a kind of the effects that are on (`nscc_runtime.effects.marks`)."""
+        """Return the saturation mark of kind `at` (see `MARKED`); None if no effect on sets it."""
         return next((effect.marks[at] for effect in self.effects if at in effect.marks), None)
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Return the effects with a part of a kind in sums over slots, and the parts."""
+        """Return pairs of an effect that is on and its part that is an instance of `kind`."""
         # mypy considers a class not hashable.
         effect_parts = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
         return [
@@ -72,23 +75,23 @@ class Selection:
 
     @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
-        """Return the names of the effects with a part of a kind."""
+        """Return the names of the effects that have a part of a kind in sums over slots."""
         return frozenset(effect.name for effect, _ in self.having(kind))
 
     @remembered
     def find_part(self, kind: type[P]) -> P | None:
-        """Return the part of a kind; None if no effect that is on has one."""
+        """Return the part that is an instance of `kind`; None if no effect that is on has one."""
         return next((effect_part for _, effect_part in self.having(kind)), None)
 
     def require_part(self, kind: type[P]) -> P:
-        """Return the part of a kind; ValueError if no effect that is on has one."""
+        """Return the part that is an instance of `kind`. Raises ValueError if no effect has one."""
         effect_part = self.find_part(kind)
         if effect_part is None:
             raise ValueError(f"no effect has a part {kind.__name__}")
         return effect_part
 
     def errors(self) -> list[tuple[Effect, Errors]]:
-        """Return the effects with small errors: of reads, then of resets, then of words."""
+        """Return the effects with small errors and their parts: reads, then resets, then words."""
         return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
     def converter_lsb(self, sensor: Sensor) -> float:
@@ -96,8 +99,8 @@ class Selection:
         return hypot(*(converter.sigma_lsb(sensor) for _, converter in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
-        """Return the selection without some effects. The same object is returned to all callers,
-        because selections cache their parts."""
+        """Return the selection without some effects. Equal calls return the same object, because
+        selections cache their parts."""
         return _without(self, frozenset(names))
 
 
@@ -107,7 +110,7 @@ def _without(selection: Selection, names: frozenset[str]) -> Selection:
 
 
 def everything() -> Selection:
-    """Return a selection of all effects."""
+    """Return the selection of all effects."""
     return _all_of(registered())
 
 
@@ -118,7 +121,7 @@ def _all_of(effects: tuple[Effect, ...]) -> Selection:
 
 @cache
 def _parts_of_kind(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
-    """Return the parts of a kind of all these effects."""
+    """Return pairs of an effect and its part that is an instance of `kind`."""
     return tuple(
         (effect, effect_part) for effect in effects for effect_part in effect.parts_of_kind(kind)
     )
@@ -126,8 +129,9 @@ def _parts_of_kind(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Ef
 
 def selected(text: str) -> Selection:
     """Parse a selection: `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
-    Changes alone start from `none` if the first one adds, from `all` if it removes. Raises Rejected
-    (NS0756, status 2) for other texts."""
+
+    Changes alone start from `none` if the first change adds, and from `all` if it removes. Raises
+    Rejected (NS0756, status 2) for any other text."""
     return _selected(text, registered())
 
 
@@ -159,7 +163,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
 
 
 def named(name: str) -> Effect:
-    """Return an effect by name; NS0756 (status 2) for an unknown name."""
+    """Return the effect with this name. Raises Rejected (NS0756, status 2) for an unknown name."""
     effect = by_name().get(name)
     if effect is None:
         raise _invalid_selection(

@@ -70,5 +70,5 @@ class Sensor:
 
 
 def sensor_sha256(sensor: Sensor) -> str:
-    """Return the hexadecimal digest of all values, which identifies a sensor."""
+    """Return the hexadecimal SHA-256 digest of all parameter values, which identifies a sensor."""
     return hashlib.sha256(json.dumps(dict(sensor.values), sort_keys=True).encode()).hexdigest()

@@ -1,4 +1,4 @@
-"""Factors that differ from pixel to pixel."""
+"""Lognormal factors that differ from pixel to pixel."""
 
 from __future__ import annotations
 
@@ -11,18 +11,17 @@ from nscc_runtime.loop import compiled
 
 
 def log_variance(fraction: float) -> float:
-    """Return the variance of the logarithm of lognormal numbers with a relative standard
-    deviation."""
+    """Return the variance of the logarithm of a lognormal with relative spread `fraction`."""
     return float(np.log1p(fraction * fraction))
 
 
 def log_normal(fraction: float, z: Values) -> Values:
-    """Return positive factors of mean 1 and standard deviation `fraction` from normal numbers."""
+    """Return lognormal factors of mean 1, standard deviation `fraction`, from normal numbers z."""
     variance = log_variance(fraction)
     return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
 
 
 @compiled
 def log_normal_in_loop(variance: float, z: float) -> float:
-    """Return such a factor in loops, from the variance of the logarithm."""
+    """Return a lognormal factor of mean 1 in loops. `variance`: variance of its logarithm."""
     return math.exp(math.sqrt(variance) * z - variance / 2)

@@ -1,5 +1,5 @@
-"""The views that the reference passes to an effect's functions: pixels while charge falls in slots,
-and while words run."""
+"""The arguments that the reference passes to an effect's functions: the scene, the slots of pixels,
+and pixels while words run."""
 
 from __future__ import annotations
 
@@ -18,13 +18,12 @@ from nscc_runtime.method_cache import remembered
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 OnDevice = Callable[[Sensor, int, Places], Values]
-"""Returns a fixed pattern of a chip from a sensor, the device's seed and places row *
-cols + col."""
+"""A function of sensor, device seed and places that returns a chip's fixed pattern."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """The light of a frame and of the previous frame, and the slot lengths."""
+    """The light of a frame and of the previous frame. `slot_s` (N,): slot lengths in seconds."""
 
     light: Light
     previous: Light
@@ -33,7 +32,7 @@ class Scene:
 
 @dataclass(eq=False, kw_only=True)
 class Device:
-    """Some pixels of a chip: `places` int64 (pixels,) are row * cols + col."""
+    """Some pixels of a chip. `places` int64 (pixels,): row * cols + col of each."""
 
     sensor: Sensor
     device_seed: int
@@ -41,20 +40,21 @@ class Device:
 
     @remembered
     def fixed(self, make: OnDevice) -> Values:
-        """Return a fixed pattern of the chip (pixels,), computed once."""
+        """Return a fixed pattern of the chip (pixels,), cached."""
         return make(self.sensor, self.device_seed, self.places)
 
 
 @dataclass(eq=False, kw_only=True)
 class Where(Device):
-    """Some pixels of a frame."""
+    """Some pixels of a chip in frame number `frame`, with noise from `seed`."""
 
     seed: int
     frame: int
 
 
 class Word(Protocol):
-    """A word during execution; the analog words of a frame are numbered."""
+    """A word during execution. `number`: its number among the analog words of a frame. `after_us`:
+    its end in microseconds after its boundary."""
 
     @property
     def number(self) -> int: ...
@@ -64,23 +64,23 @@ class Word(Protocol):
 
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
-    """Complete rows of pixels; arrays are (N, rows, cols), those of `fixed` (rows, cols)."""
+    """All slots of complete rows. Arrays are (N, rows, cols); fixed patterns are (rows, cols)."""
 
     scene: Scene
 
     @abstractmethod
     def electrons(self, light: Light) -> Values:
-        """Return the light of every slot."""
+        """Return the light of every slot in electrons."""
 
     @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
-        """Return counts of Poisson processes of these rates; `nscc_runtime.effects.counts` lists
-        sources."""
+        """Return Poisson counts with these rates. `source`: see `nscc_runtime.effects.counts`."""
 
 
 class Pixels(Where, ABC):
-    """Pixels during their words; arrays are (pixels,)."""
+    """Pixels while their words run. Arrays are (pixels,)."""
 
     @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """Return the unit normal error of an effect's `Errors` at a word."""
+        """Return the standard normal error (pixels,) of effect `name` at a destination of a
+        word."""

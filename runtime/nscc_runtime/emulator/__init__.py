@@ -1,4 +1,4 @@
-"""A SCAMP-like chip in software: executes the words of a compiled program and nothing else."""
+"""A SCAMP-like chip in software that executes only the words of a compiled program."""
 
 from __future__ import annotations
 

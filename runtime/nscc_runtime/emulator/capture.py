@@ -1,19 +1,17 @@
 """One frame on the emulated chip, without sensor effects.
 
-Words take no time: all words of boundary n see PIX as it is after the slots before n; then the
-light of slot n falls on PIX of every pixel. After boundary N the readouts follow.
+Words take no time: all words of boundary n see PIX as it is after the slots before n. Then the
+light of slot n is added to PIX of every pixel. After boundary N the readouts follow.
 
-A frame starts with arbitrary values in PIX, FLAG, the analog registers and those digital registers
-that carry no code, and the reset level of PIX is a constant of each pixel that is not zero. They
-are fixed by `device_seed`. The analog ones are 1/4 to 3/4 of all the light that the pixel gets in
-the frame (1 to 2 where it gets none). That is large enough for a program that forgets a reset, or
-reads what it has not written, to be far off, and small enough that subtracting it again costs a
-right program no accuracy, at 1e-30 electrons as at 1e30. PIX and the reset level are positive,
-registers have either sign.
+A frame starts with arbitrary values in PIX, FLAG, the analog registers and the digital registers
+without code. The reset level of PIX is a nonzero constant of each pixel. These values are
+determined by `device_seed`. Analog values are 1/4 to 3/4 of the pixel's light in the frame (1 to 2
+without light). That is large enough to reveal a program that forgets a reset or reads an unwritten
+register. It is small enough that a correct program, which subtracts the value, loses no accuracy,
+for any amount of light. PIX and the reset level are positive, registers have either sign.
 
-Not emulated, because no program of this project uses it: addresses (SELECT reads 0) and the
-global DAC (IN reads 0).
-"""
+Not emulated, because no program of this project uses it: addresses (SELECT reads 0) and the global
+DAC (IN reads 0)."""
 
 from __future__ import annotations
 
@@ -37,8 +35,7 @@ if TYPE_CHECKING:
     from nscc_runtime.light import Light
 
 BLOCK = 8192
-"""Pixels exposed together, a multiple of 64: their registers stay in the cache, their light comes
-in long strips."""
+"""Number of pixels exposed together, a multiple of 64. Their registers stay in the cache."""
 
 
 def expose(
@@ -48,14 +45,12 @@ def expose(
     device_seed: int = 0,
     threads: int | None = None,
 ) -> Exposure:
-    """Run `container`'s words over `light`, slot by slot, in float64; or what it is sent.
+    """Run the words of `container` over `light`, slot by slot, in float64; for a chip without
+    words, sort the light into taps.
 
-    `threads` (by default as many as there are processors) blocks of pixels run together; their
-    number changes no bit. Raises
-    `Rejected` for a program without pixel codes (NS0741), for light of another size (NS0734), and
-    for words that the target cannot run (`nscc.words.legality`); ValueError for a container or
-    light whose parts contradict each other.
-    """
+    Results do not depend on `threads` (None: all processors). Raises Rejected for a program without
+    pixel codes (NS0741), for light of another size (NS0734), and for words that the target cannot
+    run (`nscc.words.legality`). Raises ValueError for an inconsistent container or light."""
     check(container, light)
     if container.target.streamed:
         return sorted_light(container, light)
@@ -140,7 +135,7 @@ _faults = OfContainer(faults)
 
 
 def _check_matrix(light: Light) -> None:
-    """Refuse a matrix that contradicts itself: the loop does no checks of its own."""
+    """Raise ValueError for an inconsistent matrix of a light: the loop does not check it."""
     starts, index = light.row_start, light.frame_index
     if starts[0] != 0 or np.any(np.diff(starts) < 0):
         raise ValueError("the rows of the light's matrix are out of order")
@@ -149,13 +144,13 @@ def _check_matrix(light: Light) -> None:
 
 
 def check(container: Container, light: Light) -> None:
-    """Refuse what cannot run before anything runs: the compiled loops check nothing."""
+    """Raise like `check_program` and `check_size` for a program or light that cannot run."""
     check_program(container)
     check_size(container, light)
 
 
 def check_program(container: Container) -> None:
-    """Refuse a program without pixel codes (NS0741), and a container that contradicts itself."""
+    """Raise NS0741 for a program without pixel codes, ValueError for an inconsistent container."""
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -169,7 +164,7 @@ def check_program(container: Container) -> None:
 
 
 def check_size(container: Container, light: Light) -> None:
-    """Refuse light of another array or of other slots (NS0734)."""
+    """Raise Rejected (NS0734) for light with another number of pixels or slots than the program."""
     shape = light.shape if container.pixel_codes is None else container.pixel_codes.shape
     if light.shape != shape or light.slots != container.slots:
         light_size, array_size = (
@@ -185,7 +180,7 @@ def check_size(container: Container, light: Light) -> None:
 
 
 def _packed(planes: Iterable[NDArray[np.bool_]], pixels: int) -> NDArray[np.uint64]:
-    """Planes as 64-bit words, pixel i in bit i % 64 of word i // 64, filled up with 0."""
+    """Return planes as 64-bit words: pixel i is bit i % 64 of word i // 64; padding is 0."""
     packed = [np.packbits(plane.reshape(-1), bitorder="little") for plane in planes]
     words = np.zeros((len(packed), (pixels + 63) // 64 * 8), np.uint8)
     for row, data in zip(words, packed, strict=True):

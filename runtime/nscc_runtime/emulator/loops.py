@@ -1,14 +1,14 @@
-"""The loop of the emulator, to be compiled: a block of pixels through a whole frame, step by step.
+"""The compiled loop of the emulator: a block of pixels through a whole frame, step by step.
 
-A block is a run of consecutive pixels that starts at a multiple of 64. Its planes are 64-bit words,
-pixel i in bit i % 64 of word i // 64; its rows are float64. Plane p starts at p * words in
-`planes`, row r at r * 64 * words in `rows`. Every pixel's result depends on that pixel alone, so
-the size of a block changes no bit.
+A block is a range of consecutive pixels that starts at a multiple of 64. Its planes are 64-bit
+words: pixel i is bit i % 64 of word i // 64. Its rows are float64. Plane p starts at p * words in
+`planes`, row r at r * 64 * words in `rows`. A pixel's result depends only on that pixel, so results
+do not depend on the block size.
 
-Where FLAG is mixed, a row's value that stays is written back as `old + 0.0`, which changes at most
-the sign of a zero. A choice of two computed values becomes a blend and a plain store; of the loaded
-value itself LLVM makes a masked store, which takes twice as long (AMD Zen 3, measured).
-"""
+Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which changes
+at most the sign of a zero. Choosing between two computed values becomes a blend and a plain store.
+Choosing the loaded value itself would become a masked store, which takes twice as long (measured on
+AMD Zen 3)."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
 
 @compiled
 def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
-    """64 random-looking bits of (seed, stream, counter): two rounds of splitmix64's finaliser."""
+    """Return a 64-bit hash of (seed, stream, counter): two rounds of splitmix64's finaliser."""
     z = seed + np.uint64(stream + 1) * np.uint64(0x9E37_79B9_7F4A_7C15)
     for step in range(2):
         z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58_476D_1CE4_E5B9)
@@ -57,7 +57,7 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
 
 @compiled
 def _any_all(planes: Words, flag: int, words: int) -> int:
-    """Whether no, some or every pixel of the plane that starts at `flag` is 1."""
+    """Return `_NONE`, `_SOME` or `_ALL`: how many pixels of the plane at `flag` are 1."""
     any_bits, all_bits = _ZERO, _FULL
     for i in range(words):
         any_bits |= planes[flag + i]
@@ -71,7 +71,7 @@ def _any_all(planes: Words, flag: int, words: int) -> int:
 def _combine(
     planes: Words, words: int, out: int, operands: Ints, first: int, count: int, flip: np.uint64
 ) -> None:
-    """Plane at `out` := OR of `count` planes operands[first..], each bit XOR that of `flip`."""
+    """Set the plane at `out` to the OR of `count` planes operands[first..], XOR `flip`."""
     if count == 0:
         for i in range(words):
             planes[out + i] = flip
@@ -101,7 +101,7 @@ def _combine(
 def _bus2(
     rows: Floats, out: int, a: int, b: int, planes: Words, flag: int, words: int, state: int
 ) -> None:
-    """Row at `out` := -(a + b) where FLAG = 1; `out` is neither a nor b."""
+    """Set the row at `out` to -(a + b) where FLAG = 1; `out` is neither a nor b."""
     if state == _ALL:
         for i in range(64 * words):
             rows[out + i] = -(rows[a + i] + rows[b + i])
@@ -120,7 +120,7 @@ def _bus2(
 def _bus4(
     rows: Floats, out: int, a: int, b: int, c: int, d: int, planes: Words, flag: int, words: int
 ) -> None:
-    """Row at `out` := -(a + b + c + d) where FLAG = 1; `out` is none of the others."""
+    """Set the row at `out` to -(a + b + c + d) where FLAG = 1; `out` is none of the sources."""
     for g in range(words):
         word = planes[flag + g]
         if word == _ZERO:
@@ -143,7 +143,7 @@ def _bus(
     flag: int,
     words: int,
 ) -> None:
-    """Row at `out` := -(sum of `count` rows operands[first..]), all others, where FLAG = 1."""
+    """Set row `out` to -(sum of `count` other rows operands[first..]) where FLAG = 1."""
     for g in range(words):
         word = planes[flag + g]
         if word == _ZERO:
@@ -160,7 +160,7 @@ def _bus(
 def _divide(
     rows: Floats, out: int, a: int, divisor: float, planes: Words, flag: int, words: int
 ) -> None:
-    """Row at `out` := a / divisor where FLAG = 1; `out` is not a."""
+    """Set the row at `out` to a / divisor where FLAG = 1; `out` is not a."""
     for g in range(words):
         word = planes[flag + g]
         if word == _ZERO:
@@ -182,7 +182,8 @@ def _compare(
     words: int,
     within: int,
 ) -> None:
-    """FLAG := the sum of `count` rows operands[first..] > 0, and its old value if `within`."""
+    """Set FLAG to whether the sum of `count` rows operands[first..] is above 0; with `within`, FLAG
+    stays 0 where it was 0."""
     for g in range(words):
         word = _ZERO
         for j in range(64):
@@ -206,7 +207,7 @@ def _run_steps(
     flag_plane: int,
     state: int,
 ) -> int:
-    """One kernel; `state` says whether FLAG is 1 nowhere, somewhere or everywhere."""
+    """Run a kernel and return the new `state` of FLAG: `_NONE`, `_SOME` or `_ALL` pixels are 1."""
     flag, pixels = flag_plane * words, 64 * words
     for s in range(first, stop):
         at = s * COLUMNS
@@ -251,17 +252,16 @@ def _start(
     seed: np.uint64,
     first: int,
 ) -> None:
-    """Arbitrary values, as `nscc_runtime.emulator.capture` describes them.
+    """Set arbitrary initial values, as `nscc_runtime.emulator.capture` describes them.
 
-    The row at `scale` holds the light of the whole frame, 0 beyond the array. The reset level is
-    the row after PIX; the row after that is overwritten.
-    """
+    The row at `scale` contains the light of the whole frame, 0 outside the array. The reset level
+    is the row after PIX; the row after that is overwritten."""
     for p in range(flag_plane + 1):
         for g in range(words):
             planes[p * words + g] = _hash(seed, p, first // 64 + g)
     for i in range((flag_plane + 1) * words, (flag_plane + 3) * words):
         planes[i] = _ZERO
-    # One random number u a pixel; the fraction of K u is as good as another for each large K.
+    # One random number u per pixel; the fractional part of K u serves as another for each large K.
     pixels = 64 * words
     place = (pix + 2) * pixels
     for i in range(pixels):
@@ -281,7 +281,7 @@ def _start(
 
 @compiled
 def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int) -> bool:
-    """Whether a slot has the light of the slot before it."""
+    """Return whether a slot has the light of the slot before it."""
     if slot == 0:
         return False
     before, start, stop = row_start[slot - 1], row_start[slot], row_start[slot + 1]
@@ -297,11 +297,8 @@ def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int)
 
 @record
 class PixelBlock:
-    """A block of pixels, and how much there is of everything.
-
-    `pixels` are those of the array, `first` (a multiple of 64) and `length` say which of them are
-    exposed; `flag_plane` is FLAG's plane, `pix_row` PIX's row.
-    """
+    """A block of pixels, and sizes. `pixels`: number of pixels of the array. `first` (a multiple of
+    64), `length`: the pixels that are exposed. `flag_plane`: FLAG's plane. `pix_row`: PIX's row."""
 
     slots: int
     pixels: int
@@ -337,14 +334,13 @@ def expose_block(
     charge: Written[Floats32],
     exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
-    """Expose some pixels and write them into `exposure`.
+    """Expose a block of pixels and write the results into `exposure`.
 
-    `row_start`, `frame_index` and `weight` are the matrix of `nscc_runtime.light.Light`;
-    `frame_weight` is the weight of each frame in the whole frame's light. `code_planes` start the
-    planes `code_rows`. `planes`, `rows` and `charge` (block) are working memory: planes up to two
-    after FLAG's, rows up to four after PIX's (see `nscc_runtime.emulator.steps.Layout`), the last
-    of them used here.
-    """
+    `row_start`, `frame_index` and `weight` are the matrix of `nscc_runtime.light.Light`.
+    `frame_weight`: the weight of each frame in the light of the whole exposure. `code_planes`:
+    initial values of the planes numbered `code_rows`. `planes`, `rows` and `charge` (block) are
+    working memory, with two planes after FLAG's and four rows after PIX's
+    (`nscc_runtime.emulator.steps.Layout`)."""
     slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
     seed, flag_plane, pix_row = block.seed, block.flag_plane, block.pix_row
     words = (length + 63) // 64

@@ -1,11 +1,10 @@
-"""Words as the emulator's own steps: every kernel decoded once, into rows of integers.
+"""Translate words into the emulator's steps: every kernel is decoded once, into rows of integers.
 
-A word is one to a few steps, each of which writes one place: a plane (a one-bit register of
-all pixels) or a row (an analog register of all pixels). A word's sources are read before any of
-its destinations is written, so a word with several destinations passes through the bus plane or
-the sum row. What a word does comes from `nscc.operations`; this file only says how
-`nscc_runtime.emulator.loops` shall go about it.
-"""
+A word is one to a few steps, each of which writes one place: a plane (a one-bit register of all
+pixels) or a row (an analog register of all pixels). A word's sources are read before any
+destination is written, so a word with several destinations uses the bus plane or the sum row.
+`nscc.operations` defines the words; this file only chooses the steps that
+`nscc_runtime.emulator.loops` executes."""
 
 from __future__ import annotations
 
@@ -25,7 +24,8 @@ if TYPE_CHECKING:
 
 
 class Step(IntEnum):
-    """The first column of a step; `out` is the second, the rest are named here in order."""
+    """The code of a step, its first column. The second column is the written place `out`; the
+    members name the other columns in order."""
 
     COMBINE = 0
     """(first, count, inverted): plane := OR of the planes operands[first : first + count]."""
@@ -42,10 +42,9 @@ class Step(IntEnum):
     COMPARE = 6
     """(first, count): FLAG := the sum of the rows operands[first : first + count] > 0."""
     COMPARE_MASKED = 7
-    """(first, count): the same, and FLAG stays 0 where it was 0."""
+    """(first, count): like COMPARE, but FLAG stays 0 where it was 0."""
     BUS = 8
-    """(first, count): row := -(the sum of the rows operands[first : first + count]) where FLAG = 1.
-    """
+    """(first, count): row := -(sum of the rows operands[first : first + count]) where FLAG = 1."""
 
 
 COLUMNS = 6
@@ -53,20 +52,18 @@ COLUMNS = 6
 
 @dataclass(frozen=True)
 class Layout:
-    """Which plane and which row holds what.
+    """The numbers of planes and rows, by name.
 
     Planes: the target's digital registers, then FLAG, the bus of half-word pairs, and a plane of
-    zeros (SELECT: no address is ever matched). Rows: the analog registers, then PIX, the reset
-    level, the sum of a word with several destinations, a row of zeros (IN: the global DAC is at 0),
-    and one for the light that is being laid on PIX.
-    """
+    zeros (SELECT: no address ever matches). Rows: the analog registers, then PIX, the reset level,
+    the sum of a word with several destinations, a row of zeros (IN: the global DAC is at 0), and
+    the light that is being added to PIX."""
 
     planes: dict[str, int]
     rows: dict[str, int]
 
     @classmethod
     def of(cls, target: Target) -> Layout:
-        """The layout for a target."""
         planes = (*target.digital_registers, "FLAG", "bus", "SELECT")
         rows = (*target.analog_registers, "PIX", "reset", "sum", "IN", "light")
         return cls(
@@ -78,9 +75,8 @@ class Layout:
 class Steps:
     """A container's kernels and schedule for the compiled loops.
 
-    `steps` int64 (steps, COLUMNS); kernel k is steps[kernel_start[k] : kernel_start[k + 1]].
-    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order.
-    """
+    `steps` int64 (steps, COLUMNS): kernel k is steps[kernel_start[k] : kernel_start[k + 1]].
+    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order."""
 
     steps: NDArray[np.int64]
     operands: NDArray[np.int64]
@@ -90,11 +86,8 @@ class Steps:
 
 
 def steps_of(container: Container, layout: Layout) -> Steps:
-    """Decode every kernel and sort the launches by boundary.
-
-    Raises `Rejected` as `nscc.words.legality.decoded` does. The schedule must be sound
-    (`nscc.words.soundness`).
-    """
+    """Decode every kernel and sort the launches by boundary. Raises Rejected like
+    `nscc.words.legality.decoded`. The schedule must be sound (`nscc.words.soundness`)."""
     translator = _Translator(container.target, layout)
     rows: list[tuple[int, ...]] = []
     kernel_start = [0]
@@ -102,7 +95,7 @@ def steps_of(container: Container, layout: Layout) -> Steps:
         first = len(rows)
         for op in kernel:
             for step in translator.steps(op):
-                # No step reads what it writes: the same one twice running does no more than once.
+                # No step reads its own result, so repeating a step changes nothing.
                 if len(rows) == first or rows[-1] != step:
                     rows.append(step)
         kernel_start.append(len(rows))
@@ -121,7 +114,7 @@ def steps_of(container: Container, layout: Layout) -> Steps:
 
 
 class _Translator:
-    """Turns operations into steps, each distinct one once; collects operands."""
+    """Translates operations into steps, each distinct operation once, and collects operands."""
 
     def __init__(self, target: Target, layout: Layout) -> None:
         self.target = target
@@ -130,7 +123,7 @@ class _Translator:
         self.known: dict[Op, tuple[tuple[int, ...], ...]] = {}
 
     def steps(self, op: Op) -> tuple[tuple[int, ...], ...]:
-        """The steps of one word, padded to COLUMNS."""
+        """Return the steps of one word, padded to COLUMNS."""
         known_steps = self.known.get(op)
         if known_steps is None:
             translated = (tuple(int(value) for value in step) for step in self._translate(op))
@@ -164,7 +157,7 @@ class _Translator:
                 return self._digital(op, op.destinations)
 
     def _listed(self, sources: tuple[str, ...], places: dict[str, int]) -> tuple[int, int]:
-        """Where the places of sources stand among the operands, and how many they are."""
+        """Append the places of sources to the operands. Return their first index and number."""
         first = len(self.operands)
         self.operands.extend(places[name] for name in sources)
         return first, len(sources)
@@ -174,7 +167,7 @@ class _Translator:
         divisor = op.operation.divisor
         direct = divisor == 1 and len(op.destinations) == 1
         out = rows[op.destinations[0] if direct else "sum"]
-        # Up to four sources, filled up with the row of zeros.
+        # Up to four sources, padded with the row of zeros.
         four, count = [rows[name] for name in (*op.sources, *("IN",) * 4)[:4]], len(op.sources)
         steps: list[tuple[int, ...]] = [
             (Step.BUS2, out, *four[:2])
@@ -198,7 +191,7 @@ class _Translator:
             steps.append(self._combine("bus", op.sources, inverted=row.inverted))
         if row.phase is not Phase.READ:
             planes = self.layout.planes
-            # The masked register first: it looks at the mask as it was before this word.
+            # The masked register first, because it uses the mask from before this word.
             for name in sorted(destinations, key=lambda name: name != masked):
                 if name == masked and mask is not None:
                     steps.append((Step.STORE, planes[name], planes["bus"], planes[mask]))

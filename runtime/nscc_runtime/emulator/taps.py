@@ -1,4 +1,5 @@
-"""One frame of a chip without logic, without sensor effects: light goes where its bits send it."""
+"""One frame of a chip without logic, without sensor effects: bits select the tap that collects
+light."""
 
 from __future__ import annotations
 
@@ -10,10 +11,10 @@ from nscc_runtime.light import Light
 
 
 def sorted_light(container: Container, light: Light) -> Exposure:
-    """In each bucket the sum of the light that its tap is sent, times the tap's gain, in float64.
+    """Return the exposure: for each bucket the light that its tap collects, times the tap's gain,
+    in float64.
 
-    ValueError for a container without planes; what else can be wrong is checked before.
-    """
+    Raises ValueError for a container without planes. Other errors must be checked before."""
     sent = container.stream
     if sent is None:
         raise ValueError("a container without planes")

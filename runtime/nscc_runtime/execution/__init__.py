@@ -1,5 +1,4 @@
-"""Execution of programs with fixed shutters: a frame under a given set of effects, by weighted sums
-over slots, by the words of single pixels, or by the reference.
+"""Expose frames of programs with fixed shutters under a given set of effects.
 
-Nothing here decides which effects are simulated: `nscc_runtime.planning` does, and imports this.
-"""
+A frame is computed by weighted sums over slots, by the words of single pixels, or by the reference.
+`nscc_runtime.planning` decides which effects are simulated and imports this package."""

@@ -1,8 +1,7 @@
 """Counts and converter codes of a block of pixels, for the loops over the pixels of a frame.
 
-Random numbers are keyed by the places of pixels on the chip. `scratch`, `pending_rates` and
-`pending_pixels` are working memory of the loops.
-"""
+Random numbers are keyed by place, the index of a pixel on the chip. `scratch`, `pending_rates` and
+`pending_pixels` are working memory of the loops."""
 
 from __future__ import annotations
 
@@ -19,27 +18,27 @@ BLOCK = 1024
 """Number of pixels of a block."""
 
 ROOM = 5 * BLOCK
-"""Size of `scratch` for counts."""
+"""Length of the array `scratch` for drawing counts."""
 
 MOST_COUNTED = 80
 _NOTHING = 1e-17
 
 FORMULA_FROM = 2.0
-"""The formula is used from this rate on; below, its value is too often near a whole number."""
+"""Smallest rate for the formula. Below, the formula's value is too often near a whole number."""
 MARGIN = 0.02
-"""A formula's value that is nearer to a whole number than this times (1 + |z|**5) / rate**1.5 does
-not decide: its error, 0.016 of the same from FORMULA_FROM to SEARCH_BELOW, could have moved it
-across."""
+"""The formula's value is not used if it is nearer to a whole number than MARGIN (1 + |z|**5) /
+rate**1.5. Its error is at most 0.016 (1 + |z|**5) / rate**1.5 between FORMULA_FROM and
+SEARCH_BELOW."""
 _UNSURE = -1.0
 _FEW = 8
-"""The formula is used if more than one pixel in this number needs it."""
+"""The formula is used if more than one pixel in this number has a rate for the formula."""
 
 FIRST_LANE = np.uint64(0)
 
 
 @inlined
 def _exp_minus(x: float) -> float:
-    """exp(-x) for x in [0, 16], to 2e-16: without branches, so that LLVM makes vectors."""
+    """Return exp(-x) for x in [0, 16], to 2e-16, without branches, so that LLVM vectorises it."""
     n = np.floor(0.5 - x * 1.4426950408889634)
     r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
     p = 1.0 / 6227020800.0
@@ -66,9 +65,12 @@ def _searched(
     count: int, pending_rates: Floats, places: Ints, remainder_at: int, mass_at: int, count_at: int,
     scratch: Floats, out: int,
 ) -> None:  # fmt: skip
-    """scratch[out + places[j]] := `nscc_runtime.noise.poisson_law.search` for the rate
-    pending_rates[j], at most SEARCH_BELOW; `scratch` holds uniform numbers from `remainder_at` on.
-    Step by step for all at once; those that have their count leave now and then."""
+    """Find the counts of `count` pixels with rates of at most SEARCH_BELOW, as `poisson_law.search`
+    does.
+
+    scratch[out + places[j]] is set to the count for the rate pending_rates[j] and the uniform
+    number scratch[remainder_at + j]. All pixels advance together; finished pixels are removed in
+    between."""
     for j in range(count):
         start = _exp_minus(pending_rates[j])
         scratch[mass_at + j] = start
@@ -101,10 +103,11 @@ def _searched(
 
 @compiled
 def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
-    """scratch[out + i] := the smallest count whose distribution function reaches the probability of
-    scratch[i], a normal number, at the rate rates[i], or at SEARCH_BELOW if that is less; _UNSURE
-    where the formula cannot say. 0 where the rate is so great that nobody asks.
-    """
+    """Find the counts of `count` pixels by the formula, where its value is certain.
+
+    scratch[out + i] is set to the Poisson quantile at the normal number scratch[i] and the rate
+    rates[i], or SEARCH_BELOW if that is less. It is _UNSURE where the formula is uncertain, and 0
+    for rates of at least SETTLED_ABOVE, whose counts `_raised` computes."""
     for i in range(count):
         rate, z = rates[i], scratch[i]
         known = rate if rate > FORMULA_FROM else FORMULA_FROM
@@ -119,12 +122,10 @@ def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 @compiled
 def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
-    """scratch[out + i] := the formula's count at the normal number scratch[i] and the rate rates[i]
-    if that is more and the rate is not below SEARCH_BELOW.
+    """Raise scratch[out + i] to the formula's count for rates of at least SEARCH_BELOW.
 
-    Up to SETTLED_ABOVE, what is there is the count at SEARCH_BELOW: the formula's error must not
-    let a greater rate give a smaller count.
-    """
+    Up to SETTLED_ABOVE, scratch[out + i] contains the count at SEARCH_BELOW: the formula's error
+    must not give a larger rate a smaller count."""
     for i in range(count):
         rate = rates[i]
         x = np.floor(quantile(scratch[i], rate if rate > SEARCH_BELOW else SEARCH_BELOW))
@@ -135,8 +136,8 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 @inlined
 def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
-    """out[i] := the normal number at places[first + i]: step by step, as a loop that does both at
-    once runs out of registers."""
+    """Set out[i] to the standard normal number of key `stream` at places[first + i]. The two steps
+    are separate loops, because a single loop runs out of processor registers."""
     for i in range(count):
         out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
     for i in range(count):
@@ -148,9 +149,10 @@ def counted(
     stream: np.uint64, top: float, places: Ints, first: int, stop: int, values: Floats,
     scratch: Floats, pending_rates: Floats, pending_pixels: Ints,
 ) -> None:  # fmt: skip
-    """values[i] := a count of the rate values[i] at places[first + i], as
-    `nscc_runtime.noise.poisson_law.poisson_fast` finds it from the same uniform number.
-    """
+    """Replace the rates values[i] by Poisson counts drawn at places[first + i].
+
+    The counts equal those of `nscc_runtime.noise.poisson_law.poisson_fast` for the same uniform
+    numbers. Rates are clipped to `top`."""
     count, low, middle, high = stop - first, 0, 0, 0
     for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0
@@ -176,7 +178,7 @@ def counted(
         _decided(count, values, scratch, counts)
     else:
         for i in range(count):
-            # exp(-rate) is not below 1 - rate, so where u is not above that the count is 0.
+            # exp(-rate) is at least 1 - rate, so the count is 0 if u is at most 1 - rate.
             is_unsure = values[i] < SETTLED_ABOVE and scratch[uniforms + i] > 1.0 - values[i]
             scratch[counts + i] = _UNSURE if is_unsure else 0.0
     unsure = 0
@@ -198,7 +200,6 @@ def counted(
 
 @inlined
 def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> float:
-    """Return the converter's code of an exposure."""
     code = np.rint(value / lsb + noise) + offset
     code = code if code > 0.0 else 0.0
     return float(np.rint(code if code < top else top))
@@ -210,8 +211,8 @@ def read_out(
     places: Ints, first: int, count: int, values: Floats, at: int, scratch: Floats, codes: Bytes,
     out: int,
 ) -> None:  # fmt: skip
-    """codes[out + i] := the code of values[at + i], the exposure of the pixel at places[first + i];
-    0 where that is no number."""
+    """Set codes[out + i] to the converter code of the exposure values[at + i]; 0 for NaN. The noise
+    of the converter is drawn at places[first + i]."""
     if noisy:
         drawn_normals(stream, places, first, count, scratch)
         for i in range(count):

@@ -1,8 +1,8 @@
-"""The charge of a pixel in a run of slots: rates, halved counts, exchange with neighbours.
+"""The charge of a pixel in a range of slots: rates, halved counts, exchange with neighbours.
 
-Part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`). A site is a pixel or a
-neighbour of one. Its rate in a run of slots is its scale times a difference of cumulative sums.
-"""
+This is part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`). A site is a pixel
+or one of its neighbours. Its rate in a range of slots is its scale times a difference of cumulative
+sums."""
 
 from __future__ import annotations
 
@@ -18,17 +18,19 @@ from nscc_runtime.noise.noise_loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
 
 SITES = 5
-"""A pixel and its four neighbours."""
+"""Number of sites of a pixel: itself and its four neighbours."""
 LIT, DARK = range(2)
 """Sources of charge."""
 SURE = 9.0
-"""Number of standard deviations below the mean that a count never falls short of."""
+"""A count is assumed to be at least its mean minus this number of standard deviations."""
 
 
 class Sites(NamedTuple):
-    """The light of sites. `number`: the row of each place in `rows` and `scales` (sites, 2), for
-    light and dark charge. `rows`: the start of their cumulative sums in `sums`, slots + 1 numbers
-    for each group. `scales`: the factors on these."""
+    """The light of sites, pixels and their neighbours.
+
+    `number`: the row of each place in `rows` and `scales`. `rows`: where the cumulative sums of the
+    site's light and dark charge start in `sums`. `scales`: the factors on these sums. `sums`: slots
+    + 1 cumulative sums for each group of slots."""
 
     number: Written[Annotated[Ints32, "rows cols"]]
     rows: Written[Annotated[Ints, "sites 2"]]
@@ -37,16 +39,16 @@ class Sites(NamedTuple):
 
 
 class Away(NamedTuple):
-    """Known counts: their deviations `from_mean` (counted groups, pixels), and in `row` the row of
-    each group there, or -1."""
+    """Known counts. `from_mean`: their deviations from the mean (counted groups, pixels). `row`:
+    the row of each group in `from_mean`, or -1."""
 
     row: Annotated[Ints, "groups"]
     from_mean: Floats
 
 
 class CountScratch(NamedTuple):
-    """Scratch: the keys of a frame's counts, the drawn counts, the pixel of each count (-1 at
-    first), and the places of a pixel and its neighbours."""
+    """Working memory: `streams`, random keys of a frame's counts; `heap`, drawn counts; `stamps`,
+    the pixel of each count (-1 at first); `places`, a pixel and its neighbours."""
 
     streams: Written[Words]
     heap: Written[Floats]
@@ -56,13 +58,13 @@ class CountScratch(NamedTuple):
 
 @compiled
 def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
-    """Return `nscc_runtime.noise.key` from its first half, `base`."""
+    """Return the random key of a group of slots in a frame, from its first half `base`."""
     return bits(base, frame, group)
 
 
 @compiled
 def _rate_between(sums: Floats, row: int, first: int, stop: int) -> float:
-    """Return the rate of a group in the slots `first` .. `stop` - 1 from cumulative sums."""
+    """Return the rate of a group in the slots `first` to `stop` - 1 from cumulative sums."""
     rate: float = sums[row + stop] - sums[row + first]
     return rate
 
@@ -72,7 +74,7 @@ def _split_node(
     sizes: Sizes, counts: CountScratch, top: int, parent: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
-    """Split the count of a node between its two halves of slots."""
+    """Split the count of a tree node between the two halves of its slots."""
     heap, stamps, slots, padded_slots = counts.heap, counts.stamps, sizes.slots, sizes.padded_slots
     size, above = padded_slots, parent
     while above > 1:
@@ -99,8 +101,8 @@ def _count_between(
     sizes: Sizes, counts: CountScratch, top: int, first: int, stop: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
-    """Return the count of a group in the slots `first` .. `stop` - 1. `heap` holds from `top` on
-    the counts of nodes that were split for this pixel."""
+    """Return the count of a group in the slots `first` to `stop` - 1. The heap from index `top` on
+    contains the counts of tree nodes that were already split for this pixel."""
     total = 0.0
     low, high = first + sizes.padded_slots, stop + sizes.padded_slots
     while low < high:
@@ -130,9 +132,9 @@ def _charge_of_source(
     sizes: Sizes, numbers: Numbers, source: int, place: int, begin: int, stop: int,
     sites: Sites, counts: CountScratch, heap_number: int,
 ) -> float:  # fmt: skip
-    """Return the charge of one source (`LIT`, `DARK`) in the slots `begin` .. `stop` - 1 at a site.
+    """Return the charge of one source (`LIT`, `DARK`) in the slots `begin` to `stop` - 1 at a site.
 
-    Counts are stored in heaps from `heap_number` on; each is drawn when it is first needed.
+    Counts are stored in heaps from `heap_number` on. Each count is drawn when it is first needed.
     """
     total, sums, heap, stamps = 0.0, sites.sums, counts.heap, counts.stamps
     slots, count = sizes.slots, sizes.groups
@@ -164,7 +166,7 @@ def _charge_of_source(
 
 @compiled
 def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> None:
-    """Set the keys of a frame's counts, and of their splits, for each source and group."""
+    """Set `streams` to the random keys of counts and of their splits, by source and group."""
     count = sizes.groups
     for group in range(count):
         name = group_ids[group]
@@ -176,7 +178,7 @@ def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> No
 
 @compiled
 def _heaps_at(sizes: Sizes, place: int) -> int:
-    """Return the heap of a site; neighbouring sites have different heaps."""
+    """Return the number of a site's heap; neighbouring sites have different heaps."""
     if not sizes.exchanges or sizes.counts_known:
         return 0
     row, col = place // sizes.cols, place % sizes.cols
@@ -189,7 +191,7 @@ def _charge_of_site(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     counts: CountScratch,
 ) -> float:  # fmt: skip
-    """Return the charge of a site in the slots `begin` .. `stop` - 1."""
+    """Return the charge of a site in the slots `begin` to `stop` - 1."""
     heap_number = 2 * _heaps_at(sizes, place)
     total = _charge_of_source(sizes, numbers, LIT, place, begin, stop, sites, counts, heap_number)
     if sizes.counts_dark:
@@ -204,8 +206,8 @@ def _charge_spread_evenly(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     away: Away,
 ) -> float:  # fmt: skip
-    """Return the charge of a site in the slots `begin` .. `stop` - 1, with the known deviations of
-    counts in `away` split in proportion to the light of these slots."""
+    """Return the charge of a site in the slots `begin` to `stop` - 1, from known counts. The
+    deviations in `away` are split between slots in proportion to their light."""
     slots, site, sums = sizes.slots, 2 * sites.number[place], sites.sums
     lit, dark, scale = sites.rows[site + LIT], sites.rows[site + DARK], sites.scales[site + LIT]
     pixels, total = sizes.rows * sizes.cols, 0.0
@@ -231,7 +233,8 @@ def charge(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
     counts: CountScratch,
 ) -> float:  # fmt: skip
-    """Return the charge of the pixel in the slots `begin` .. `stop` - 1, after crosstalk."""
+    """Return the charge of pixel counts.places[0] in slots `begin` to `stop` - 1, with
+    crosstalk."""
     if begin >= stop:
         return 0.0
     own_e = _charge_of_site(sizes, numbers, counts.places[0], begin, stop, sites, counts)
@@ -255,7 +258,7 @@ def charge_evenly(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
     counts: CountScratch,
 ) -> float:  # fmt: skip
-    """Like `charge`, but also split the pixel's own counts in proportion to light."""
+    """Return the charge like `charge`, but split the pixel's own counts in proportion to light."""
     own_e = _charge_spread_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)
     flow = 0.0
     for beside in range(1, SITES if sizes.exchanges else 1):
@@ -270,8 +273,8 @@ def charge_evenly(
 def least_charge(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites
 ) -> float:
-    """Return a lower bound of the charge of a pixel in the slots `begin` .. `stop` - 1. It is
-    violated with a probability below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound)."""
+    """Return a lower bound of the charge of a pixel in the slots `begin` to `stop` - 1. The
+    probability of a smaller charge is below exp(-SURE**2 / 2), about 1e-17 (Chernoff bound)."""
     site, mean = 2 * sites.number[place] + LIT, 0.0
     row = sites.rows[site]
     for _ in range(sizes.groups):

@@ -1,4 +1,4 @@
-"""Quantities of a chip under a set of effects that do not depend on the scene."""
+"""Properties of a chip under a set of effects that do not depend on the scene."""
 
 from __future__ import annotations
 
@@ -36,17 +36,16 @@ T = TypeVar("T")
 Values = NDArray[np.float64]
 
 _LEAK_SIGMAS = 4.0
-"""The two leakage rates cover all but one pixel in ten thousand."""
+"""Leakage rates within this number of standard deviations lie between the two nodes; one pixel in
+ten thousand is outside."""
 
 
 @dataclass(frozen=True, eq=False)
 class SimulatedChip:
-    """A program on some pixels of one chip under the effects in `kept_effects`.
-
-    Noise and patterns of words are weighted as under `requested_effects`, which also contain the
-    effects dropped by the planner, so that dropping one changes them least. Arrays are computed on
-    demand and must not be written to.
-    """
+    """A program on the pixels `array` of one chip under the effects in `kept_effects`.
+    `requested_effects` also contains the effects that the planner dropped: noise and patterns of
+    words are weighted as under these effects, so that dropping an effect changes them least. Arrays
+    are computed on demand and must not be modified."""
 
     program: AnalysedProgram
     array: PixelArray
@@ -61,13 +60,13 @@ class SimulatedChip:
 
     @property
     def factor(self) -> float:
-        """Factor on the light of every pixel due to lag; the previous frame has the same light."""
+        """Factor on all light due to lag, if the previous frame has the same light."""
         echo = self.kept_effects.find_part(Echo)
         return 1.0 + (0.0 if echo is None else echo.fraction(self.program.sensor))
 
     @cached_property
     def scale(self) -> Values:
-        """The factor on the light of each pixel before it is counted."""
+        """Factor (pixels,) on the light of each pixel before photons are counted."""
         response = self.kept_effects.find_part(Response)
         if response is not None:
             return self.factor * self.device.fixed(response.factor)
@@ -80,13 +79,13 @@ class SimulatedChip:
 
     @cached_property
     def exchanged(self) -> float:
-        """The part of a pixel's charge that goes to each of its neighbours."""
+        """Fraction of a pixel's charge that moves to each neighbour; 0 without crosstalk."""
         exchange = self.kept_effects.find_part(Exchange)
         return 0.0 if exchange is None else exchange.fraction(self.program.sensor)
 
     @cached_property
     def current(self) -> Values:
-        """Dark current of each pixel; 0 without that effect."""
+        """Dark current of each pixel in electrons per second; 0 if the effect is not simulated."""
         dark_part = self.kept_effects.find_part(CountedDark)
         if dark_part is None:
             return np.zeros(self.array.lanes.size)
@@ -94,12 +93,12 @@ class SimulatedChip:
 
     @cached_property
     def counted(self) -> tuple[int, ...]:
-        """The groups of slots whose charge is counted."""
+        """Numbers of the groups of slots whose charge is drawn as counts; may be empty."""
         return () if self.kept_effects.find_part(Counted) is None else self.program.open_groups
 
     @cached_property
     def dark_rates(self) -> Values:
-        """The dark charge (counted groups, pixels)."""
+        """Mean dark charge (counted groups, pixels) in electrons."""
         seconds = map(self.program.group_seconds, self.counted)
         return np.array(
             [self.current * lane_seconds[self.array.flat_lanes] for lane_seconds in seconds]
@@ -107,11 +106,11 @@ class SimulatedChip:
 
     @cached_property
     def leak_rates(self) -> tuple[float, ...]:
-        """Leakage rates in 1/s at which sums are computed.
+        """Leakage rates in 1/s for which sums are computed: (0,) without leakage.
 
-        With a spread over the pixels these are two Chebyshev nodes, between which sums are linear.
-        The error is the square of the spread of rate times age, a few parts in a million for the
-        default sensor."""
+        If the rate differs between pixels, there are two Chebyshev nodes, and sums are interpolated
+        linearly between them. The error is the square of the spread of rate times age, a few parts
+        in a million for the default sensor."""
         leak, sensor = self.kept_effects.find_part(Leak), self.program.sensor
         if leak is None:
             return (0.0,)
@@ -127,7 +126,7 @@ class SimulatedChip:
 
     @cached_property
     def leak_weights(self) -> Values:
-        """Weights (rates, pixels) that combine these sums to that of each pixel."""
+        """Weights (rates, pixels) that interpolate sums of `leak_rates` at each pixel's rate."""
         leak = self.kept_effects.find_part(Leak)
         if leak is None or len(self.leak_rates) == 1:
             return np.ones((1, 1))
@@ -137,7 +136,7 @@ class SimulatedChip:
 
     @cached_property
     def dark_e(self) -> Values | None:
-        """Mean dark charge in exposures (buckets, pixels), without saturation."""
+        """Mean dark charge (buckets, pixels) without saturation; None without this effect."""
         if self.kept_effects.find_part(CountedDark) is None:
             return None
         exchange = self.kept_effects.find_part(Exchange)
@@ -156,7 +155,7 @@ class SimulatedChip:
 
     @cached_property
     def patterns(self) -> Values:
-        """The fixed errors (buckets, pixels) of the analog words."""
+        """Fixed errors (buckets, pixels) of the analog words in exposures, in electrons."""
         program, full_model = self.program, self.program.model(self.requested_effects)
 
         def make() -> Values:
@@ -174,7 +173,7 @@ class SimulatedChip:
 
     @cached_property
     def own_weights(self) -> NDArray[np.float32]:
-        """The mean weights (counted groups, buckets, pixels) of a pixel's own counts."""
+        """Mean weights (counted groups, buckets, pixels) of a pixel's counts in its exposures."""
         program, model = self.program, self.program.model(self.kept_effects)
 
         def make() -> NDArray[np.float32]:
@@ -187,8 +186,8 @@ class SimulatedChip:
 
     @cached_property
     def beside_weights(self) -> NDArray[np.float32]:
-        """The weights (counted groups, 4, buckets, pixels) of the counts of the neighbours above,
-        below, left and right, where pixels exchange counts."""
+        """Weights (counted groups, 4, buckets, pixels) of neighbours' counts in a pixel's
+        exposures. The neighbours are above, below, left and right."""
         program, model = self.program, self.program.model(self.kept_effects)
         buckets = len(program.container.buckets)
         return self.array.recent.of(
@@ -198,7 +197,7 @@ class SimulatedChip:
 
     @cached_property
     def sources(self) -> list[tuple[int, int]]:
-        """Sources of counts: the stream of the effect, and the source number."""
+        """Sources of counts as pairs: random stream of the effect, source number."""
         lit = [(effect.stream, LIGHT) for effect, _ in self.kept_effects.having(CountedLight)]
         dark = [
             (effect.stream, WITHOUT_LIGHT) for effect, _ in self.kept_effects.having(CountedDark)
@@ -207,8 +206,7 @@ class SimulatedChip:
 
     @cached_property
     def noise(self) -> tuple[list[tuple[int, int]], Values]:
-        """Streams and draw numbers of small errors, and their standard deviations (draws, buckets,
-        lanes)."""
+        """Streams and draw numbers of small errors; their deviations (draws, buckets, lanes)."""
         program, full_model = self.program, self.program.model(self.requested_effects)
 
         def make() -> tuple[list[tuple[int, int]], Values]:
@@ -229,8 +227,9 @@ class SimulatedChip:
 
     @cached_property
     def saturation_e(self) -> Values:
-        """Smallest charge (kinds, lanes) with which a pixel may saturate, or infinity: on PIX, then
-        for each kind of register content (`nscc_runtime.execution.register_reach`)."""
+        """Smallest charge (kinds, lanes) in electrons with which a pixel may saturate; infinity
+        where it cannot. The first kind is PIX; the others are kinds of register content
+        (`execution.register_reach`)."""
         program, reach = self.program, self.program.reach
         well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
         kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)
@@ -245,7 +244,7 @@ class SimulatedChip:
 
     @remembered
     def compute_once(self, make: Callable[[SimulatedChip], T]) -> T:
-        """Return `make(self)`, computed once."""
+        """Return `make(self)`, cached."""
         return make(self)
 
 
@@ -255,7 +254,7 @@ def chip_of(
     kept_effects: Selection,
     requested_effects: Selection,
 ) -> SimulatedChip:
-    """Return the whole chip with these effects, cached with the program."""
+    """Return the whole chip under these effects; it is cached with the program."""
     return program.recent_chips.of(
         (SimulatedChip, device_seed, kept_effects.on, requested_effects.on),
         lambda: SimulatedChip(program, program.array, device_seed, kept_effects, requested_effects),

@@ -1,5 +1,6 @@
-"""Small errors of single words whose sum is the error that sums draw at once. Part of the loop over
-single pixels (`nscc_runtime.execution.pixel_loop`)."""
+"""Small errors of single words, consistent with the sum of errors that frames by sums draw at once.
+
+This is part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`)."""
 
 from __future__ import annotations
 
@@ -15,14 +16,16 @@ from nscc_runtime.noise.noise_loops import uniform
 
 READS, RESETS, WORDS = 0, 1, 2
 ERRORS = 3
-"""Kinds of small errors."""
+"""Number of kinds of small errors."""
 _UNKNOWN = np.uint64(0)
 
 
 class Lanes(NamedTuple):
-    """The words of lane l, at start[l] .. start[l + 1] - 1 of `word`, which says where they are
-    among those of the program, of `flags`, and of `weights`, those of their draws in the
-    buckets."""
+    """The words of each lane (code number).
+
+    `of_pixel`: the lane of each pixel. The words of lane l are at start[l] to start[l + 1] - 1 of
+    `word` (their index among the program's words), `flags`, and `weights` (the weights of their
+    draws in the buckets)."""
 
     of_pixel: Annotated[Ints32, "rows cols"]
     start: Annotated[Ints, "lanes+1"]
@@ -32,8 +35,9 @@ class Lanes(NamedTuple):
 
 
 class ErrorScratch(NamedTuple):
-    """Scratch: cached keys (0 at first), the missing part of the draws, the errors of the words of
-    a lane; and for draws that are made together their targets, keys and values."""
+    """Working memory: `streams`, cached random keys (0 at first); `missing`, the part of the
+    buckets' draws that words do not explain; `drawn`, the errors of the words of a lane. `draws`,
+    `keys` and `normals` are the indices, keys and values of draws that are made together."""
 
     streams: Written[Words]
     missing: Written[Floats]
@@ -47,7 +51,7 @@ class ErrorScratch(NamedTuple):
 def _stream_of(
     sizes: Sizes, base: np.uint64, at: int, number: np.uint64, streams: Words
 ) -> np.uint64:
-    """Return the key of draw `number` in this frame, cached in streams[at]."""
+    """Return the random key of draw `number` in this frame, cached in streams[at]."""
     if streams[at] == _UNKNOWN:
         streams[at] = stream_key(base, sizes.frame, number)
     stream: np.uint64 = streams[at]
@@ -59,12 +63,11 @@ def draw_errors(
     sizes: Sizes, buckets: int, of_sum: np.uint64, of_part: np.uint64, place: int, lane: int,
     lanes: Lanes, words: OfWords, kind: int, errors: ErrorScratch,
 ) -> None:  # fmt: skip
-    """Draw the unit normal errors of one kind for each word of a lane into `errors.drawn`.
+    """Draw the standard normal errors of one kind for each word of a lane into `errors.drawn`.
 
-    With z the draws of the buckets and Q their weights, Q (z - Q^T x) is added to the draws x of
-    the words.
-    """
-    # Of each kind the streams of the buckets come first, then those of the words.
+    Q (z - Q^T x) is added to the draws x of the words, where z are the draws of the buckets and Q
+    are their weights. The weighted sum of the errors then equals z."""
+    # The streams of a kind are those of the buckets, then those of the words.
     row = kind * (buckets + sizes.words * sizes.numbered)
     count, first = 0, lanes.start[lane]
     for bucket in range(buckets):
@@ -83,7 +86,7 @@ def draw_errors(
                 )
                 errors.draws[count] = (e - first) * sizes.draws + draw
                 count += 1
-    # All draws together: LLVM makes vectors of them.
+    # A separate loop over all draws, so that LLVM vectorises it.
     for i in range(count):
         errors.normals[i] = normal(uniform(errors.keys[i], place))
     for i in range(count):
@@ -100,7 +103,7 @@ def draw_errors(
 
 @compiled
 def _draws(word: LoopWord, kind: int, draw: int) -> bool:
-    """Whether a word has this draw of this kind of noise."""
+    """Return whether a word has this draw of this kind of noise."""
     if kind == RESETS:
         return draw == 0 and word.resets == 1
     if kind == READS:

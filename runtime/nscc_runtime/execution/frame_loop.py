@@ -1,7 +1,6 @@
-"""The loops for frames by weighted sums: counts, exposures from counts and noise, converter codes.
+"""Loops for frames by weighted sums: counts, exposures from counts and noise, converter codes.
 
-Arguments that all frames of a scene share are prepared by `nscc_runtime.execution.summed`.
-"""
+`nscc_runtime.execution.summed` prepares the arguments that all frames of a scene share."""
 
 from __future__ import annotations
 
@@ -27,7 +26,9 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 @record
 class Counting:
-    """The range of `pixels` to count; `accumulates`: add to the deviations of another source."""
+    """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted, in `groups`
+    groups of slots. `accumulates`: whether to add to the deviations of another source. `rate_cap`:
+    larger rates count as this rate."""
 
     begin: int
     end: int
@@ -49,10 +50,10 @@ def draw_counts(
     pending_pixels: Written[Ints],
     away: Written[Annotated[Floats, "groups pixels"]],
 ) -> None:
-    """away[g, p] := the deviation of a count from its mean rates[g, p], or add it.
+    """Set or increase away[g, p] by the deviation of a Poisson count from its mean rates[g, p].
 
-    `values`, `pending_rates`, `pending_pixels`: scratch for `BLOCK` pixels; `scratch` for five
-    times as many."""
+    `values`, `pending_rates` and `pending_pixels` are working memory for `BLOCK` pixels, `scratch`
+    for five times as many."""
     for first in range(counting.begin, counting.end, BLOCK):
         stop = min(first + BLOCK, counting.end)
         for group in range(counting.groups):
@@ -72,7 +73,7 @@ def draw_counts(
 
 @record
 class Adding:
-    """The rows from `begin` to `end` - 1, and the number of terms to add up there."""
+    """Sizes for `add_up`. `fraction`: part of a pixel's charge that moves to each neighbour."""
 
     begin: int
     end: int
@@ -82,9 +83,9 @@ class Adding:
     buckets: int
     lane_count: int
     groups: int
-    """Whose charge is counted; 0: of none."""
+    """Number of groups of slots whose charge is counted; 0 without counts."""
     sources: int
-    """Of small errors."""
+    """Number of sources of small errors."""
     exchanges: int
     """Whether neighbours exchange counts."""
     fraction: float
@@ -95,7 +96,7 @@ def _beside(
     adding: Adding, direction: int, group: int, bucket: int, first: int, stop: int,
     own_weights: Floats32, neighbour_weights: Floats32, away: Floats, total: Floats,
 ) -> None:  # fmt: skip
-    """total[b, i] += the charge from the neighbour in one direction minus the charge to it."""
+    """Add to total[bucket, i] the charge from one neighbour minus the charge given to it."""
     rows, cols, pixels = adding.rows, adding.cols, adding.pixels
     row, begin, end = first // cols, first, stop
     step = -cols
@@ -122,7 +123,7 @@ def _counted(
     adding: Adding, first: int, stop: int, own_weights: Floats32, neighbour_weights: Floats32, away:
     Floats, total: Floats,
 ) -> None:  # fmt: skip
-    """total[b, i] := the deviation of the exposure of pixel first + i due to counts."""
+    """Set total[b, i] to the deviation of the exposure of pixel first + i due to counts."""
     for bucket in range(adding.buckets):
         at = bucket * BLOCK - first
         for p in range(first, stop):
@@ -162,11 +163,11 @@ def add_up(
     drawn: Written[Floats],
     exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
-    """Exposures of some rows of a frame from their means and from deviations of counts.
+    """Compute exposures of some rows of a frame from their means and from deviations of counts.
 
-    `own_weights`: weights of a pixel's deviations; `neighbour_weights` (groups, 4, buckets,
-    pixels): those of its neighbours', where these exchange counts. Scratch: `total` for `BLOCK`
-    pixels a bucket, `drawn` for `BLOCK`."""
+    `own_weights`: weights of a pixel's own deviations. `neighbour_weights` (groups, 4, buckets,
+    pixels): weights of its neighbours' deviations, used if neighbours exchange counts. `total` and
+    `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
@@ -194,9 +195,9 @@ def add_up(
 
 @record
 class Reading:
-    """The range of `pixels` to read out, and the converter (see `read_out`). `last_bit` marks the
-    last code.
-    """
+    """Sizes for `convert` (pixels `begin` to `end` - 1), and parameters of the converter (see
+    `read_out`). `noisy`: whether to add readout noise. `last_bit`: saturation mark of the last
+    code."""
 
     begin: int
     end: int
@@ -221,10 +222,8 @@ def convert(
     valid: Written[Annotated[Bytes, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:
-    """frame := the codes of exposures, 0 for NaN; valid := whether they are finite.
-
-    `scratch`: working memory for `BLOCK` pixels.
-    """
+    """Convert exposures to codes (`frame`; 0 for NaN), and set `valid` where exposures are finite.
+    `scratch` is working memory for `BLOCK` pixels."""
     for first in range(reading.begin, reading.end, BLOCK):
         stop = min(first + BLOCK, reading.end)
         for bucket in range(reading.buckets):

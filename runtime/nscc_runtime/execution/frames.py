@@ -1,8 +1,8 @@
-"""Frames of a scene by sums (with pixels near saturation by words), by words, or by the reference.
+"""Expose frames of a scene by sums (with pixels near saturation by words), by words, or by the
+reference.
 
-Random numbers are those of the reference (`nscc_runtime.effects`). Frames differ from it only by
-dropped effects and by the approximations of sums.
-"""
+Random numbers are those of the reference (`nscc_runtime.effects`). Frames differ from the reference
+only by dropped effects and by the approximations of sums."""
 
 from __future__ import annotations
 
@@ -40,19 +40,19 @@ class Execution:
     Attributes
     ----------
     path : {"sums", "words", "reference"}
-        Weighted sums over slots, where pixels near saturation run through their words; all pixels
-        through their words; or the reference, slot by slot.
+        "sums": weighted sums over slots, except that pixels near saturation run through their
+        words. "words": all pixels run through their words. "reference": slot by slot.
     kept_effects : Selection
         The effects that are simulated.
     near_effects : Selection
-        Those of pixels near saturation, on the path "sums". No pixel runs through its words where
-        `kept_effects` has nothing that saturates.
+        The effects that are simulated for pixels near saturation on the path "sums". If
+        `kept_effects` contains no effect that saturates, no pixel runs through its words.
     requested_effects : Selection
-        All effects that the user did not force off: they decide which pixels are near saturation,
-        and weigh the noise of words.
+        All effects that the user did not force off. They decide which pixels are near saturation,
+        and the weights of the noise of words.
     exact : bool
-        Whether pixels near saturation draw their neighbours' counts and spread their own over the
-        slots, as the reference does, instead of sharing out those of sums.
+        Whether pixels near saturation draw counts and split them between slots like the reference.
+        Otherwise they use the counts of sums.
     """
 
     path: Path
@@ -64,11 +64,9 @@ class Execution:
 
 @dataclass(frozen=True, eq=False)
 class ExecutedScene:
-    """A scene that is exposed frame by frame.
-
-    The result does not depend on `threads`. `torch_device`: the device that draws and adds up sums;
-    None for the processor.
-    """
+    """A program and a light on one chip, exposed frame by frame. `threads`: number of threads;
+    results do not depend on it. `torch_device`: the torch device that computes sums; None for the
+    processor."""
 
     program: AnalysedProgram
     light: Light
@@ -79,27 +77,27 @@ class ExecutedScene:
 
     @cached_property
     def chip(self) -> SimulatedChip:
-        """The chip under these effects."""
+        """The simulated chip."""
         execution = self.execution
         return chip_of(
             self.program, self.device_seed, execution.kept_effects, execution.requested_effects
         )
 
     def expose(self, seed: int, frame: int) -> Exposure:
-        """Frame number `frame`, before the converter."""
+        """Return the exposure of frame number `frame`, before the converter."""
         if self.execution.path == "reference":
             scene = scene_of(self.program.container, self.light)
             return self._reference.expose(scene, seed, self.device_seed, frame, self.threads)
         return self._exposure(*self._exposed(seed, frame))
 
     def frame(self, seed: int, frame: int) -> Frame:
-        """Frame number `frame`, read out."""
+        """Return frame number `frame` with converter codes."""
         if self.execution.path == "reference":
             return self._converted(self.expose(seed, frame), seed, frame)
         return self._read_out(*self._exposed(seed, frame), seed, frame)
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
-        """Frames 0 .. `count` - 1, read out; ValueError for fewer than one."""
+        """Yield frames 0 to `count` - 1 with converter codes. Raises ValueError if `count` < 1."""
         if count < 1:
             raise ValueError(f"{count} frames")
         check_adc(self.program.container.target)
@@ -122,12 +120,11 @@ class ExecutedScene:
 
     @cached_property
     def summed(self) -> SummedScene:
-        """The scene by weighted sums."""
+        """The scene, simulated by weighted sums."""
         return SummedScene(self.chip, self.light, self.threads)
 
     def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:
-        """Return exposures (buckets, pixels) of frame number `frame`, by sums or by words, and
-        their saturation marks."""
+        """Return exposures (buckets, pixels) and saturation marks, computed by sums or by words."""
         if self.execution.path == "words":
             return self._all_by_words.expose(seed, frame)
         away = self.summed.away(seed, frame)
@@ -140,8 +137,8 @@ class ExecutedScene:
     def _run_near(
         self, exposure: Values, marked: Marked, away: Values, seed: int, frame: int
     ) -> None:
-        """Replace the exposures of pixels near saturation by those of their words, with neighbours'
-        counts from sums."""
+        """Replace the exposures of pixels near saturation by the results of their words.
+        Neighbours' counts are taken from sums if `counts_agree`."""
         assert self._near_saturation is not None
         running, places = self._near_saturation, self._near_saturation.chosen
         known_counts = (
@@ -192,14 +189,15 @@ class ExecutedScene:
 def near_pixels(
     program: AnalysedProgram, light: Light, device_seed: int, execution: Execution
 ) -> NDArray[np.int64]:
-    """Return the places of the pixels that run through their words on the path "sums"."""
+    """Return the places (row * cols + col) of the pixels that run through their words on the path
+    "sums"; empty on other paths."""
     if execution.path != "sums" or not execution.kept_effects.names(Saturates):
         return np.empty(0, np.int64)
     return near_saturation(program, light, device_seed, execution.requested_effects).places
 
 
 def counts_agree(execution: Execution) -> bool:
-    """Whether pixels near saturation can use the counts of sums."""
+    """Return whether sums and words draw equal counts, so that words can use the counts of sums."""
     counted = (
         effects.names(Counted) for effects in (execution.kept_effects, execution.near_effects)
     )
@@ -215,6 +213,7 @@ def executed(
     threads: int | None = None,
     torch_device: str | None = None,
 ) -> ExecutedScene:
-    """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
+    """Return a scene to be exposed frame by frame. Raises Rejected if light and program do not fit,
+    like `nscc_runtime.emulator.expose`."""
     check_size(program.container, light)
     return ExecutedScene(program, light, execution, device_seed, threads_of(threads), torch_device)

@@ -1,4 +1,4 @@
-"""Records and groups of arrays that the loops over words take as arguments."""
+"""Records and groups of arrays that are arguments of the loops over words."""
 
 from __future__ import annotations
 
@@ -12,9 +12,8 @@ from nscc_runtime.loop import Floats, Ints, Written, record
 
 @record
 class Switches:
-    """Switches of effects in the loops; 0 is off. `nscc_runtime.effects.effect.InLoop` of an effect
-    names its switches, numbers and keys.
-    """
+    """Switches of effects in the loops (0: off), and the numbers of registers and buckets. Each
+    effect names its switches, numbers and keys in an `nscc_runtime.effects.effect.InLoop`."""
 
     registers: int
     buckets: int
@@ -25,13 +24,13 @@ class Switches:
     word_errors: int
     leaks: int
     holds: int
-    """Whether PIX holds no more than it can; `bends`: registers lose what they cannot hold."""
+    """Whether PIX is clipped to the full well. `bends`: whether registers saturate softly."""
     bends: int
     compares_off: int
     compares_noisy: int
     well_bit: int
-    """What `saturated_by` marks: where a full PIX was added, where it was subtracted, where that
-    was the level of a reset, where registers lost too much; 0: is not marked."""
+    """Bits of `saturated_by`, 0 if not marked: a full PIX was added, a full PIX was subtracted, the
+    reset level contained a full PIX, a register lost too much charge."""
     subtracted_bit: int
     level_bit: int
     registers_bit: int
@@ -47,33 +46,31 @@ class Sizes:
     cols: int
     groups: int
     draws: int
-    """Of a word: one for what it reads or resets, and one for each destination."""
+    """Number of draws of a word: one for its read or reset, and one for each destination."""
     numbered: int
-    """By how much the numbers of the draws of two words differ."""
+    """Difference between the draw numbers of consecutive words."""
     words: int
-    """Numbers that words have."""
+    """Number of different word numbers."""
     stale: int
-    """Whether words read what registers held when the frame began."""
+    """Whether words read registers that were not written in the same frame."""
     padded_slots: int
-    """The least power of two that is not below the number of slots."""
+    """Smallest power of two that is at least the number of slots."""
     kept_cols: int
-    """Columns of the three rows of sites whose counts are kept."""
+    """Number of columns of the three rows of sites whose counts are cached."""
     counts_known: int
-    """Whether counts are given: neighbours' ones, and a pixel's own in slots that words see a part
-    of, are spread as light is; else drawn and halved."""
+    """Whether counts are known. If so, neighbours' counts, and a pixel's own counts in slots that
+    words divide, are split in proportion to light. Otherwise counts are drawn and halved."""
     frame: int
     counts_light: int
-    """Charge of light, and that without, comes in whole electrons."""
+    """Whether photons are drawn as counts; `counts_dark`: whether dark electrons are."""
     counts_dark: int
     exchanges: int
 
 
 @record
 class Numbers:
-    """Parameters of effects; variances are those of the logarithm.
-
-    `pix_start` and `register_start`: twice the largest content at the start of a frame.
-    """
+    """Parameters of effects, in electrons and seconds. Variances are those of the logarithm.
+    `pix_start`, `register_start`: twice the largest content at the start of a frame."""
 
     pix_start: float
     register_start: float
@@ -98,13 +95,13 @@ class Numbers:
     compare_offset: float
     compare_noise: float
     least_lost: float
-    """What registers have lost that is too much."""
+    """Charge in electrons from which the loss of a register is marked."""
     frame_s: float
 
 
 @record
 class OnDevice:
-    """Keys of the fixed patterns of the device."""
+    """First halves of the random keys of the fixed patterns of a chip, one key for each effect."""
 
     uneven: np.uint64
     dark: np.uint64
@@ -115,8 +112,9 @@ class OnDevice:
 
 @record
 class Keys:
-    """Base keys for the loop over single pixels: of counts, of their split over slots, of the sums
-    of small errors in buckets, and of the errors of single words."""
+    """First halves of the random keys of a run: of counts (`count_`), of their splits over slots
+    (`thin_`), of the sums of small errors in buckets (`sum_`), and of the errors of single words
+    (`part_`)."""
 
     count_light: np.uint64
     count_dark: np.uint64
@@ -132,33 +130,34 @@ class Keys:
 
 @record
 class LoopWord:
-    """An analog word."""
+    """An analog word, as the loops read it. `resets`, `compares`, `reads_pix`: whether it does so.
+    `sources`, `destinations`: numbers of registers."""
 
     resets: int
     compares: int
     reads_pix: int
     number: int
-    """Its number among those of a frame."""
+    """The number of the word among the words of a frame."""
     sources: int
     destinations: int
     operands: int
-    """Where its registers begin among all operands: sources, then destinations."""
+    """Index of the first source in `LoopProgram.operands`; then other sources, destinations."""
     begins: int
-    """The slot or the interval at whose beginning it runs."""
+    """The slot or interval at whose beginning the word runs."""
     end_us: float
-    """How long after that it ends."""
+    """The end of the word in microseconds after the beginning of that slot."""
     time_s: float
-    """When that is."""
+    """The time in the frame at which that slot begins, in seconds."""
     divisor: float
     in_e: float
-    """What IN holds meanwhile."""
+    """The value of IN during the word, in electrons."""
 
 
 OfWords = Annotated[NDArray[Any], LoopWord]
 
 
 class LoopProgram(NamedTuple):
-    """Words and their `operands`; `signs` of the errors of what is written to each register."""
+    """The words of a program, their `operands`, and the `signs` of errors in each register."""
 
     words: OfWords
     operands: Ints
@@ -166,7 +165,8 @@ class LoopProgram(NamedTuple):
 
 
 class Readouts(NamedTuple):
-    """For each bucket: its register, the gain of its readout, and the time until it is read."""
+    """For each bucket: the number of its register, the gain of its readout, and the seconds from
+    the end of the frame to its readout."""
 
     register: Annotated[Ints, "buckets"]
     gain: Annotated[Floats, "buckets"]
@@ -174,8 +174,8 @@ class Readouts(NamedTuple):
 
 
 class Fixed(NamedTuple):
-    """Fixed patterns of the pixels of a block: the error of words, the leakage rate of registers,
-    and the offset of the comparator."""
+    """Fixed patterns of the pixels of a block: the error of words in electrons, the leakage rate of
+    registers in 1/s, and the offset of the comparator in electrons."""
 
     pattern: Written[Floats]
     leak: Written[Floats]
@@ -183,14 +183,16 @@ class Fixed(NamedTuple):
 
     @classmethod
     def of(cls, block: int) -> Fixed:
-        """Room for a block."""
+        """Allocate the arrays for a block of pixels."""
         return cls(np.empty(block), np.empty(block), np.empty(block))
 
 
 class RegisterContents(NamedTuple):
-    """The registers of a block, then PIX, then IN: the `value`, the time `since_s` when it was
-    written, the electrons `lost_e` by saturation, and the marks `full`
-    (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX."""
+    """The contents of the registers of a block, then of PIX and IN.
+
+    `value`: electrons. `since_s`: the time of writing. `lost_e`: electrons lost by saturation.
+    `full`: saturation marks (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
+    """
 
     value: Written[Floats]
     since_s: Written[Floats]
@@ -200,7 +202,7 @@ class RegisterContents(NamedTuple):
 
     @classmethod
     def of(cls, registers: int, block: int) -> RegisterContents:
-        """Room for a block."""
+        """Allocate the arrays for a block of pixels."""
         count = (registers + 2) * block
         return cls(
             np.empty(count), np.empty(count), np.empty(count), np.empty(count, np.int64),
@@ -210,7 +212,7 @@ class RegisterContents(NamedTuple):
 
 class WordResult(NamedTuple):
     """The result of a word in each of the `pixels` of a block that run it: the sum of its sources,
-    the electrons lost by saturation, and the marks `full`."""
+    the electrons lost by saturation, and the saturation marks `full`."""
 
     pixels: Written[Ints]
     total: Written[Floats]
@@ -219,10 +221,11 @@ class WordResult(NamedTuple):
 
     @classmethod
     def of(cls, block: int) -> WordResult:
-        """Room for a block."""
+        """Allocate the arrays for a block of pixels."""
         ints = np.empty(block, np.int64)
         return cls(np.zeros(block, np.int64), np.empty(block), np.empty(block), ints)
 
 
 ACTS, SEEN = 1, 2
-"""Flags of a word in a lane: it acts there; the charge before it is read before PIX is reset."""
+"""Flags of a word in a lane. ACTS: the word acts there. SEEN: the charge before the word is read
+before PIX is reset."""

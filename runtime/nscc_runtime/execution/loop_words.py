@@ -1,4 +1,4 @@
-"""The arguments of the loops over words: words, readouts, numbers and switches."""
+"""Prepare the arguments of the loops over words: words, readouts, numbers and switches."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _WORD = np.dtype(LoopWord)
 def program_of(
     container: Container, words: Sequence[RunningWord], starts: Sequence[int]
 ) -> LoopProgram:
-    """Return the words as arrays; the intervals of the frame begin with the slots `starts`."""
+    """Return the words as arrays for loops; `starts`: first slots of the frame's intervals."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     ends, slot_us = [*starts, container.slots], container.slot_us
     start_s = np.concatenate(([0.0], np.cumsum(slot_us)))[ends] * 1e-6
@@ -99,13 +99,13 @@ def switches_of(container: Container, effects: Selection) -> Switches:
 
 
 def device_of(device_seed: int) -> OnDevice:
-    """Return the keys of a device's fixed patterns."""
+    """Return the random keys of a device's fixed patterns."""
     return OnDevice(**device_keys(OnDevice, device_seed))
 
 
 class Turns:
-    """The words of lanes, those of lane l from start[l] to start[l + 1] - 1. A turn is a word that
-    reads or resets PIX."""
+    """The resets and reads of PIX among the words of lanes. The words of lane l are at start[l] to
+    start[l + 1] - 1. A turn is a word that reads or resets PIX."""
 
     def __init__(
         self, entries: NDArray[Any], acts: NDArray[np.bool_], start: NDArray[np.int64]
@@ -117,18 +117,18 @@ class Turns:
 
     @property
     def unread(self) -> NDArray[np.bool_]:
-        """Resets that have no effect: PIX is reset again before it is read."""
+        """Mask of resets without effect: PIX is reset again before it is read."""
         return np.asarray(self._resets & self._then(self._resets, 1))
 
     @property
     def flags(self) -> NDArray[np.uint8]:
-        """`ACTS` and `SEEN` of each word: whether it acts, and whether the charge before it is read
-        before PIX is reset."""
+        """Flags of each word: `ACTS` and `SEEN` (the charge before it is read before a reset)."""
         is_read = self._then(self._turns & ~self._resets, 0)
         return np.asarray(ACTS * self._acts + SEEN * is_read, np.uint8)
 
     def _then(self, kind: NDArray[np.bool_], after: int) -> NDArray[np.bool_]:
-        """Whether the next turn of the same lane, at least `after` words later, is of a kind."""
+        """Return a mask of words after which the next turn of the same lane, at least `after` words
+        later, is in the mask `kind`."""
         if not self._count:
             return np.zeros(0, np.bool_)
         turn_index = np.where(self._turns, np.arange(self._count), self._count)

@@ -1,7 +1,6 @@
-"""Find the pixels of a scene that may saturate; they run through their words.
+"""Find the pixels of a scene that may saturate; these pixels run through their words.
 
-Their charge is computed with all requested effects.
-"""
+The charge of pixels is computed with all requested effects."""
 
 from __future__ import annotations
 
@@ -23,9 +22,9 @@ Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 
 _SIGMAS = 6.0
-"""Number of standard deviations of noise that is added to a pixel's mean charge."""
+"""Number of standard deviations of noise that are added to a pixel's mean charge."""
 _SLACK = 1.0 - 1e-5
-"""Factor on limits, because light is added up in float32."""
+"""Factor on limits that allows for rounding, because light is added up in float32."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,11 +34,11 @@ class NearSaturation:
     Attributes
     ----------
     places : int64, shape (count,)
-        Their places on the chip, in order.
+        Places of the pixels on the chip (row * cols + col), ascending.
     most_e, own_e : float64, shape (count,)
-        The largest charge on PIX at a read, noise included; and the same without crosstalk.
+        Largest charge on PIX at a read including noise, with and without crosstalk, in electrons.
     spilt : bool, shape (count,)
-        Whether a pixel is near saturation only by the light of its neighbours.
+        Whether a pixel is near saturation only because of the light of its neighbours.
     """
 
     places: Places
@@ -56,8 +55,7 @@ NO_PIXELS = NearSaturation(
 def near_saturation(
     program: AnalysedProgram, light: Light, device_seed: int, requested_effects: Selection
 ) -> NearSaturation:
-    """Return the pixels of a scene that may saturate under `requested_effects`; cached with the
-    light."""
+    """Return the pixels that may saturate under `requested_effects`; cached with the light."""
     if not requested_effects.names(Saturates):
         return NO_PIXELS
     source = (requested_effects.find_part(Moving) and light.motion) or light
@@ -74,8 +72,8 @@ def near_saturation(
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """A search for pixels near saturation: a bound for all pixels, then the charge of
-    candidates."""
+    """A search for pixels near saturation: an upper bound for all pixels selects candidates, whose
+    charge is then computed."""
 
     chip: SimulatedChip
     light: Light
@@ -99,12 +97,12 @@ class _Search:
 
     @cached_property
     def _total_e(self) -> Values:
-        """Total light of each pixel (rows, cols)."""
+        """Total light of each pixel (rows, cols) in electrons."""
         return np.asarray(self.light.sum_e * self.chip.scale.reshape(self.light.shape))
 
     @cached_property
     def _gained_e(self) -> Values:
-        """Charge that each pixel receives from its neighbours by crosstalk."""
+        """Charge that each pixel receives from its neighbours by crosstalk, in electrons."""
         gained_e, total_e = np.zeros(self.light.shape), self._total_e
         if self.chip.kept_effects.find_part(Exchange) is not None:
             gained_e[1:] += total_e[:-1]
@@ -116,8 +114,9 @@ class _Search:
 
     @property
     def _candidates(self) -> Places:
-        """Places where the dark charge of the frame, crosstalk, and the largest light that the lane
-        can hold reach the limit of the lane."""
+        """Places whose upper bound of the charge reaches the limit. The bound adds up the dark
+        charge of the frame, crosstalk, and the largest fraction of the light that PIX or a register
+        can contain."""
         weights, _, limit = self._of_lanes
         lanes, seen_fraction = self.chip.array.flat_lanes, weights.of_frames(self.light).most_part
         most_e = seen_fraction.take(lanes) * self._total_e.reshape(-1)
@@ -127,7 +126,7 @@ class _Search:
 
     def _charges(self, places: Places) -> tuple[Values, Values]:
         """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
-        Crosstalk counts in the pixel's own slots, whatever the codes of the neighbours."""
+        Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours."""
         weights, dark_s, _ = self._of_lanes
         lanes = self.chip.array.flat_lanes[places]
         frames = self.light.ended.reshape(len(self.light.ended), -1)
@@ -143,15 +142,15 @@ class _Search:
 
 
 def _neighbours(places: Places, rows: int, cols: int) -> Places:
-    """Return the number of neighbours of each pixel."""
+    """Return the number of neighbours (2 to 4) of each pixel."""
     row, col = np.divmod(places, cols)
     beside: Places = (row > 0).astype(np.int64) + (row + 1 < rows) + (col > 0) + (col + 1 < cols)
     return beside
 
 
 def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:
-    """Return the weights of slots (kinds, N, lanes) on PIX and in registers, the seconds of dark
-    charge in these, and the smallest charge with which each lane may saturate."""
+    """Return for each lane the weights of slots (kinds, N, lanes) on PIX and in registers, the
+    seconds of dark charge in them, and the smallest charge with which a pixel may saturate."""
     program = chip.program
     held_weights = () if program.reach.held_weights is None else program.reach.held_weights
     weights = np.stack([program.tables.seen_slots(), *held_weights]).astype(np.float64)
@@ -160,7 +159,7 @@ def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:
 
 
 def _reaching(charge_e: Values) -> Values:
-    """Return an upper bound of counts with mean `charge_e`."""
+    """Return an upper bound of counts whose mean is `charge_e`."""
     return np.asarray(charge_e + _SIGMAS * np.sqrt(charge_e))
 
 

@@ -1,8 +1,7 @@
-"""Crosstalk of counts: the fraction of a neighbour's count that falls in a pixel's open slots.
+"""Crosstalk of counts: the fraction of a neighbour's count that arrives in a pixel's open slots.
 
-A neighbour's charge is counted for its own groups of slots. The fraction of a group's count in the
-open slots of another pixel is approximated by the fraction of its time.
-"""
+A neighbour's charge is counted for the neighbour's own groups of slots. The fraction of a group's
+count in the open slots of another pixel is approximated by the fraction of the group's time."""
 
 from __future__ import annotations
 
@@ -17,14 +16,15 @@ Values = NDArray[np.float64]
 Weights = NDArray[np.float32]
 
 _MOST_PAIRS = 1 << 20
-"""Pairs of lanes up to which a table of all pairs is made; else each pixel's pair is computed."""
+"""Largest number of pairs of lanes for which a table of all pairs is computed."""
 _CHUNK = 4096
 _ALL, _FIRST, _LAST = slice(None), slice(None, -1), slice(1, None)
 NEIGHBOURS = (
     ((_LAST, _ALL), (_FIRST, _ALL)), ((_FIRST, _ALL), (_LAST, _ALL)),
     ((_ALL, _LAST), (_ALL, _FIRST)), ((_ALL, _FIRST), (_ALL, _LAST)),
 )  # fmt: skip
-"""Above, below, left and right: the pixels (rows, cols) that have such a neighbour, and those."""
+"""Index pairs for neighbours above, below, left and right: the pixels (rows, cols) that have such a
+neighbour, and these neighbours."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,9 +34,9 @@ class Overlap:
     Attributes
     ----------
     seconds : float64, shape (N, lanes, buckets)
-        The slots' lengths times their weights.
+        Length of each slot times its weight.
     inverse_seconds : float64, shape (N, lanes)
-        One over the total seconds of the group's slots, in these slots; 0 elsewhere.
+        1 / (total seconds of the group's slots) in these slots; 0 elsewhere.
     """
 
     seconds: Values
@@ -45,7 +45,7 @@ class Overlap:
     def between(
         self, pixel_lanes: NDArray[np.int32], neighbour_lanes: NDArray[np.int32]
     ) -> Weights:
-        """Return the weights (buckets, pairs) of neighbours' counts in pixels of these lanes."""
+        """Return weights (buckets, pairs) of neighbours' counts in pixels, for pairs of lanes."""
         if self._table is not None:
             return self._table[:, pixel_lanes, neighbour_lanes]
         weights = np.empty((self.seconds.shape[2], pixel_lanes.size), np.float32)
@@ -60,7 +60,7 @@ class Overlap:
 
     @cached_property
     def _table(self) -> Weights | None:
-        """The weights (buckets, lanes, lanes) of all pairs of lanes; None if there are too many."""
+        """Weights (buckets, lanes, lanes) of all pairs of lanes; None if too many pairs."""
         _, lanes, buckets = self.seconds.shape
         if lanes**2 > _MOST_PAIRS:
             return None
@@ -71,8 +71,10 @@ class Overlap:
 
 
 def weights_beside(overlaps: Sequence[Overlap], buckets: int, lanes: NDArray[np.int32]) -> Weights:
-    """Return the weights (groups, 4, buckets, pixels) of the counts of the neighbours above, below,
-    left and right in the exposures of pixels with these lanes (rows, cols); 0 beyond the border."""
+    """Return the weights (groups, 4, buckets, pixels) of neighbours' counts in a pixel's exposures.
+
+    `lanes` (rows, cols): the lane of each pixel. Neighbours are above, below, left and right;
+    beyond the border weights are 0."""
     all_weights = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
     for number, overlap in enumerate(overlaps):
         for side, (to, source) in enumerate(NEIGHBOURS):

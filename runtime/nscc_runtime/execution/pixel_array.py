@@ -1,4 +1,4 @@
-"""Pixels laid out as rows and columns: all pixels of a chip, or tiles of them side by side."""
+"""Pixels laid out as rows and columns: all pixels of a chip, or tiles of pixels side by side."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc_runtime.method_cache import Recent
 Places = NDArray[np.int64]
 
 _RECENT = 24
-"""Arrays of pixels that are kept for some models; of large arrays fewer."""
+"""Number of cached results per array of pixels; large arrays cache a quarter."""
 _LARGE = 1 << 14
 
 
@@ -27,10 +27,10 @@ class PixelArray:
     Attributes
     ----------
     lanes : int32, shape (rows, cols)
-        The lane of each pixel: which of the program's shutters it has.
+        The lane of each pixel: the number of its code, which determines its shutter.
     places : int64, shape (rows * cols,)
-        Where each pixel lies on the chip, row * columns + column. Random numbers and fixed patterns
-        are keyed by the place, so a tile draws what the whole array draws there.
+        The place of each pixel on the chip, row * columns + column. Random numbers and fixed
+        patterns are keyed by place, so a tile has the same random numbers as the whole array.
     """
 
     lanes: NDArray[np.int32]
@@ -38,29 +38,28 @@ class PixelArray:
 
     @classmethod
     def of_chip(cls, lanes: NDArray[np.integer]) -> PixelArray:
-        """All pixels of a chip with these lanes (rows, cols)."""
+        """Return all pixels of a chip, given their lanes (rows, cols)."""
         lanes_32 = np.require(lanes, np.int32, ["C", "A"])
         return cls(lanes_32, np.arange(lanes_32.size, dtype=np.int64))
 
     @property
     def shape(self) -> tuple[int, int]:
-        """(rows, cols)."""
         rows, cols = self.lanes.shape
         return rows, cols
 
     @cached_property
     def flat_lanes(self) -> NDArray[np.int32]:
-        """The lane of every pixel, flat."""
+        """The lane of each pixel, shape (pixels,)."""
         return self.lanes.reshape(-1)
 
     def at(self, places: Places) -> PixelArray:
-        """The pixels at `places` (rows, cols) of this chip."""
+        """Return the pixels at `places` (rows, cols) of this chip."""
         return PixelArray(
             np.ascontiguousarray(self.flat_lanes[places]), np.ascontiguousarray(places.reshape(-1))
         )
 
     def device(self, sensor: Sensor, device_seed: int) -> Device:
-        """What is fixed on the chip at these pixels; the last one asked for is kept."""
+        """Return the fixed patterns of these pixels on a chip; the last result is cached."""
         key = sensor, device_seed
         if key not in self._devices:
             self._devices.clear()
@@ -69,7 +68,7 @@ class PixelArray:
 
     @cached_property
     def recent(self) -> Recent:
-        """What was last computed of these pixels for some models."""
+        """Cache of results for some weight models."""
         return Recent(_RECENT if self.lanes.size <= _LARGE else _RECENT // 4)
 
     @cached_property
@@ -78,12 +77,11 @@ class PixelArray:
 
 
 def tile_places(corners: Places, side: int, shape: tuple[int, int]) -> Places:
-    """The places (side, tiles * side) of square tiles that lie side by side.
+    """Return the places (side, tiles * side) of square tiles that lie side by side.
 
-    `corners` (tiles, 2): row and column of the upper left pixel of each, on a chip of `shape`
-    (rows, cols). Beyond its border lie the pixels of the border again: to exchange charge with
-    oneself is to have no neighbour.
-    """
+    `corners` (tiles, 2): row and column of the upper left pixel of each tile, on a chip of `shape`
+    (rows, cols). Outside the chip, the border pixel is repeated: exchanging charge with itself has
+    no effect."""
     steps = np.arange(side)
     row = np.clip(corners[:, 0][None, :, None] + steps[:, None, None], 0, shape[0] - 1)
     col = np.clip(corners[:, 1][None, :, None] + steps[None, None, :], 0, shape[1] - 1)
@@ -91,7 +89,7 @@ def tile_places(corners: Places, side: int, shape: tuple[int, int]) -> Places:
 
 
 def light_at(light: Light, places: Places) -> Light:
-    """The light that falls on the pixels at `places` (rows, cols), as a scene of its own."""
+    """Return the light on the pixels at `places` (rows, cols) as a separate scene."""
     flat = light.frames.reshape(len(light.frames), -1)
     frames = flat[:, places.reshape(-1)].reshape(len(flat), *places.shape)
     motion = None if light.motion is None else replace(light.motion, frames=frames)

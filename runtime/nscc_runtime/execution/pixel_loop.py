@@ -1,11 +1,9 @@
 """The compiled loop that runs single pixels through their words, event by event.
 
-It computes what `nscc_runtime.reference` computes, with the same keyed random numbers, but moves
-from word to word instead of from slot to slot. The charge between two words results from halving
-counts (`nscc_runtime.noise.thin`), so programs with few words are fast for any number of slots.
-
-`nscc_runtime.execution.pixels` prepares the arguments.
-"""
+It computes the same as `nscc_runtime.reference`, with the same keyed random numbers, but moves from
+word to word instead of from slot to slot. The charge between two words results from halving counts
+(`nscc_runtime.noise.thin`), so programs with few words are fast for any number of slots.
+`nscc_runtime.execution.pixels` prepares the arguments."""
 
 from __future__ import annotations
 
@@ -60,7 +58,7 @@ from nscc_runtime.noise.noise_loops import uniform
 
 @compiled
 def _surround(sizes: Sizes, place: int, places: Ints) -> None:
-    """places := the pixel and its neighbours up, down, left and right; -1 where there is none."""
+    """Set `places` to a pixel and its neighbours above, below, left, right; -1 outside."""
     rows, cols = sizes.rows, sizes.cols
     row, col = place // cols, place % cols
     places[0] = place
@@ -75,8 +73,7 @@ def _begin(
     switches: Switches, sizes: Sizes, numbers: Numbers, device: OnDevice, start_keys: Words,
     place: int, fixed: Fixed, contents: RegisterContents,
 ) -> None:  # fmt: skip
-    """Set a pixel's fixed patterns, and its registers at the start of a frame. The first of
-    `start_keys` is that of PIX."""
+    """Set a pixel's fixed patterns and initial registers. `start_keys` begins with PIX's key."""
     begin(switches, 1, contents, 0)
     if sizes.stale:
         for register in range(switches.registers):
@@ -95,7 +92,7 @@ def _begin(
 def _of_slot(
     sizes: Sizes, numbers: Numbers, n: int, sites: Sites, away: Away, counts: CountScratch
 ) -> float:
-    """Return the charge of slot n, which words divide."""
+    """Return the charge of slot n, during which words run."""
     if sizes.counts_known:
         return charge_evenly(sizes, numbers, n, n + 1, sites, away, counts)
     return charge(sizes, numbers, n, n + 1, sites, away, counts)
@@ -106,16 +103,18 @@ def _fallen(
     switches: Switches, sizes: Sizes, numbers: Numbers, at: int, stop: int, gone: float,
     of_slot: float, sites: Sites, away: Away, counts: CountScratch, pix_e: float,
 ) -> float:  # fmt: skip
-    """Return the charge of the slots `at` .. `stop` - 1 minus the fraction `gone` of the first,
-    whose charge is `of_slot`. If PIX, which holds `pix_e`, certainly becomes full, return a larger
-    charge."""
+    """Return the charge of the slots `at` to `stop` - 1, except the fraction `gone` of the first
+    slot.
+
+    `of_slot`: the charge of the first slot. If PIX, which contains `pix_e`, certainly becomes full,
+    the returned charge is larger than the full well instead."""
     first = at if gone == 0.0 else at + 1
     if switches.holds:
         least = least_charge(sizes, numbers, counts.places[0], first, stop, sites)
         if pix_e + least > numbers.well:
             return 2.0 * numbers.well
     if sizes.counts_known:
-        # The whole run of slots is seldom a part of a group: nothing has to be halved.
+        # The range of slots is usually a whole group, so no count has to be halved.
         first = at
     charge_e = charge(sizes, numbers, first, stop, sites, away, counts)
     if gone == 0.0:
@@ -203,13 +202,12 @@ def run_pixels(
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:
-    """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons, and marked[b, i] what
-    cut it off.
+    """Set out[b, i] to the exposure of pixel chosen[i] in bucket b in electrons, and marked[b, i]
+    to its saturation marks.
 
-    `group_ids`: what keys call the groups of slots; `start_keys`: of what registers hold when a
-    frame begins. From `counts` to `result`: scratch. Places in
-    rising order find most of their neighbours' counts already there.
-    """
+    `group_ids`: numbers of the groups of slots in random keys. `start_keys`: random keys of
+    register contents at the start of a frame. `counts` to `result` are working memory. Places in
+    ascending order find most of their neighbours' counts in the cache."""
     streams_of(sizes, keys, group_ids, counts.streams)
     buckets, words = switches.buckets, program.words
     for i in range(sizes.pixels):

@@ -1,8 +1,7 @@
-"""Single pixels of a frame, each run through all of its words: exact, and slow.
+"""Run single pixels of a frame through all of their words: exact, and slow.
 
 The classes prepare the arguments of `nscc_runtime.execution.pixel_loop`. With the same effects the
-results equal those of `nscc_runtime.reference`, except for rounding.
-"""
+results equal those of `nscc_runtime.reference`, except for rounding."""
 
 from __future__ import annotations
 
@@ -61,17 +60,17 @@ from nscc_runtime.reference.words import START, most_destinations
 _MOST_KEPT = 1 << 23
 """Largest number of bytes of neighbours' counts that a thread stores."""
 _MOST_LIGHT = 1 << 26
-"""Largest number of bytes of light, slot by slot, that are stored from frame to frame."""
+"""Largest number of bytes of light, slot by slot, that is stored from frame to frame."""
 _FEWEST = 64
 """Smallest number of pixels per thread."""
 _MOST_KEYS = 16
-"""Seeds whose keys are kept."""
+"""Number of seeds whose keys are cached."""
 
 
 @dataclass(frozen=True, eq=False)
 class LaneWords:
-    """The words of a program by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`; the
-    `groups` (lanes, N) of its slots, and their numbers in random keys."""
+    """The words of a program by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`. `groups`
+    (lanes, N): the group of each slot. `group_ids`: the numbers of the groups in random keys."""
 
     reference: Reference
     program: LoopProgram
@@ -81,7 +80,7 @@ class LaneWords:
 
     @classmethod
     def of(cls, reference: Reference) -> LaneWords:
-        """Prepare the words of a program of the reference."""
+        """Prepare the words of a reference's program for the loop."""
         container = reference.container
         lanes, buckets = len(container.encoding), len(container.buckets)
         acts = np.array([word.lanes for word in reference.words]).reshape(-1, lanes)
@@ -101,7 +100,7 @@ class LaneWords:
         needed_places = ~turns.unread | drawn[word, lane]
         lane, word = lane[needed_places], word[needed_places]
         start = _starts(lane, lanes)
-        # Of long frames each of these is among the largest that planning has: one at a time.
+        # For long frames these arrays are among the largest of planning, so free each one early.
         weights = np.ascontiguousarray(draws[word, :, lane])
         del draws
         of_slot = reference.groups.of_slot
@@ -124,12 +123,12 @@ class LaneWords:
 
     @cached_property
     def numbers(self) -> int:
-        """Number of word numbers: the highest plus one."""
+        """The highest word number plus one."""
         return int(self.program.words["number"].max(initial=0)) + 1
 
     @cached_property
     def stale(self) -> bool:
-        """Whether words read what registers held when the frame began."""
+        """Whether words read registers that were not written in the same frame."""
         container = self.reference.container
         nowhere = np.zeros(len(container.encoding), np.bool_)
         written = dict.fromkeys((*container.target.analog_registers, "PIX"), nowhere)
@@ -149,8 +148,7 @@ class LaneWords:
 
 @dataclass(frozen=True, eq=False)
 class KnownCounts:
-    """Known counts of groups of slots: their deviations `away` (groups, pixels) from their
-    means."""
+    """Known counts of `groups` of slots: deviations `away` (groups, pixels) from their means."""
 
     groups: tuple[int, ...]
     away: NDArray[np.float64]
@@ -159,8 +157,7 @@ class KnownCounts:
 @dataclass(frozen=True, eq=False)
 class Wired:
     """The words of a program under some effects on one chip, bound to the loop, for any scene.
-    Raises ValueError for effects that the loop does not support.
-    """
+    Raises ValueError for effects that the loop does not support."""
 
     words: LaneWords
     effects: Selection
@@ -178,7 +175,7 @@ class Wired:
         return numbers_of(reference.container, reference.sensor, self.effects)
 
     def laid_out(self, light: Light, places: NDArray[np.int64], threads: int) -> Sites:
-        """Return the light of `places`, prepared for the loop."""
+        """Return the light of the pixels at `places`, prepared for the loop."""
         return sites_of(
             light, places, self.words.lanes.of_pixel, self.words.times, self.numbers, self._device,
             switches(Laying, self.effects), threads,
@@ -211,16 +208,15 @@ class Wired:
         )
 
     def sizes(self, pixels: int, frame: int, counts_known: bool) -> Sizes:
-        """Return the sizes for a number of pixels of a frame."""
+        """Return the sizes for exposing `pixels` pixels of frame number `frame`."""
         common, cols = self._sizes, self.words.lanes.of_pixel.shape[1]
         if pixels <= cols:
-            # Few pixels seldom share neighbours.
+            # A few pixels rarely share neighbours.
             common = common | {"kept_cols": min(3, cols)}
         return Sizes(pixels=pixels, frame=frame, counts_known=counts_known, **common)
 
     @cached_property
     def _sizes(self) -> dict[str, int]:
-        """The fields of `Sizes` that do not depend on the frame."""
         words = self.words
         container = words.reference.container
         rows, cols = words.lanes.of_pixel.shape
@@ -243,7 +239,7 @@ class Wired:
         }
 
     def scratch(self, sizes: Sizes) -> dict[str, Any]:
-        """Return working memory for the loop."""
+        """Allocate working memory for the loop."""
         container = self.words.reference.container
         groups, room = sizes.groups, 2 * sizes.padded_slots * sizes.groups
         counts = bool(self.effects.names(Counted))
@@ -275,9 +271,9 @@ class Wired:
 class Running:
     """Pixels of a scene that run through their words.
 
-    `chosen` are their places, row * cols + col. At most `_MOST_LIGHT` bytes of their light are
-    stored; larger light is prepared again for every frame, in slices. The result does not depend on
-    threads or on the order of places."""
+    `chosen`: places of the pixels (row * cols + col). At most `_MOST_LIGHT` bytes of their light
+    are stored; larger light is prepared again for every frame, in slices. Results do not depend on
+    `threads` or on the order of places."""
 
     wired: Wired
     light: Light
@@ -287,11 +283,10 @@ class Running:
     def expose(
         self, seed: int, frame: int, known_counts: KnownCounts | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-        """Return electrons (buckets, pixels) of frame number `frame`, and their saturation marks.
+        """Return exposures (buckets, pixels) of a frame in electrons, and their saturation marks.
 
-        `known_counts` are those of neighbours, split over slots in proportion to light. Without
-        them counts are drawn and halved from node to node, as in the reference.
-        """
+        `known_counts`: counts of neighbours, split between slots in proportion to light. If None,
+        counts are drawn and halved, as in the reference."""
         wired, words = self.wired, self.wired.words
         shape = len(words.reference.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)
@@ -333,7 +328,7 @@ class Running:
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
-        """The places whose charge is needed."""
+        """Places whose charge is needed: chosen pixels and, with crosstalk, their neighbours."""
         return self._needed(slice(None))
 
     def _needed(self, pixel_slice: slice) -> NDArray[np.int64]:
@@ -342,7 +337,7 @@ class Running:
 
     @cached_property
     def _pixel_slices(self) -> list[slice]:
-        """Slices of pixels whose light is prepared together."""
+        """Slices of the chosen pixels whose light is prepared together."""
         words = self.wired.words
         slots, groups = words.reference.container.slots, len(words.group_ids)
         tables = sites = len(self._places)
@@ -356,7 +351,6 @@ class Running:
         ]
 
     def _sites(self, pixel_slice: slice) -> Sites:
-        """Return the light of a slice of pixels."""
         if len(self._pixel_slices) == 1:
             return self._all_sites
         return self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
@@ -367,13 +361,13 @@ class Running:
 
 
 def _starts(lane: NDArray[np.int64], lanes: int) -> NDArray[np.int64]:
-    """Return where the words of each lane begin in the sorted list `lane`, and its length."""
+    """Return the first index of each lane in the sorted `lane`, followed by its length."""
     return np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
 
 
 @lru_cache(_MOST_KEYS)
 def _keys(effects: tuple[Effect, ...], seed: int) -> Keys:
-    """Return the base keys of all `effects`."""
+    """Return the first halves of the random keys of all `effects`."""
     keys_by_name = {}
     for effect in effects:
         for kind, source, name in (

@@ -28,14 +28,14 @@ from nscc_runtime.reference.weights import WeightModel
 Values = NDArray[np.float64]
 
 _RECENT_MODELS, _RECENT_CHIPS = 40, 4
-"""Number of cached results: planning compares a dozen models; chips hold arrays of all pixels."""
+"""Number of cached results: planning compares a dozen models; chips are large."""
 _MUCH = 1 << 20
-"""Slots x lanes above which fewer models are cached."""
+"""If slots x lanes is above this number, fewer models are cached."""
 
 
 @dataclass(frozen=True, eq=False)
 class AnalysedProgram:
-    """A compiled program on a sensor, analysed once for any number of scenes."""
+    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: (N,) in seconds."""
 
     container: Container
     sensor: Sensor
@@ -45,7 +45,7 @@ class AnalysedProgram:
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> AnalysedProgram:
-        """Analyse a program. Raises Rejected where its words open no shutters (NS0442)."""
+        """Analyse a program. Raises Rejected (NS0442) if its words open no shutters."""
         check_program(container)
         reference = Reference.of(container, sensor, everything())
         return cls(container, sensor, reference, Tables.of(reference), container.slot_s)
@@ -57,17 +57,17 @@ class AnalysedProgram:
 
     @property
     def lanes(self) -> NDArray[np.int32]:
-        """The lane of every pixel, flat."""
+        """The lane (code number) of each pixel, shape (pixels,)."""
         return self.array.flat_lanes
 
     @cached_property
     def full(self) -> WeightModel:
-        """The model of weights with every effect on."""
+        """The weight model with every effect."""
         return self.model(everything())
 
     @remembered
     def model(self, kept_effects: Selection) -> WeightModel:
-        """Return the model of weights under some effects, at the mean leakage."""
+        """Return the weight model under some effects, at the mean leakage."""
         return WeightModel.of(kept_effects, self.sensor)
 
     @cached_property
@@ -76,13 +76,13 @@ class AnalysedProgram:
         return LaneWords.of(self.reference)
 
     def reference_at(self, array: PixelArray, effects: Selection) -> Reference:
-        """The reference for some pixels of the chip, under some effects."""
+        """Return the reference for some pixels of the chip, under some effects."""
         whole_chip = Reference.of(self.container, self.sensor, effects)
         lane = array.lanes.astype(np.intp)
         return replace(whole_chip, groups=Groups(whole_chip.groups.of_slot, lane, array.places))
 
     def wired(self, effects: Selection, device_seed: int) -> Wired:
-        """The words of single pixels of a chip that have these effects, for the compiled loop."""
+        """Return the words of pixels on a chip under some effects, bound to the loop; cached."""
         return self.recent.of(
             (Wired, effects.on, device_seed),
             lambda: Wired(self.words(effects), effects, device_seed),
@@ -93,13 +93,13 @@ class AnalysedProgram:
         return LaneWords.of(replace(self.reference, words=self.tables.fresh))
 
     def words(self, kept_effects: Selection) -> LaneWords:
-        """The words for the loop over single pixels, under some effects."""
+        """Return the words for the loop over single pixels under some effects."""
         faded = self.model(kept_effects).decay or not self.tables.decays
         return self.pixels if faded else self._fresh_pixels
 
     @cached_property
     def reach(self) -> RegisterReach:
-        """The reach of the registers with every effect on."""
+        """The charge up to which registers stay linear, with every effect."""
         all_effects = everything()
         return reach_of(
             self.tables, all_effects, all_effects.require_part(Soft).linear_e(self.sensor)
@@ -115,21 +115,21 @@ class AnalysedProgram:
 
     @cached_property
     def group_ids(self) -> NDArray[np.int64]:
-        """The groups of slots that occur; group 0 contains closed slots."""
+        """Numbers of the groups of slots that occur; group 0 contains closed slots."""
         return np.unique(self.reference.groups.of_slot)
 
     @cached_property
     def open_groups(self) -> tuple[int, ...]:
-        """The groups of slots that are open in some bucket."""
+        """Numbers of the groups of slots that are open in some bucket."""
         return tuple(group for group in self.group_ids.tolist() if group)
 
     def members(self, group: int) -> Values:
-        """Return 1 where a slot (N, lanes) belongs to a group, else 0."""
+        """Return a float64 mask (N, lanes): 1 where a slot belongs to the group, else 0."""
         return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
 
     @remembered
     def group_seconds(self, group: int) -> Values:
-        """Return the seconds (lanes,) of the slots of a group."""
+        """Return the total seconds (lanes,) of the slots of a group."""
         return np.asarray(self.slot_s @ self.members(group))
 
     @remembered
@@ -139,7 +139,7 @@ class AnalysedProgram:
 
     @remembered
     def mean_weights(self, model: WeightModel) -> dict[int, Values]:
-        """Return the mean weight (lanes, buckets) over the time of each group's slots."""
+        """Return for each group of slots its time-averaged weight (lanes, buckets)."""
         weights = self.tables.weights(model).slots
         means = {}
         for group in self.group_ids.tolist():
@@ -153,9 +153,11 @@ class AnalysedProgram:
 
     @remembered
     def uneven_seconds(self, model: WeightModel) -> tuple[Values, Values]:
-        """Return time integrals (buckets, lanes) of squared weights, minus their group means and as
-        they are. Multiplied by the light per second, they are the variance of counts that one count
-        per group omits, and the whole variance of counts."""
+        """Return time integrals (buckets, lanes) of squared weights: relative to the group means,
+        and absolute.
+
+        Multiplied by the light per second, the first is the variance of counts that one count per
+        group neglects, and the second is the whole variance of counts."""
         weights, means = self.tables.weights(model).slots, self.mean_weights(model)
         uneven, square = np.zeros((2, weights.shape[2], weights.shape[1]))
         for group in self.open_groups:
@@ -167,8 +169,8 @@ class AnalysedProgram:
     def sum_weights(
         self, model: WeightModel, leak_rates: tuple[float, ...], groups: tuple[int, ...]
     ) -> SlotWeights:
-        """Return the slots of each group, then the weights of slots in each bucket for each leakage
-        rate."""
+        """Return the weights of slots for sums: a mask for each group, then for each bucket the
+        weights at each leakage rate."""
         key = SlotWeights, model, leak_rates, groups
 
         def make() -> SlotWeights:
@@ -213,4 +215,4 @@ class AnalysedProgram:
 
 
 analysed = OfContainer(AnalysedProgram.of)
-"""The analysis of a container on a sensor, made once for each pair."""
+"""Return the `AnalysedProgram` of a container on a sensor, cached for each pair."""

@@ -1,9 +1,7 @@
-"""The range of register values of a program: the charge with which registers leave the linear
-range.
+"""Find the charge with which the registers of a program leave their linear range.
 
 The words run forwards over some lanes. Register values are linear functions of the charge of each
-stretch of slots between words, of the fixed error of a word, and of noise.
-"""
+stretch of slots between words, of the fixed error of a word, and of noise."""
 
 from __future__ import annotations
 
@@ -24,25 +22,27 @@ _MOST_LANES = 64
 _MOST_STRETCHES = 128
 _SIGMAS = 6.0
 _KINDS = 2
-"""Number of kinds of register content: usually light of open slots, and light of closed slots,
-which is subtracted later."""
+"""Number of kinds of register content, usually light of open slots and light subtracted later."""
 _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class RegisterReach:
-    """What registers hold is at most what one of the `held_weights` (kinds, N, lanes) makes of the
-    slots' charge, and they stay in their linear range as long as each of these is below its
-    `least_e` (kinds, lanes), 0 where noise alone may take them out of it; without `held_weights` as
-    long as what PIX has seen is below it."""
+    """The charge up to which registers stay in their linear range.
+
+    `held_weights` (kinds, N, lanes): largest weights of the slots' charge in any register.
+    Registers stay linear while the charge weighted by each of them is below `least_e` (kinds,
+    lanes), which is 0 where noise alone may leave the range. If `held_weights` is None, `least_e`
+    limits the charge that PIX has collected."""
 
     held_weights: Values | None
     least_e: Values
 
 
 def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> RegisterReach:
-    """Return the reach of a program with the noise of `kept_effects` and registers that are linear
-    up to `linear_e`, deterministically."""
+    """Return the charge up to which a program's registers stay in their linear range.
+    `kept_effects`: the effects with noise. `linear_e`: largest linear register value, in electrons.
+    """
     lanes, slots = len(tables.container.encoding), tables.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in tables.decayed])
@@ -64,8 +64,8 @@ def _farthest(
     tables: Tables, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64], kept_effects:
     Selection, linear_e: float,
 ) -> _RegisterReach:  # fmt: skip
-    """Run the words over `sampled_lanes`, with stretches of slots that end at the boundaries
-    `ends`."""
+    """Run the words over `sampled_lanes` and return the linear range of the written registers.
+    Stretches of slots end at the boundaries `ends`."""
     gain_part, sensor = kept_effects.find_part(WordGain), tables.program.sensor
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
     state = _RegisterState(tables, len(sampled_lanes), len(ends), kept_effects)
@@ -86,9 +86,10 @@ def _farthest(
 
 
 class _RegisterState:
-    """What registers, PIX and its reset level hold: `held_weights` (lanes, rows, columns) of the
-    charge of each stretch and, last, of the fixed error; and the `covariance` (lanes, rows, rows)
-    of their noise."""
+    """The contents of registers, PIX and its reset level, as linear functions.
+
+    `held_weights` (lanes, rows, columns): weights of the charge of each stretch and, in the last
+    column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
 
     def __init__(self, tables: Tables, lanes: int, stretches: int, kept_effects: Selection) -> None:
         self._container, sensor = tables.container, tables.program.sensor
@@ -97,21 +98,20 @@ class _RegisterState:
         self.held_weights = np.zeros((lanes, len(self.names), stretches + 1))
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
         gain = kept_effects.find_part(WordGain)
-        # Plans may leave a gain below 1 out.
+        # Plans may drop a gain below 1.
         self._gain = max(1.0, gain.gain(sensor)) if gain else 1.0
         self._variance = {"reads": 0.0, "resets": 0.0, "words": 0.0}
         for _, errors in kept_effects.errors():
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
-        """Reset PIX in these lanes."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
-        """Run a bus word in these lanes."""
+        """Run a bus word in the lanes of a mask."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:
@@ -129,8 +129,7 @@ class _RegisterState:
     def _write(
         self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
     ) -> None:
-        """Set rows to the weighted sum `total` of all rows, plus independent noise of a
-        variance."""
+        """Set `rows` to the weighted sum `total` of all rows plus independent noise."""
         new_weights = total @ self.held_weights[lanes]
         new_covariance = total @ self.covariance[lanes]
         for row in rows:
@@ -143,8 +142,10 @@ class _RegisterState:
 
 @dataclass(eq=False)
 class _RegisterReach:
-    """The `RegisterReach` of the registers that were written so far: `held_weights` (kinds, lanes,
-    stretches). `error_e`: mean and spread of the fixed error."""
+    """The linear range of the registers that were written so far (see `RegisterReach`).
+
+    `held_weights`: shape (kinds, lanes, stretches). `error_e`: mean and spread of the fixed error.
+    """
 
     linear_e: float
     error_e: tuple[float, float]
@@ -153,12 +154,14 @@ class _RegisterReach:
 
     @property
     def most(self) -> float:
-        """The largest weight that a register gives to a charge, at least 1."""
+        """The largest weight of a charge in a register, at least 1."""
         return max(1.0, float(self.held_weights.max(initial=0.0)))
 
     def add(self, lanes: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
-        """A register is written in the `lanes` that are true: with so much (lanes, stretches) of
-        their charge and of the fixed error, and noise of this standard deviation."""
+        """Take a written register into account.
+
+        `lanes`: mask of the lanes that write it. `lit` (lanes, stretches), `fixed`: weights of
+        charge and of the fixed error in it. `sigma`: standard deviation of its noise."""
         mean_e, spread_e = self.error_e
         low_e, high_e = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))
         above = self.linear_e - np.maximum(low_e, high_e) - _SIGMAS * sigma
@@ -169,8 +172,8 @@ class _RegisterReach:
         self._hold(lanes, np.abs(lit), least)
 
     def _hold(self, lanes: NDArray[np.bool_], size: Values, least: Values) -> None:
-        """Add the weights `size` to the first kind whose weights are all at least, or all at most,
-        as large; else to the last kind."""
+        """Merge the weights `size` into the first kind whose weights are all smaller or all larger,
+        else into the last kind."""
         for kind in range(_KINDS):
             held_weights = self.held_weights[kind]
             is_smaller = (size <= held_weights + _ROUNDING).all(axis=1)

@@ -23,12 +23,12 @@ from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
 
 _TOGETHER = 16
-"""Number of sites that are processed together: adjacent ones share a cache line of each frame."""
+"""Number of sites that are processed together: adjacent sites share a cache line of each frame."""
 
 
 @record
 class Laying:
-    """The range of sites to prepare, and sizes; the last three are switches."""
+    """The range of sites `begin` to `end` - 1 to prepare, sizes, and three switches (0: off)."""
 
     begin: int
     end: int
@@ -38,7 +38,7 @@ class Laying:
     even: int
     """Whether all slots have the same light."""
     uneven: int
-    """Whether pixels differ in their response."""
+    """Whether pixels differ in their response. `counts_dark`: whether to count dark electrons."""
     counts_dark: int
 
 
@@ -56,7 +56,7 @@ def _light(
     frames: Floats32, row_start: Ints, frame_index: Ints32, weight: Floats, n: int, pixels: int,
     place: int,
 ) -> float:  # fmt: skip
-    """The light of slot n at a place."""
+    """Return the light of slot n at a place, in electrons."""
     total = 0.0
     for k in range(row_start[n], row_start[n + 1]):
         total += float(frames[frame_index[k] * pixels + place]) * weight[k]
@@ -65,7 +65,7 @@ def _light(
 
 @compiled
 def _draw(laying: Laying, key: np.uint64, places: Ints, at: int, scales: Floats) -> None:
-    """scales[i, at] := the normal number of places[i]; nothing else, so LLVM makes vectors."""
+    """Set scales[i, at] to the normal number of places[i], in a loop that LLVM vectorises."""
     for i in range(laying.begin, laying.end):
         scales[2 * i + at] = normal(uniform(key, places[i]))
 
@@ -85,13 +85,12 @@ def lay_out(
     of_lane: Annotated[Ints, "lanes 2"],
     sites: Sites,
 ) -> None:
-    """number[places[i]] := i; rows[i] := where in `sums` the light and the dark charge of the site
-    begin; scales[i] := the light of a slot there, and its dark current.
+    """Prepare the sites at `places`: fill `number`, `rows`, `scales` and `sums` of `sites`.
 
-    `of_lane`: where those of each lane begin. Where slots are not even, each site has a row of its
-    own for light and its scale is 1: the first of `sums` (sites, groups, N + 1) are the light of
-    each group, added up from slot to slot. `of_slot`: the group of each.
-    """
+    If all slots have the same light (`laying.even`), the scale of a site is the light of a slot,
+    and its sums are those of its lane. Otherwise each site has its own sums of light, shape (sites,
+    groups, N + 1) at the beginning of `sums`, and scale 1. `of_lane`: where the sums of each lane
+    begin. `of_slot`: the group of each slot."""
     pixels, slots, count = laying.pixels, laying.slots, laying.groups
     number, rows, scales, sums = sites.number, sites.rows, sites.scales, sites.sums
     for i in range(laying.begin, laying.end):

@@ -19,8 +19,7 @@ from nscc_runtime.pool import in_parts
 _FEWEST = 256
 """Smallest number of sites per thread."""
 _SPARSE = 64
-"""If fewer than one pixel in this number is chosen, a list is faster than an array of all
-pixels."""
+"""If fewer than one pixel in this number is chosen, a list is faster than a mask."""
 _MOST_KEPT = 1 << 21
 """Largest table of the slots of all lanes that is cached for other scenes."""
 
@@ -28,8 +27,8 @@ _MOST_KEPT = 1 << 21
 def needed_places(
     chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool
 ) -> NDArray[np.int64]:
-    """Return the distinct `chosen` places, row * cols + col, in order; with `beside`, also those of
-    their neighbours."""
+    """Return the distinct `chosen` places (row * cols + col) in ascending order; with `beside`,
+    also the places of their neighbours."""
     if beside and len(chosen) * _SPARSE < shape[0] * shape[1]:
         row, col = np.divmod(chosen, shape[1])
         rows = np.clip(np.stack([row, row - 1, row + 1, row, row]), 0, shape[0] - 1)
@@ -48,8 +47,8 @@ def needed_places(
 
 @dataclass(frozen=True, eq=False)
 class Times:
-    """The slots of lanes: `of_slot` int32 (lanes, N) is the group of each slot, `groups` their
-    number, `slot_s` (N,) the slot lengths."""
+    """The slots of lanes. `of_slot` (lanes, N): the group of each slot. `groups`: number of groups.
+    `slot_s` (N,): slot lengths in seconds."""
 
     of_slot: NDArray[np.int32]
     groups: int
@@ -64,8 +63,11 @@ class Times:
         return self.tables(np.arange(lanes))
 
     def tables(self, used: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Return cumulative sums (rows, groups, N + 1) over the slots of each group: numbers of
-        slots for the `used` lanes, then seconds; and where (lanes, 2) those of each lane begin."""
+        """Return cumulative sums over the slots of each group, and where the sums of each lane
+        begin.
+
+        The sums (rows, groups, N + 1) are numbers of slots for the `used` lanes, then seconds. The
+        starts (lanes, 2) are indices into the flattened sums."""
         lanes, slots = self.of_slot.shape
         apart = self.of_slot[used, None, :] == np.arange(self.groups)[:, None]
         sums = np.zeros((2, len(used), self.groups, slots + 1))
@@ -87,9 +89,8 @@ def sites_of(
     switches: dict[str, int],
     threads: int,
 ) -> Sites:
-    """Return the sites at `places`, of pixels with these `lanes` (rows, cols). `switches` are the
-    effects' fields of `Laying`.
-    """
+    """Return the sites at `places`, of a chip whose pixels have these `lanes` (rows, cols).
+    `switches`: the fields of `Laying` that effects set."""
     count, even, groups = len(places), light.even, times.groups
     row = groups * (light.slots + 1)
     tables = times.all_tables

@@ -1,7 +1,6 @@
 """The loop that adds up frames of light, weighted by the pixel's lane, with crosstalk.
 
-`nscc_runtime.execution.sums` checks its arguments.
-"""
+`nscc_runtime.execution.sums` checks the arguments of the loop."""
 
 from __future__ import annotations
 
@@ -23,7 +22,7 @@ from nscc_runtime.loop import (
 )
 
 BLOCK = 512
-"""Number of pixels whose sums stay in the cache for all frames."""
+"""Number of pixels whose sums stay in the processor cache for all frames."""
 
 TOGETHER = 4
 """Number of frames that are added in one pass over the sums."""
@@ -31,10 +30,10 @@ TOGETHER = 4
 
 @record
 class SceneSizes:
-    """The size of the frames, and the rows from `begin` to `end` - 1 to process.
+    """The size of the frames, and the rows `begin` to `end` - 1 to process.
 
-    Sums from number `smeared` on are of light after crosstalk of `fraction`.
-    """
+    Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's light moves to
+    each neighbour."""
 
     begin: int
     end: int
@@ -52,7 +51,8 @@ def _moved(
     frames: Floats32, share: Floats32, frame: int, p: int, up_step: int, down_step: int, left_step:
     int, right_step: int, c: np.float32,
 ) -> np.float32:  # fmt: skip
-    """Return the light of pixel p of a frame after crosstalk; the steps lead to its neighbours."""
+    """Return the light of pixel p of a frame after crosstalk. The steps are index differences to
+    its neighbours."""
     own_light = share[p] * frames[frame + p]
     four = (
         share[p + up_step] * frames[frame + p + up_step]
@@ -69,14 +69,13 @@ def _smear(
     sizes: SceneSizes, frames: Floats32, share: Floats32, frame: int, first: int, stop: int,
     lit: Floats32, at: int,
 ) -> None:  # fmt: skip
-    """lit[at + i] := q + fraction laplacian(q) at pixel first + i, q = share * frame; the border
-    reflects. The pixels are of one row.
-    """
+    """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame. The
+    border reflects. All pixels belong to one row."""
     cols, c = sizes.cols, np.float32(sizes.fraction)
     row = first // cols
     up_step = -cols if row > 0 else 0
     down_step = cols if row + 1 < sizes.rows else 0
-    # Inner pixels have all neighbours: no branch, so LLVM makes vectors.
+    # Inner pixels have all neighbours: no branch, so LLVM vectorises the loop.
     for p in range(first + 1, stop - 1):
         lit[at + p - first] = _moved(frames, share, frame, p, up_step, down_step, -1, 1, c)
     left_step, right_step = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
@@ -91,7 +90,7 @@ def _smear(
 def _gather(
     source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
 ) -> None:
-    """gathered[i] += the light at first + i of `count` frames, which are `step` apart."""
+    """Add the light at first + i of `count` frames, `step` apart, to gathered[i]."""
     for k in range(0, count - count % TOGETHER, TOGETHER):
         frame = at + k * step
         for p in range(first, stop):
@@ -110,7 +109,7 @@ def _gather_smeared(
     sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, count: int, first: int,
     stop: int, lit: Floats32, gathered: Floats,
 ) -> None:  # fmt: skip
-    """Like `_gather`, for frames k .. k + count - 1 after crosstalk."""
+    """Add the light of frames k to k + count - 1 after crosstalk to `gathered`."""
     pixels = sizes.rows * sizes.cols
     for first_frame in range(0, count, TOGETHER):
         together = min(TOGETHER, count - first_frame)
@@ -162,14 +161,13 @@ def scene_sums(
     gathered: Written[Floats],
     out: Written[Annotated[Floats, "sums rows cols"]],
 ) -> None:
-    """out[j, p] := the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
+    """Set out[j, p] to the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
 
-    The frames pass once, for all sums. Products and sums in float64; smeared light in float32.
-    `share`: the scale in float32 where light is smeared. `lit_sums`: whether any lane has a weight
-    of a frame in a sum. `alike`: with how many after it each frame has all its weights in common,
-    itself included: they are added up before they are weighted. `lit`, `gathered`: scratch for
-    `TOGETHER` times `BLOCK` pixels, and for `BLOCK`.
-    """
+    The frames are read once for all sums. Products and sums are float64; light after crosstalk is
+    float32. `share`: `scale` in float32, for sums with crosstalk. `lit_sums`: whether any lane has
+    a nonzero weight. `alike`: number of consecutive frames from frame k on with equal weights;
+    these are added up before they are weighted. `lit` and `gathered` are working memory for
+    `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):

@@ -51,15 +51,13 @@ APPROXIMATIONS: Sequence[str] = (
     "counts from a rate of 10 on follow a formula",
     "noise of words is weighed at the mean leakage, and leakage is linear between two rates",
 )
-"""The approximations of sums, compared with the reference with the same effects."""
+"""The approximations of sums, relative to the reference with the same effects."""
 
 
 @dataclass(frozen=True, eq=False)
 class SummedScene:
-    """A scene on the pixels of a chip, whose frames are weighted sums with noise.
-
-    `known` caches sums of the light: planning tries sets of effects that share them.
-    """
+    """A scene on the pixels of a chip, whose frames are weighted sums with noise. `known` caches
+    sums of the light: planning compares sets of effects that share them."""
 
     chip: SimulatedChip
     light: Light
@@ -68,13 +66,13 @@ class SummedScene:
 
     @cached_property
     def source(self) -> Light:
-        """The scene's light, with or without motion inside its slots."""
+        """The scene's light, with motion inside its slots if that effect is simulated."""
         return (self.chip.kept_effects.find_part(Moving) and self.light.motion) or self.light
 
     @cached_property
     def _sums(self) -> tuple[Values, Values]:
         """The light of each counted group of slots (counted groups, pixels), and of each bucket
-        (buckets, pixels), computed in one pass."""
+        (buckets, pixels), in electrons."""
         chip, kept_effects = self.chip, self.chip.kept_effects
         lit = len(chip.counted) if kept_effects.find_part(CountedLight) is not None else 0
         model = chip.program.model(kept_effects)
@@ -104,7 +102,7 @@ class SummedScene:
 
     @cached_property
     def expected(self) -> Values:
-        """Mean exposures (buckets, pixels), with fixed errors of words, without saturation."""
+        """Mean exposures (buckets, pixels) with fixed errors of words, without saturation."""
         exposure, dark_e = self._sums[1], self.chip.dark_e
         if dark_e is not None:
             exposure = exposure + dark_e
@@ -114,15 +112,14 @@ class SummedScene:
 
     @cached_property
     def rates(self) -> list[Values]:
-        """The mean counts (counted groups, pixels) of each source of charge."""
+        """Mean counts (counted groups, pixels) of each source of charge."""
         return [
             self._sums[0] if source == LIGHT else self.chip.dark_rates
             for _, source in self.chip.sources
         ]
 
     def away(self, seed: int, frame: int) -> Values:
-        """Return the deviations of the counts (counted groups, pixels) of a frame from their
-        means."""
+        """Return the deviations of a frame's counts (counted groups, pixels) from their means."""
         array, groups = self.chip.array, self.chip.counted
         away = np.empty((len(groups), array.lanes.size))
         # Computed before the threads start: cached properties of one object wait for each other.
@@ -146,8 +143,7 @@ class SummedScene:
         return away
 
     def expose(self, seed: int, frame: int, away: Values) -> Values:
-        """Return exposures (buckets, pixels) of a frame whose counts deviate by `away` from their
-        means."""
+        """Return exposures (buckets, pixels) of a frame; `away`: deviations of its counts."""
         chip, (draws, _) = self.chip, self.chip.noise
         (rows, cols), expected = chip.array.shape, self.expected
         exposure = np.empty(expected.shape)
@@ -172,7 +168,7 @@ class SummedScene:
         return exposure
 
     def _keys(self, seed: int, frame: int) -> list[NDArray[np.uint64]]:
-        """Return the keys of the counted groups for each source."""
+        """Return the random keys of the counted groups for each source."""
         groups = self.chip.counted
         return [
             np.array([count_key(seed, stream, source, frame, group) for group in groups], np.uint64)
@@ -181,7 +177,7 @@ class SummedScene:
 
 
 def _adding(chip: SimulatedChip) -> Bound:
-    """Return the loop that adds up, bound to the arguments that do not depend on the scene."""
+    """Return the loop `add_up`, bound to the arguments that do not depend on the scene."""
     return add_up.bound(
         lanes=chip.array.flat_lanes,
         places=chip.array.places,
@@ -193,9 +189,8 @@ def _adding(chip: SimulatedChip) -> Bound:
 
 @dataclass(frozen=True, eq=False)
 class LoopConverter:
-    """The converter for the loop: its parameters `figures`, and the random `stream` of its noise, 0
-    without noise.
-    """
+    """The converter for the loop. `figures`: its parameters. `stream`: random stream of its noise,
+    0 without noise. `places`: places of the pixels."""
 
     figures: dict[str, Any]
     stream: int
@@ -227,8 +222,7 @@ class LoopConverter:
         self, values: Values, marked: NDArray[np.uint8], shape: tuple[int, int],
         seed_and_number: tuple[int, int], threads: int,
     ) -> Frame:  # fmt: skip
-        """Convert exposures (buckets, pixels) to a frame; saturation marks of codes are added to
-        `marked`."""
+        """Convert exposures (buckets, pixels) to a frame; add marks of codes to `marked`."""
         (buckets, pixels), (seed, number) = values.shape, seed_and_number
         frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
         keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]

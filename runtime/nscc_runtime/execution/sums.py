@@ -1,4 +1,4 @@
-"""Weighted sums of a scene's frames, by the compiled loop."""
+"""Weighted sums of a scene's frames of light, by the compiled loop."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ _MOST_KEPT = 1 << 21
 
 @dataclass(frozen=True, eq=False)
 class FrameWeights:
-    """Weights (J, T, lanes) of frames for `nscc_runtime.execution.sum_loop.scene_sums`, for all
-    lights with the same timing."""
+    """Weights (sums, frames, lanes) of frames of light for
+    `nscc_runtime.execution.sum_loop.scene_sums`, for all lights with the same timing."""
 
     timing: Hashable
     weights: NDArray[np.float64]
@@ -39,7 +39,7 @@ class FrameWeights:
 
     @cached_property
     def lit_sums(self) -> NDArray[np.uint8]:
-        """Whether any lane has a nonzero weight of a frame (J, T)."""
+        """Mask (sums, frames): whether any lane has a nonzero weight of a frame."""
         return np.asarray(self.weights.any(axis=2), np.uint8)
 
     @cached_property
@@ -53,17 +53,15 @@ class FrameWeights:
 
     @cached_property
     def most_part(self) -> NDArray[np.float64]:
-        """Largest weight (lanes,) as a fraction of a frame's total weight."""
+        """Largest weight (lanes,) of a frame, as a fraction of the frame's total weight."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
         np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
         return np.asarray(fractions.max(axis=(0, 1)))
 
 
 class SlotWeights:
-    """One or more weights (N, lanes) of slots.
-
-    The weights of the last light's frames are cached: series of frames have the same timing.
-    """
+    """One or more weights (N, lanes) of slots. The weights of the last light's frames are cached,
+    because series of frames have the same timing."""
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
         self.slots = [*slots]
@@ -71,12 +69,11 @@ class SlotWeights:
 
     @property
     def lanes(self) -> int:
-        """Number of lanes."""
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
-        """Return the weights of a light's frames."""
-        last = self._last  # threads may make it anew
+        """Return these weights converted to weights of the frames of `light`."""
+        last = self._last  # other threads may replace it
         if last is None or last.timing != light.timing:
             last = FrameWeights.of(light, self.slots)
             if last.weights.size <= _MOST_KEPT:
@@ -84,7 +81,8 @@ class SlotWeights:
         return last
 
     def batches(self, light: Light) -> Iterator[tuple[slice, FrameWeights]]:
-        """Return the weights of a light's frames in batches that fit into memory."""
+        """Yield these weights, converted to frames of `light`, in batches that fit into memory,
+        each with its slice of the weights."""
         room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
         if room >= len(self.slots):
             yield slice(0, len(self.slots)), self.of_frames(light)
@@ -103,12 +101,11 @@ def scene_sums(
     fraction: float,
     threads: int = 1,
 ) -> NDArray[np.float64]:
-    """The sums (of each of the weights, pixels) of a light's slots, each weighted by slot and lane.
+    """Return the sums (weights, pixels) of a light's slots, each weighted by slot and lane.
 
-    `lanes` and `scale`, a factor on the light, also in float32, are (pixels,). Those from number
-    `smeared` on weigh what is there after `fraction` of each pixel's light has gone to each of its
-    neighbours. Threads change no bit.
-    """
+    `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
+    and in float32. Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's
+    light moves to each neighbour. Results do not depend on `threads`."""
     shape, count = light.shape, len(weights.slots)
     if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")

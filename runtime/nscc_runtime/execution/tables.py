@@ -1,8 +1,7 @@
-"""The words of a program as weights of slots and of errors, for each lane.
+"""The words of a program as weights of slots and of errors, for each lane (code number).
 
 Without saturation an exposure is a weighted sum of the charge of slots and of the errors of words.
-The weights depend on the pixel's code (its lane), on gain, leakage, dead time and decay.
-"""
+The weights depend on the pixel's code, on gain, leakage, dead time and decay."""
 
 from __future__ import annotations
 
@@ -22,11 +21,11 @@ Weights = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """The weights of a program; `program` has every effect on, so that all draws exist.
+    """The weights of a program; `program` is the reference with every effect, so that all draws
+    exist.
 
-    `fresh`: the analog words without decay of digital registers; `decayed`: with decay, the same
-    object if that changes nothing.
-    """
+    `fresh`: the analog words without decay of digital registers. `decayed`: the words with decay;
+    the same object as `fresh` if decay changes nothing."""
 
     program: Reference
     fresh: tuple[AnalogWord, ...]
@@ -34,7 +33,7 @@ class Tables:
 
     @classmethod
     def of(cls, program: Reference) -> Tables:
-        """Return the tables of a program with every effect on."""
+        """Return the tables of a program with every effect."""
         fresh = analog_words(program.container)
         alike = all(
             np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, program.words, strict=True)
@@ -43,7 +42,6 @@ class Tables:
 
     @property
     def container(self) -> Container:
-        """The program's container."""
         return self.program.container
 
     @property
@@ -66,14 +64,16 @@ class Tables:
         return backward(self.container, words, model)
 
     def numbered(self, at: str, model: WeightModel) -> ByName[int]:
-        """Return the coefficients (lanes, buckets) of small errors, keyed by draw number."""
+        """Return coefficients (lanes, buckets) of small errors of kind `at`, by draw number."""
         return numbered_errors(self.container.target, self.weights(model))[at]
 
     @remembered
     def noise(self, at: str, full: WeightModel) -> tuple[Weights, Weights]:
-        """Return the coefficients L (lanes, buckets, draws) of the keyed draws of small errors at
-        `reads`, `resets` or `words`, and the remaining variance (lanes, buckets), for unit errors.
-        """
+        """Return coefficients of small errors of kind `at`: "reads", "resets" or "words".
+
+        The first array contains the coefficients (lanes, buckets, draws) of the keyed draws. The
+        second contains the remaining variance (lanes, buckets). Both are for errors of standard
+        deviation 1."""
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
         coefficients = self.numbered(at, full)
         drawn = self.program.draws[at]
@@ -92,7 +92,7 @@ class Tables:
 
     @remembered
     def seen_slots(self) -> NDArray[np.bool_]:
-        """Return the slots (N, lanes) whose charge is on PIX at some read."""
+        """Return a mask (N, lanes) of the slots whose charge is on PIX at some read."""
         container = self.container
         is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)

@@ -1,7 +1,7 @@
 """Frames by weighted sums on a torch device, many at once.
 
-Computes what `nscc_runtime.execution.frame_loop` computes, with the same keyed random numbers, to
-about 1e-3 electrons. Sums over slots, and pixels that run through their words, stay on the
+The results equal those of `nscc_runtime.execution.frame_loop` to about 1e-3 electrons, with the
+same keyed random numbers. Sums over slots, and pixels that run through their words, stay on the
 processor."""
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from nscc_runtime.reference.noise import SUM
 _MOST_BYTES = 1 << 29
 """Largest number of bytes of the tensors in use."""
 _ROOMS = 24
-"""Number of tensors per frame that random numbers need."""
+"""Number of tensors per frame that drawing random numbers needs."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,7 @@ class OnTorch:
         return int(max(1, _MOST_BYTES // frame_bytes))
 
     def expose(self, seed: int, frames: range) -> NDArray[np.float64]:
-        """Return exposures (frames, buckets, pixels)."""
+        """Return exposures (frames, buckets, pixels) in electrons."""
         exposure = self._expected + self._deviations(seed, frames)
         draws, sigmas = self.summed.chip.noise
         for (stream, draw), sigma in zip(draws, sigmas, strict=True):

@@ -1,10 +1,10 @@
-"""What analog words do to pixels: the reference's words, compiled.
+"""The effect of analog words on pixels: the reference's words, compiled.
 
-Two loops run pixels through words: `nscc_runtime.execution.pixel_loop` single pixels with fixed
-shutters, and `nscc_runtime.looking.path_loop` blocks of pixels that look. They add charge to PIX
-and draw the normal numbers of a word before it runs here. Register r of pixel i of a block is at
-index r * `block` + i. `block` and `count`, the number of pixels that run the word, are constants
-for single pixels: everything here is inlined for that."""
+Two loops run pixels through words: `nscc_runtime.execution.pixel_loop` runs single pixels with
+fixed shutters, and `nscc_runtime.looking.path_loop` runs blocks of pixels that look. Both add
+charge to PIX and draw the normal numbers of a word before they call these functions. Register r of
+pixel i of a block is at index r * `block` + i. `count` is the number of pixels that run the word.
+`block` and `count` are constants for single pixels, so everything here is inlined."""
 
 from __future__ import annotations
 
@@ -26,9 +26,10 @@ from nscc_runtime.execution.layout import (
 from nscc_runtime.loop import Bytes, Floats, inlined
 
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4
-"""Marks of a register: it contains a full PIX, or a full PIX at the level of a reset."""
+"""Saturation marks of a register: it contains a full PIX with positive or negative sign, or a full
+PIX in the level of a reset."""
 _bent = in_loop("bends")
-"""Soft saturation of a register, by the effect with this switch."""
+"""The function in loops for soft saturation of a register."""
 
 
 @inlined
@@ -63,7 +64,7 @@ def reset(
     switches: Switches, numbers: Numbers, word: LoopWord, block: int, count: int, contents:
     RegisterContents, result: WordResult, normals: Floats, first: int,
 ) -> None:  # fmt: skip
-    """Reset PIX; its error is normals[first + j]."""
+    """Reset PIX; the error of pixel j is normals[first + j]."""
     for j in range(count):
         i = result.pixels[j]
         at = switches.registers * block + i
@@ -134,10 +135,10 @@ def write(
     LoopProgram, fixed: Fixed, contents: RegisterContents, result: WordResult, normals: Floats,
     first: int, step: int,
 ) -> None:  # fmt: skip
-    """Write the result of a bus word to its destinations; the error of destination d is
-    normals[first + d * step + j]."""
+    """Write a bus word's result to its destinations d, each with the error normals[first + d * step
+    + j]."""
     for j in range(count):
-        # What is added of the negative was subtracted.
+        # A bus word negates, so added and subtracted are exchanged.
         full = result.full[j]
         exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
         result.full[j] = exchanged | full & LEVEL
@@ -163,8 +164,8 @@ def read_out(
     switches: Switches, numbers: Numbers, block: int, count: int, readouts: Readouts, fixed: Fixed,
     contents: RegisterContents, pixels: int, first: int, out: Floats, marked: Bytes,
 ) -> None:  # fmt: skip
-    """Read out a block whose pixels are number `first` and following of `pixels`: exposures, and
-    their saturation marks."""
+    """Read out the pixels of a block into `out` (electrons) and `marked` (saturation marks), from
+    pixel number `first` of `pixels` on."""
     for bucket in range(switches.buckets):
         gain = readouts.gain[bucket]
         negative = gain < 0.0

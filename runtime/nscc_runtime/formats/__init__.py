@@ -1,4 +1,4 @@
-"""File formats of pictures, clips and frames: a table, and a function per format."""
+"""File formats of pictures, clips and frames: a table, and one function per format."""
 
 from __future__ import annotations
 

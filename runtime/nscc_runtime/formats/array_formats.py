@@ -26,7 +26,7 @@ def npz(content: Content) -> bytes:
 
 
 def npy(content: Content) -> Product:
-    """Return a writer of an .npy file of the main array."""
+    """Return a function that writes an .npy file of the main array to a stream."""
     first = content.main or (lambda: next(iter(content.arrays.values())))
 
     def write(file: IO[bytes]) -> None:

@@ -14,13 +14,13 @@ from nscc_runtime.formats.content import Content
 from nscc_runtime.scenes.picture_files import quiet
 
 FRAMES_A_SECOND = 10.0
-"""Frame rate of clips in frames per second: slow motion, as a clip may last two milliseconds."""
+"""Frames per second of clips: slow motion, because a clip may last two milliseconds."""
 _CODECS = ("vp09", "mp4v")
 """Codecs in order of preference: VP9 plays in browsers; MPEG-4 if OpenCV lacks it."""
 
 
 def gif(content: Content) -> bytes:
-    """Return a looping .gif of 256 greys or colours."""
+    """Return a looping .gif file with 256 greys or colours."""
     from PIL import Image
 
     frames = map(Image.fromarray, content.shown)
@@ -34,8 +34,7 @@ def gif(content: Content) -> bytes:
 
 
 def mp4(content: Content) -> bytes:
-    """Return an .mp4 file, lossy; an odd last row or column is repeated, because codecs need even
-    sizes."""
+    """Return a lossy .mp4 file; odd sizes are padded, because codecs need even sizes."""
     with quiet():
         import cv2
 
@@ -61,7 +60,7 @@ def mp4(content: Content) -> bytes:
 
 
 def _even(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return a frame as blue, green, red, padded to even numbers of rows and columns."""
+    """Return a frame with channels blue, green, red, padded to even numbers of rows and columns."""
     colours = frame[..., ::-1] if frame.ndim == 3 else np.repeat(frame[..., None], 3, axis=-1)
     odd = [(0, side % 2) for side in colours.shape[:2]]
     return np.pad(colours, [*odd, (0, 0)], mode="edge")

@@ -1,4 +1,4 @@
-"""The content of a product: a picture or a clip of light, and the arrays of the result."""
+"""The content of an output file: a picture or a clip of light, and the arrays of the result."""
 
 from __future__ import annotations
 
@@ -17,30 +17,31 @@ Arrays = Mapping[str, NDArray[Any]]
 
 @dataclass(frozen=True, eq=False)
 class Content:
-    """A product in the form that every file format accepts.
+    """The content of an output file, in the form that every file format accepts.
 
     Attributes
     ----------
     arrays : mapping of str to array
-        The arrays of an .npz file; an .npy file holds `main()`, or else the first of them.
+        The arrays of an .npz file. An .npy file contains `main()`, or the first array if None.
     light : array, optional
-        A picture (rows, cols) or a clip (T, rows, cols), with a last axis of red, green, blue if
-        `colour`; in `unit`. None for a product that is neither.
+        A picture (rows, cols) or a clip (T, rows, cols) in `unit`, with a last axis of red, green,
+        blue if `colour`. None if the content is neither picture nor clip.
     moving, colour : bool
         Whether `light` is a clip, and whether it has colours.
     codes : array, optional
-        Codes of the converter, uint8, of the shape of `light`. They are shown unless `tone` is set.
+        Codes of the converter, uint8, with the shape of `light`. They are shown unless `tone` is
+        set.
     write_npz : callable, optional
-        Writes the .npz file if it holds more than `arrays`.
+        Writes the .npz file if it contains more than `arrays`.
     benchmark : callable, optional
         Returns the arrays of a .mat file.
     tone, usual : str
-        The tone curve asked for, and the curve used without it.
+        The requested tone curve (None if not requested), and the default tone curve.
     white : float, optional
-        The light shown as white; by default a percentile.
+        The light shown as white; None for a percentile.
     picture : callable
-        Turns `light` or `codes` of other shapes into a picture, one frame of a clip at a time,
-        because a film may be larger than memory.
+        Turns `light` or `codes` of other shapes into a picture. It is called for one frame of a
+        clip at a time, because a clip may be larger than memory.
     """
 
     arrays: Arrays
@@ -67,29 +68,29 @@ class Content:
 
     @property
     def pictures(self) -> Iterator[NDArray[Any]]:
-        """The light as pictures: the frames of a clip, or one picture."""
+        """The light as an iterator of pictures: the frames of a clip, or one picture."""
         return self._pictures(self.light)
 
     @property
     def shown(self) -> Iterator[NDArray[np.uint8]]:
-        """The pictures as a screen shows them, after the tone curve."""
+        """The pictures for display (uint8) as an iterator, after the tone curve."""
         tone = self.shown_by
         return self._pictures(self.codes) if tone is None else map(tone, self.pictures)
 
     def _pictures(self, values: NDArray[Any] | None) -> Iterator[NDArray[Any]]:
-        assert values is not None  # formats of pictures take what has light or codes
+        assert values is not None  # `lacks` refuses content without light
         return map(self.picture, values if self.moving else [values])
 
     @property
     def tone_text(self) -> str:
-        """The tone curve and its white level, as a text."""
+        """A text with the tone curve and its white level."""
         tone = self.shown_by
         if tone is None:
             return "codes as read out"
         return f"{tone.name}, white {tone.white:.4g}{f' {self.unit}' if self.unit else ''}"
 
     def lacks(self, kinds: str) -> str | None:
-        """Return why a format of `kinds` cannot hold the content; None if it can."""
+        """Return the reason why a format of `kinds` cannot hold the content; None if it can."""
         if "arrays" in kinds:
             return None
         if self.light is None:

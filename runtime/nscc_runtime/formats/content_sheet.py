@@ -1,4 +1,4 @@
-"""Draw the content of a product: one image, or the frames of a clip side by side."""
+"""Draw the content of an output file: one image, or the frames of a clip side by side."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _COLUMNS, _MOST = 4, 16
 
 
 def content_sheet(content: Content, title: str) -> Figure:
-    """Draw a picture, or up to sixteen frames of a clip; the note names the tone curve."""
+    """Draw a picture, or up to sixteen frames of a clip, with a note that names the tone curve."""
     shown = [*content.shown]
     numbers = np.unique(np.linspace(0, len(shown) - 1, min(_MOST, len(shown))).round().astype(int))
     images = [

@@ -14,8 +14,8 @@ from nscc_runtime.formats.content import Content
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its ending, what it `holds` (picture, clip, arrays), and its writer. `shown`:
-    it holds display pictures after a tone curve, instead of light."""
+    """A file format: its ending, the kinds of content that it `holds` (picture, clip, arrays), and
+    its writer. `shown`: it contains display pictures after a tone curve instead of light."""
 
     ending: str
     holds: str
@@ -38,13 +38,11 @@ FORMATS = {
         Format(".mp4", "clip", clips.mp4, shown=True),
     )
 }
-"""Formats by ending. A name without an ending, such as /dev/stdout, gets the command's
-own format."""
+"""Formats by ending. For names without ending (/dev/stdout), each command has a default."""
 
 
 def endings(*kinds: str) -> tuple[str, ...]:
-    """Return the endings of the formats that hold one of these kinds; without kinds, all
-    endings."""
+    """Return the endings of formats that hold one of these kinds; without kinds, all endings."""
     return tuple(
         ending
         for ending, format_ in FORMATS.items()
@@ -53,8 +51,8 @@ def endings(*kinds: str) -> tuple[str, ...]:
 
 
 def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
-    """Return the ending of a product's name in lower case, or the first of `allowed` without one.
-    Raises Rejected (NS0786) for another ending."""
+    """Return the lower-case ending of a file name, or the first of `allowed` if the name has no
+    ending. Raises Rejected (NS0786) for any other ending."""
     ending = path.suffix.lower()
     if ending in allowed:
         return ending
@@ -72,8 +70,8 @@ def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
 
 
 def file_of(path: Path, content: Content, product: str) -> Product:
-    """Return the bytes or the writer of a product; Rejected (NS0786) if the format cannot
-    hold it."""
+    """Return the bytes of an output file, or a function that writes it. Raises Rejected (NS0786) if
+    the format of the ending cannot hold the content."""
     ending = check_ending(path, endings(), product)
     format_ = FORMATS[ending]
     lacks = content.lacks(format_.holds)

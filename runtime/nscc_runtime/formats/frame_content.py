@@ -17,7 +17,7 @@ from nscc_runtime.frame_file import FrameFile
 from nscc_runtime.light import Light
 
 _TOP = 255.0
-"""White in the benchmark's clips."""
+"""White level in the benchmark's clips."""
 _WHOLE = 1e-3
 """Tolerance for values that were whole numbers before conversion to electrons."""
 
@@ -26,9 +26,11 @@ def frame_content(
     file: FrameFile, container: Container, light: Light | None,
     shutters: Callable[[], NDArray[np.bool_]], tone: str | None = None,
 ) -> Content:  # fmt: skip
-    """Return the content of a frame file. Pictures of linear light hold electrons, others the
-    codes. Buckets are side by side; frames of --repeat make a clip, three colours a colour picture.
-    `shutters` returns the distinct shutters bool (shutters, buckets, N) of the container."""
+    """Return the content of a frame file.
+
+    Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side.
+    Frames of --repeat make a clip, three colours a colour picture. `shutters` returns the distinct
+    shutters bool (shutters, buckets, N) of the container."""
     frame, colour = file.frame, "colours" in file.meta
     return Content(
         {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
@@ -40,7 +42,7 @@ def frame_content(
 
 def _picture(values: NDArray[Any]) -> NDArray[Any]:
     """Reshape (buckets, rows, cols) to (rows, buckets * cols), with 0 for values that are not
-    finite. A leading axis of colours becomes the last."""
+    finite. A leading axis of colours becomes the last axis."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
     np.copyto(side, 0, where=~np.isfinite(side))
     return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
@@ -50,13 +52,12 @@ def benchmark_arrays(
     container: Container, shutters: NDArray[np.bool_], exposure_e: NDArray[np.float64],
     light: Light | None, colour: bool = False,
 ) -> Arrays:  # fmt: skip
-    """Return `mask` (H, W, T), `meas` (H, W, K) and, of a known scene, `orig` (H, W, T * K).
+    """Return `mask` (H, W, T), `meas` (H, W, K) and, for a known scene, `orig` (H, W, T * K).
 
     K is the number of frames. As in the benchmark 255 is white, and without effects meas = sum(mask
-    * orig). `white_e` (1, 1) are the electrons per slot of white: that of the clip, or its
-    brightest value if larger, or the full well over T for an unknown scene. Raises Rejected
-    (NS0786) for several buckets or colours, which the benchmark does not support.
-    """
+    * orig). `white_e` (1, 1): electrons per slot of white. For a clip it is the clip's white level,
+    or its brightest value if larger; for an unknown scene it is the full well divided by T. Raises
+    Rejected (NS0786) for several buckets or colours, which the benchmark does not support."""
     exposures = exposure_e if exposure_e.ndim == 4 else exposure_e[None]
     if colour or exposures.shape[1] != 1:
         raise _one_bucket()
@@ -76,8 +77,8 @@ def benchmark_arrays(
 
 
 def shutter_content(arrays: Arrays) -> Content:
-    """Return the content of `nscc shutters`. A .mat holds `mask` (rows, cols, T), an .npy (buckets,
-    rows, cols, T), both of 0 and 1."""
+    """Return the content of `nscc shutters`. A .mat file contains `mask` (rows, cols, T), an .npy
+    file (buckets, rows, cols, T), both of 0 and 1."""
     count = int(arrays["shutter_shape"][3])
 
     def opened() -> NDArray[np.uint8]:

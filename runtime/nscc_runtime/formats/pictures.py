@@ -14,7 +14,7 @@ from nscc_runtime.formats.content import Content
 
 
 def png(content: Content) -> bytes:
-    """Return a .png of 8 bits per sample; the text chunk Description names the tone curve."""
+    """Return a .png file of 8 bits per sample; the text chunk Description names the tone curve."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
@@ -38,7 +38,7 @@ def pfm(content: Content) -> bytes:
 
 
 def tiff(content: Content) -> bytes:
-    """Return a .tiff of float32, lossless; a clip has one page per frame."""
+    """Return a .tiff file of float32, lossless; a clip has one page per frame."""
     import cv2
 
     if not content.moving:
@@ -76,7 +76,7 @@ def _in_three(light: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
-    """Return the picture with blue first, as OpenCV requires."""
+    """Return the picture with channels blue, green, red, as OpenCV requires."""
     return light[..., ::-1] if light.ndim == 3 else light
 
 

@@ -1,1 +1,2 @@
-"""Programs whose pixels look at the light, compiled: their words as ways through a frame."""
+"""Compiled simulation of programs whose pixels look at the light: their words as paths through a
+frame."""

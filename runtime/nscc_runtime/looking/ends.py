@@ -1,4 +1,4 @@
-"""How pixels that look can end a frame, and the words that brought each of these ends about."""
+"""The possible ends of a frame of a pixel that looks, and a path of words to each end."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from nscc_runtime.response import ShutterResponse
 class Ends:
     """The ways in which a frame of a pixel can end.
 
-    `outcomes` int64 (ends, 1 + states): the behaviour and the states that are read. `words`: the
-    bus and reset words of one path to each end; their lanes are the ends."""
+    `outcomes` int64 (ends, 1 + states): the behaviour number, then the values of the states that
+    are read. `words`: the bus and reset words of one path to each end; their lanes are the ends."""
 
     outcomes: NDArray[np.int64]
     words: tuple[AnalogWord, ...]
@@ -41,12 +41,14 @@ def _looked_response(
 
 
 looked_response = OfContainer(_looked_response)
-"""The ends of a program whose pixels look, and the response (ends, buckets) of each, by (container,
-sensor, effects); None where the paths of its pixels cannot be followed."""
+"""Return the ends of a program whose pixels look, and the response (ends, buckets) of each end.
+
+Arguments: container, sensor, effects. Returns None if the paths of its pixels cannot be followed.
+"""
 
 
 def ends_of(container: Container, paths: Paths) -> Ends:
-    """All ends of a program's frames."""
+    """Return all ends of a program's frames."""
     machine = container.machine
     assert machine is not None
     bits = start_bits(container)
@@ -69,11 +71,11 @@ def ends_of(container: Container, paths: Paths) -> Ends:
 
 
 def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
-    """The segments of one path from a segment to each ending that it leads to."""
+    """Return for each ending that `first` leads to the segments of one path, last segment first."""
     if first < 0:
         return {-1 - first: []}
     before, path_by_ending = {first: -1}, {}
-    # Answers lead to later segments only.
+    # Answers lead only to later segments.
     for segment in range(first, len(paths.following)):
         if segment not in before:
             continue
@@ -89,7 +91,7 @@ def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
 
 
 def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
-    """The bus and reset words of a frame, with the ends whose paths run through them."""
+    """Return the bus and reset words of a frame; lanes are the ends whose paths contain them."""
     acts = np.zeros((len(paths.words), len(by_end)), np.bool_)
     for end, path in enumerate(by_end):
         for segment in path:
@@ -104,8 +106,10 @@ def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
 def row_of(
     rows: NDArray[np.int64], columns: Sequence[NDArray[np.integer]]
 ) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-    """Which of `rows` (R, K) has the values of these K arrays, element by element, and where there
-    is one."""
+    """Return the index of the row of `rows` (R, K) that equals the values of K arrays, and where it
+    exists.
+
+    Both results have the shape of the arrays; the index is arbitrary where no row matches."""
     number = np.zeros(len(rows), np.int64)
     row_number = np.zeros(columns[0].shape, np.int64)
     is_present = np.ones(row_number.shape, np.bool_)

@@ -1,7 +1,7 @@
-"""Frames of programs that look, by the compiled loop over ways: the reference's numbers, faster.
+"""Frames of programs that look, by the compiled loop over paths: the reference's numbers, faster.
 
-With the same effects and seeds it gives what `nscc_runtime.reference.looks` gives, to rounding, and
-without effects bit for bit. What it cannot have it says, and the reference does it.
+With the same effects and seeds, results equal those of `nscc_runtime.reference.looks` except for
+rounding, and exactly without effects. `lacks` names the effects that only the reference supports.
 """
 
 from __future__ import annotations
@@ -50,24 +50,23 @@ from nscc_runtime.reference.words import most_destinations
 Bits = NDArray[np.bool_]
 
 _CELLS = 1 << 18
-"""Intervals x pixels whose charge is made at once: it stays in the cache."""
+"""Number of intervals x pixels whose charge is computed at once, so that it stays in the cache."""
 BEFORE_WORDS = {"scene", "light", "response", "count", "charge", "neighbours"}
+"""Stages before the words of a frame: the reference computes the charge."""
 _AFTER_WORDS = {"converter", "codes"}
-"""Stages that need no part in the loop: charge is made, and codes are, as in the reference."""
+"""Stages after the words of a frame: the reference computes the codes."""
 
 
 @dataclass(frozen=True, eq=False)
 class LookingProgram:
-    """A program that looks (a container with a state machine) and a sensor, prepared for any scene
-    and effects.
-    """
+    """A program whose pixels look, on a sensor, prepared for any scene and effects."""
 
     container: Container
     sensor: Sensor
 
     @remembered
     def lacks(self, effects: Selection) -> tuple[str, ...]:
-        """Why frames with these effects are the reference's to make; nothing where they are not."""
+        """Return the reasons why only the reference supports these effects; empty if none."""
         reasons = [
             f"{effect.name}: only the reference has it ({effect.words.reason})"
             for effect in effects.effects
@@ -81,7 +80,7 @@ class LookingProgram:
 
     @cached_property
     def fades(self) -> bool:
-        """Whether a digital register may go unwritten for too long in a frame."""
+        """Whether a digital register may decay within a frame."""
         frame_us = float(sum(self.container.slot_us))
         return retention_us(everything(), self.sensor) < frame_us
 
@@ -95,8 +94,8 @@ class LookingProgram:
         rows: range | None = None,
         threads: int = 1,
     ) -> Executed:
-        """Frame number `frame`, or consecutive rows of it, as `LookingReference.expose` does;
-        threads change no bit. ValueError for what `lacks` names."""
+        """Return a frame, or consecutive rows of it, like `LookingReference.expose`. Results do not
+        depend on `threads`. Raises ValueError if `lacks` returns reasons."""
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
         joined = intervals.joined(scene)
 
@@ -118,31 +117,33 @@ class LookingProgram:
         threads: int = 1,
         among: Bits | None = None,
     ) -> Executed:
-        """The same under the charge of rows that `fall` gives; `among` (rows, cols): the pixels
-        whose words run, by default all. Of others the result means nothing."""
+        """Return a frame like `expose`, with the charge of rows returned by `fall`.
+
+        `among` (rows, cols): the pixels whose words run, None for all. The results of other pixels
+        are meaningless."""
         lacking, paths = self.lacks(effects), self._paths(effects)
         if lacking or isinstance(paths, str):
             raise ValueError("; ".join(lacking))
         begins = paths.begins(loaded, scene.light.shape)
         if among is not None:
-            begins = np.where(among, begins, -1)  # they have come to an end
+            begins = np.where(among, begins, -1)  # these pixels have ended already
         return _LookingFrame(self, paths, scene, effects, seeds, frame).rows(
             rows, begins, fall, threads
         )
 
     def _paths(self, effects: Selection) -> Paths | str:
-        """The paths where bits are kept as long as effects let them be, or why there are none."""
+        """Return the paths under `effects`, or the reason why they cannot be found."""
         return paths_of(self.container, retention_us(effects, self.sensor))
 
     @remembered
     def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> LoopProgram:
-        """The words, where intervals begin with these slots."""
+        """Return the words for the loop; `starts` are the first slots of the intervals."""
         return program_of(self.container, paths.words, starts)
 
 
 @dataclass(frozen=True, eq=False)
 class _LookingFrame:
-    """One frame."""
+    """One frame of a program that looks, on a scene."""
 
     program: LookingProgram
     paths: Paths
@@ -158,7 +159,7 @@ class _LookingFrame:
     def rows(
         self, rows: range, begins: NDArray[np.int64], fall: Callable[[range], Fallen], threads: int
     ) -> Executed:
-        """Consecutive rows; `begins` (rows, cols) of all of them."""
+        """Return consecutive rows; `begins` (rows, cols): first segment of each pixel."""
         cols = self.scene.light.shape[1]
         shape = (len(self.program.container.buckets), len(rows), cols)
         exposure, saturated_by = np.empty(shape), np.empty(shape, np.uint8)
@@ -187,7 +188,7 @@ class _LookingFrame:
 
     @cached_property
     def _bound(self) -> Callable[..., None]:
-        """The loop with what all rows have in common."""
+        """The loop, bound to the arguments that all rows share."""
         container, paths = self.program.container, self.paths
         seed, device_seed = self.seeds
         return run_paths.bound(
@@ -208,7 +209,7 @@ class _LookingFrame:
         begins: NDArray[np.int64],
         rows: range,
     ) -> tuple[NDArray[Any], ...]:
-        """Exposures and what cut them off (buckets, rows, cols), and endings (rows, cols)."""
+        """Return exposures and saturation marks (buckets, rows, cols), and endings (rows, cols)."""
         container, pixels = self.program.container, begins.size
         sizes = PathSizes(
             pixels=pixels,

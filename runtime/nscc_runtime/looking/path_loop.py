@@ -1,10 +1,9 @@
 """The compiled loop that takes pixels along their paths through a frame.
 
-It computes what `nscc_runtime.reference.looks` computes, with the same keyed random numbers. All
+It computes the same as `nscc_runtime.reference.looks`, with the same keyed random numbers. All
 pixels of a block that are in one segment run each of its words together. The answer of the
 comparison at its end selects the next segment. `nscc_runtime.looking.looking_program` prepares the
-arguments.
-"""
+arguments."""
 
 from __future__ import annotations
 
@@ -50,30 +49,30 @@ from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
 
 BLOCK = 512
-"""Pixels of a block."""
+"""Number of pixels of a block."""
 
 
 @record
 class PathSizes:
-    """How much there is of everything."""
+    """Sizes for the loop over paths."""
 
     pixels: int
     first_place: int
-    """The place of the first pixel; the others follow it."""
+    """The place of the first pixel; the places of the others follow."""
     intervals: int
     segments: int
     steps: int
-    """The analog words of a frame."""
+    """Number of analog words of a frame."""
     numbered: int
-    """By how much the numbers of the draws of two words differ."""
+    """Difference between the draw numbers of consecutive words."""
     paces: int
-    """1 where all pixels have one pace, else as many as there are pixels."""
+    """1 if all pixels have the same pace, else the number of pixels."""
     frame: int
 
 
 @record
 class PathKeys:
-    """Keys from which those of a frame's words follow."""
+    """First halves of a frame's random keys: of reads and resets of PIX, words, comparisons."""
 
     reads: np.uint64
     resets: np.uint64
@@ -82,8 +81,8 @@ class PathKeys:
 
 
 class Segments(NamedTuple):
-    """The words of segment k are acting[start[k] : start[k + 1]]; of its pixels those whose
-    comparison answers a go on to following[k, a], a segment or -1 - e, ending e."""
+    """Segments of paths. The words of segment k are acting[start[k] : start[k + 1]]. Pixels whose
+    comparison has the answer a continue with following[k, a]: a segment, or -1 - e for ending e."""
 
     start: Annotated[Ints, "segments+1"]
     acting: Ints
@@ -91,14 +90,15 @@ class Segments(NamedTuple):
 
 
 class Charge(NamedTuple):
-    """What falls in each interval, and which part of it falls in a microsecond."""
+    """The electrons of each interval, and the fraction collected per microsecond (`pace`)."""
 
     electrons: Annotated[Floats, "intervals pixels"]
     pace: Annotated[Floats, "intervals+1 paces"]
 
 
 class WordKeys(NamedTuple):
-    """Scratch: the keys of a frame's draws, word by word."""
+    """Working memory: the random keys of a frame. `reads`, `resets`, `compares`: one key for each
+    analog word. `words`: one for each draw."""
 
     reads: Written[Annotated[Words, "steps"]]
     resets: Written[Annotated[Words, "steps"]]
@@ -107,9 +107,12 @@ class WordKeys(NamedTuple):
 
 
 class BlockScratch(NamedTuple):
-    """Scratch of a block: its first pixel that waits before each segment, -1 at first, and the next
-    one behind each; the interval that each pixel has reached, and the part of it that has fallen;
-    the normal numbers of a word, draw by draw."""
+    """Working memory of a block.
+
+    `head`: the first pixel that waits before each segment, -1 if none. `behind`: the next waiting
+    pixel after each pixel. `reached`: the interval that each pixel has reached. `fallen_fraction`:
+    the fraction of this interval that is collected. `normals`: the normal numbers of a word, by
+    draw."""
 
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
@@ -122,7 +125,7 @@ class BlockScratch(NamedTuple):
 def _drawn(
     key: np.uint64, first_place: int, running: Ints, count: int, normals: Floats, at: int
 ) -> None:
-    """normals[at + j] := the normal number of a key at the pixel running[j] of a block."""
+    """Set normals[at + j] to the normal number of a key at the pixel running[j] of a block."""
     for j in range(count):
         normals[at + j] = uniform(key, first_place + running[j])
     for j in range(count):
@@ -134,7 +137,7 @@ def _begin(
     switches: Switches, numbers: Numbers, device: OnDevice, place: int, count: int, running: Ints,
     fixed: Fixed, contents: RegisterContents, block: BlockScratch,
 ) -> None:  # fmt: skip
-    """What is fixed of the pixels of a block, and what their registers hold."""
+    """Set the fixed patterns of the pixels of a block, and empty their registers."""
     for i in range(count):
         running[i] = i
         block.reached[i], block.fallen_fraction[i] = 0, 0.0
@@ -158,7 +161,7 @@ def _fall(
     switches: Switches, sizes: PathSizes, numbers: Numbers, word: LoopWord, first: int, running:
     Ints, count: int, charge: Charge, contents: RegisterContents, block: BlockScratch,
 ) -> None:  # fmt: skip
-    """PIX gets the charge that has fallen when a word ends."""
+    """Add to PIX the charge that is collected until a word ends."""
     pixels, last = sizes.pixels, sizes.intervals - 1
     for j in range(count):
         i = running[j]
@@ -179,9 +182,7 @@ def _fall(
 
 @inlined
 def _hand_on(segment: int, first: int, i: int, block: BlockScratch, ends: Ints32) -> None:
-    """Queue pixel i for `segment`; if the segment is negative, its path has ended, and i goes into
-    `ends`.
-    """
+    """Queue pixel i for `segment`; a negative number is an ending, which is stored in `ends`."""
     if segment < 0:
         ends[first + i] = -1 - segment
     else:
@@ -191,7 +192,7 @@ def _hand_on(segment: int, first: int, i: int, block: BlockScratch, ends: Ints32
 
 @compiled
 def _name(sizes: PathSizes, keys: PathKeys, of_word: WordKeys) -> None:
-    """The keys of this frame's draws, word by word."""
+    """Compute the random keys of this frame's draws, by word."""
     for w in range(sizes.steps):
         number = np.uint64(w)
         of_word.reads[w] = bits(keys.reads, sizes.frame, number)
@@ -206,8 +207,7 @@ def _draw(
     switches: Switches, sizes: PathSizes, word: LoopWord, w: int, of_word: WordKeys, place: int,
     running: Ints, count: int, normals: Floats,
 ) -> None:  # fmt: skip
-    """The normal numbers of a word: of what it reads or resets, then of what it answers or
-    writes."""
+    """Draw the normal numbers of a word: its read or reset, its comparison or destinations."""
     if word.resets and switches.reset_errors:
         _drawn(of_word.resets[w], place, running, count, normals, 0)
     if word.reads_pix and switches.read_errors:
@@ -225,7 +225,8 @@ def _along(
     LoopProgram, segments: Segments, charge: Charge, of_word: WordKeys, block: BlockScratch, fixed:
     Fixed, contents: RegisterContents, result: WordResult, ends: Ints32,
 ) -> None:  # fmt: skip
-    """The pixels of a block that wait before a segment run its words, and are handed on."""
+    """Run a segment's words in all pixels of a block that wait for it, and queue each for its next
+    segment."""
     count, i, place, running = 0, block.head[segment], sizes.first_place + first, result.pixels
     block.head[segment] = -1
     while i >= 0:
@@ -277,12 +278,11 @@ def run_paths(
     marked: Written[Annotated[Bytes, "buckets pixels"]],
     ends: Written[Annotated[Ints32, "pixels"]],
 ) -> None:
-    """out[b, i] := the exposure of pixel i in bucket b, in electrons, marked[b, i] what cut it off,
-    and ends[i] its ending.
+    """Set out[b, i] to the exposure of pixel i in bucket b in electrons, marked[b, i] to its
+    saturation marks, and ends[i] to its ending.
 
-    `begins` is the segment where each pixel begins, or -1 - e, ending e. From `of_word` to
-    `result`: scratch.
-    """
+    `begins`: the first segment of each pixel, or -1 - e for ending e. `of_word` to `result` are
+    working memory."""
     _name(sizes, keys, of_word)
     for first in range(0, sizes.pixels, BLOCK):
         count, place = min(BLOCK, sizes.pixels - first), sizes.first_place + first

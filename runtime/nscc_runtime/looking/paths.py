@@ -1,14 +1,12 @@
-"""The ways that a pixel can take through a frame: digital words replayed, analog words kept.
+"""All paths of a pixel through a frame, found by replaying digital words.
 
-Which analog words act in a pixel hangs on its bits, and these hang on what its comparisons answered
-and on nothing else. So the digital words are run once, for all bits with which a frame can start
-and all answers: what remains are segments, runs of analog words that end with a comparison, which
-leads to one of two further segments, or with the frame. Words whose results no exposure and no
-comparison depends on are left out, and comparisons that lead to the same segment either way.
-
-A bit that nobody has loaded or written is unknown: such programs as the proof lets pass hang on no
-unknown bit. Of one that does there are no paths, and it is said why.
-"""
+The analog words that act in a pixel depend only on its bits, and these only on the answers of its
+comparisons. So the digital words run once, for all bits at the start of a frame and for all
+answers. The result are segments: analog words that end with a comparison, whose answer leads to one
+of two further segments or to the end of the frame. Words that influence no exposure and no
+comparison are dropped, and so are comparisons whose answers lead to the same segment. A bit that
+was neither loaded nor written is unknown. If a program depends on an unknown bit, there are no
+paths, and the reason is returned."""
 
 from __future__ import annotations
 
@@ -28,22 +26,22 @@ from nscc_runtime.reference.digital import UNKNOWN, Bits, Digital
 from nscc_runtime.reference.trace import RunningWord, running_words
 
 MOST = 1 << 21
-"""Most words x ways that are followed: some hundred megabytes."""
+"""Largest number of words x paths that are followed, some hundred megabytes."""
 
 
 class Pathless(Exception):
-    """Why the paths of a program are not followed."""
+    """The reason why the paths of a program cannot be followed."""
 
 
 @dataclass(frozen=True, eq=False)
 class Paths:
-    """Segment k has the numbers `acting[start[k] : start[k + 1]]` of `words`; only the last of them
-    may compare, and `following` int64 (segments, 2) says where its answer leads: a segment, or
-    -1 - e, which ends the frame in ending e. Without a comparison both are the same.
+    """The segments of a program.
 
-    `first` int64 (starts,): where each of `starts` begins, which are bits (starts,) by register, of
-    all that are loaded. `endings`: bits (endings,) by register, of those that are told.
-    """
+    Segment k consists of the words numbered `acting[start[k] : start[k + 1]]`; only the last may
+    compare. `following` int64 (segments, 2): the next segment for the answers 0 and 1, or -1 - e
+    for ending e; without a comparison both are equal. `starts`: bits (starts,) at the start of a
+    frame, by loaded register. `first` int64 (starts,): the first segment of each start. `endings`:
+    bits (endings,) at the end of a frame, by state register."""
 
     words: tuple[RunningWord, ...]
     start: NDArray[np.int64]
@@ -55,8 +53,8 @@ class Paths:
 
     @classmethod
     def of(cls, container: Container, retention_us: float = inf) -> Paths:
-        """Those of a container with a machine; a digital register reads 0 when no word wrote it for
-        more than `retention_us`. Raises Pathless."""
+        """Return the paths of a container with a state machine. Raises Pathless if they cannot be
+        followed. A digital register reads 0 if no word wrote it for more than `retention_us`."""
         starts = _starts(container)
         walk = _PathReplay(container, starts, retention_us)
         words = walk.run()
@@ -64,7 +62,7 @@ class Paths:
 
     @cached_property
     def _packed(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """The bits of the starts as rising numbers, and where these begin."""
+        """The bits of the starts as ascending numbers, and the first segment of each."""
         numbers = _packed(self.starts, (len(self.first),))
         order = np.argsort(numbers)
         return numbers[order], self.first[order]
@@ -72,8 +70,8 @@ class Paths:
     def begins(
         self, loaded: Mapping[str, NDArray[Any]], shape: tuple[int, ...]
     ) -> NDArray[np.int64]:
-        """Where pixels of a `shape` with these bits begin; ValueError for bits that no code and
-        kept state has."""
+        """Return the first segment of pixels of a `shape` with the `loaded` bits. Raises ValueError
+        for bits that belong to no code and no kept state."""
         numbers, first = self._packed
         loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
@@ -93,12 +91,12 @@ def _paths_of(container: Container, retention_us: float) -> Paths | str:
 
 
 paths_of = OfContainer(_paths_of)
-"""The paths of a container with a machine, or why there are none, by (container, microseconds for
-which digital registers keep their values)."""
+"""Return the paths of a container with a state machine, or a text with the reason why there are
+none. Arguments: container, microseconds for which digital registers keep their values."""
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
-    """Bits of registers as one number."""
+    """Return for each pixel of `shape` the bits of its registers as one number."""
     numbers = np.zeros(shape, np.int64)
     for k, name in enumerate(sorted(bits)):
         numbers |= bits[name].astype(np.int64) << k
@@ -106,7 +104,7 @@ def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray
 
 
 def _starts(container: Container) -> dict[str, Bits]:
-    """All bits with which a frame can start, by register that is loaded."""
+    """Return all combinations of bits with which a frame can start, by loaded register."""
     assert container.machine is not None
     by_node, nodes = start_bits(container), int(container.machine.first[1])
     bits = np.array([*by_node.values()], np.int8).reshape(-1, nodes)
@@ -114,8 +112,8 @@ def _starts(container: Container) -> dict[str, Bits]:
 
 
 def start_bits(container: Container) -> dict[str, Bits]:
-    """The bits with which a frame starts in each node of the machine's first stage (nodes,), by
-    register that is loaded: of codes and of kept states."""
+    """Return the bits (nodes,) at the start of a frame in each node of the machine's first stage,
+    by loaded register: codes and kept states."""
     machine = container.machine
     assert machine is not None
     nodes = np.arange(machine.first[1])
@@ -132,7 +130,7 @@ def start_bits(container: Container) -> dict[str, Bits]:
 
 
 class _PathReplay:
-    """All ways at once: one lane for each that differs by now."""
+    """Replays a frame for all paths at once, with one lane for each path that differs so far."""
 
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
@@ -146,13 +144,12 @@ class _PathReplay:
         )
         self.segment = np.arange(self.starts)
         self.passed: list[tuple[int, NDArray[np.intp], Bits]] = []
-        """By word that may act: its number, the segments, and whether it acts there."""
+        """For each word that may act: its number, the segments, and whether it acts in them."""
         self.following: list[tuple[NDArray[np.intp], int, NDArray[np.intp]]] = []
-        """Segments, an answer, and the segments that it leads to."""
+        """For each answered comparison: segments, an answer, and the next segment of each."""
         self.size = 0
 
     def run(self) -> tuple[RunningWord, ...]:
-        """Run a frame; the analog words that were met."""
         start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
         words: list[RunningWord] = []
         for word in running_words(self.container):
@@ -165,8 +162,7 @@ class _PathReplay:
         return tuple(words)
 
     def distinct_endings(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
-        """The endings that differ in what is told: bits (endings,) by register, and the ending of
-        each lane."""
+        """Return the endings as bits (endings,) by state register, and the ending of each lane."""
         planes = self.container.state_planes.values()
         names = sorted({register for state_planes in planes for register in state_planes.registers})
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
@@ -190,7 +186,7 @@ class _PathReplay:
             self._answered(acts)
 
     def _answered(self, is_asked: Bits) -> None:
-        """Every lane goes on with 0, and with 1 where it was asked."""
+        """Continue every lane with the answer 0, and also with 1 where the comparison is made."""
         if (is_asked == UNKNOWN).any():
             raise Pathless("a comparison is made where FLAG is unknown")
         all_lanes = np.arange(len(is_asked))
@@ -214,7 +210,7 @@ def _alive(
     walk: _PathReplay,
     starts: Mapping[str, Bits],
 ) -> Paths:
-    """The paths, without what makes no difference: from the frame's end backwards."""
+    """Return the paths without words and comparisons that have no influence on the result."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
     reads = [_together(registers, word.sources) for word in words]
     writes = [
@@ -261,14 +257,14 @@ def _alive(
 
 
 def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
-    """Registers as a set of bits; IN is none."""
+    """Return a set of registers as bits of a number; IN is ignored."""
     return sum({registers[name] for name in names if name in registers})
 
 
 def _by_segment(
     walk: _PathReplay, ending: NDArray[np.intp]
 ) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
-    """The words that each segment meets, with whether they act, and where answers lead."""
+    """Return the words of each segment and whether they act, and its next segments."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
         for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):

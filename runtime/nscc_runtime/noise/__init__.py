@@ -1,6 +1,7 @@
 """Random numbers for the sensor's effects, each a pure function of a key and of a pixel's index.
-The index of a pixel is row * cols + col in the whole array, so that tiles, threads and order change
-no bit."""
+
+The index of a pixel is row * cols + col in the whole array, so results do not depend on tiles,
+threads or order."""
 
 from __future__ import annotations
 

@@ -1,6 +1,8 @@
-"""Random numbers of arrays of pixels, by the compiled loops. `pixels` are flat indices row * cols +
-col in the whole array, in any order and of any shape; the result has their shape. A call uses one
-thread and releases the GIL; splitting `pixels` over threads changes no bit."""
+"""Random numbers of arrays of pixels, by the compiled loops.
+
+`pixels` are indices row * cols + col in the whole array, in any order and of any shape; results
+have the same shape. A call uses one thread and releases the GIL. Splitting `pixels` over threads
+does not change results."""
 
 from __future__ import annotations
 
@@ -11,13 +13,13 @@ Floats = NDArray[np.float64]
 Pixels = NDArray[np.int64]
 
 RATE_CAP = 1e12
-"""Upper limit of rates, infinity included; no well holds this number of electrons."""
+"""Upper limit of rates, infinity included. No well contains this number of electrons."""
 
 _COUNT_CAP = 2.0**53
 
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
-    """Return uniform numbers strictly inside (0, 1): odd multiples of 2**-53."""
+    """Return one uniform number per pixel strictly inside (0, 1), an odd multiple of 2**-53."""
     from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -26,8 +28,8 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
 
 
 def normals(key: np.uint64, pixels: Pixels) -> Floats:
-    """Return standard normal numbers, monotonic in `uniforms` of the same key and pixel. They are
-    its quantiles, to a relative error of 1e-12, within +-8.21."""
+    """Return standard normal numbers: the normal quantiles of `uniforms` of the same key and pixel.
+    The relative error is below 1e-12 within +-8.21, and numbers are monotonic in `uniforms`."""
     from nscc_runtime.noise.noise_loops import Draws, fill_normals
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -38,16 +40,14 @@ def normals(key: np.uint64, pixels: Pixels) -> Floats:
 def poisson(
     key: np.uint64, pixels: Pixels, rate: Floats, *, exact: bool
 ) -> tuple[Floats, NDArray[np.bool_]]:
-    """Return Poisson counts of the mean `rate` (shape of `pixels`), and where they are valid.
+    """Return Poisson counts with mean `rate` (shape of `pixels`), and where they are valid.
 
     Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. For a NaN rate the count is 0
-    and not valid. The count never decreases in the rate.
-
-    Both samplers of `nscc_runtime.noise.poisson_law` invert the distribution function at `uniforms`
-    of the same key and pixel. `exact` is the reference, `poisson_exact`; otherwise rates from 10 on
-    use the formula of `poisson_fast`, within 2e-4 of the Poisson distribution in total variation.
-    Raises ValueError for a rate of another shape.
-    """
+    and not valid. Counts never decrease with the rate. Both samplers of
+    `nscc_runtime.noise.poisson_law` invert the distribution function at `uniforms` of the same key
+    and pixel. With `exact`, `poisson_exact` is used. Otherwise rates from 10 on use the formula of
+    `poisson_fast`, whose total variation distance from the Poisson distribution is at most 2e-4.
+    Raises ValueError for a rate of another shape."""
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
     from nscc_runtime.noise.noise_loops import BLOCK, Counts, fill_poisson
@@ -66,16 +66,14 @@ def poisson(
 
 
 def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floats:
-    """Distribute each count over slots in proportion to `shares`: (pixels, slots), rows sum to
-    counts.
+    """Distribute each count over slots in proportion to `shares`; return counts (pixels, slots).
 
-    `pixels` and `counts` are flat; `shares` is (pixels, slots) or, common to all pixels, (slots,).
-    Slots are halved recursively (at multiples of powers of two), and one binomial draw gives the
-    count in the first half, monotonic in that half's share. So the charge of a run of slots takes
-    one draw per halving that it cuts. Raises ValueError for other shapes, for counts that are not
+    `pixels` and `counts` are 1-D. `shares` is (pixels, slots) or, common to all pixels, (slots,).
+    Slots are halved recursively (at multiples of powers of two). One binomial draw gives the count
+    in the first half, monotonic in that half's share, so the charge of a range of slots needs one
+    draw for each halving that it cuts. Raises ValueError for other shapes, for counts that are not
     whole numbers in 0 .. 2**53, for shares that are negative or not finite or whose sum is not
-    finite, and for a count without any share.
-    """
+    finite, and for a positive count whose shares are all 0."""
     counts, shares = _floats(counts), _floats(shares)
     pixel_count, slots = len(counts), shares.shape[-1] if shares.ndim else 0
     if np.shape(pixels) != counts.shape or counts.ndim != 1:
@@ -105,7 +103,7 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
 
 
 def _places(pixels: Pixels) -> Pixels:
-    """Return pixel indices as contiguous int64; ValueError for invalid ones."""
+    """Return pixel indices as 1-D int64. Raises ValueError for negative or fractional indices."""
     pixels = np.asarray(pixels)
     if not (np.issubdtype(pixels.dtype, np.integer) and (pixels.size == 0 or pixels.min() >= 0)):
         raise ValueError("a pixel's place is a whole number from 0 on")

@@ -1,6 +1,8 @@
-"""Binomial counts from one uniform number, for distributing a count over slots. The count never
-decreases in u, in the chance p of each trial or in the number n of trials while the other two stay,
-up to rounding (see `nscc_runtime.noise.poisson_law`)."""
+"""Binomial counts from one uniform number, for distributing a count over slots.
+
+The count never decreases in the uniform number u, in the probability p of a success or in the
+number n of trials while the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`).
+"""
 
 from __future__ import annotations
 
@@ -16,8 +18,8 @@ SEARCH_BELOW = 10.0
 """Below this mean (of the rarer outcome) the search starts from 0."""
 
 EXACT_BELOW = 1e8
-"""Variance from which on the formula is used alone; it differs from the search with a probability
-of about 1e-15 n p, by rounding."""
+"""Variance from which on only the formula is used. It differs from the search with a probability of
+about 1e-15 n p, by rounding."""
 
 _SEARCHED = 80
 _INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
@@ -25,15 +27,14 @@ _INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
 
 @compiled
 def _log1p(x: float) -> float:
-    """log(1 + x) for x > -1, a few last places off (Kahan's quotient)."""
+    """Return log(1 + x) for x > -1, to a few units in the last place (Kahan's quotient)."""
     w = 1.0 + x
     return x if w == 1.0 else x * (math.log(w) / (w - 1.0))
 
 
 @compiled
 def _mass(k: float, n: float, p: float, q: float) -> float:
-    """Return the probability of k (Loader, "Fast and accurate computation of binomial
-    probabilities")."""
+    """Return the probability of k by Loader's saddle-point expansion (2000)."""
     if k == 0.0:
         return math.exp(n * _log1p(-p))
     if k == n:
@@ -46,7 +47,7 @@ def _mass(k: float, n: float, p: float, q: float) -> float:
 
 @compiled
 def _up_to(k: float, n: float, odds: float, mass: float) -> float:
-    """The probability of at most k, from that of k; `odds` is p / q."""
+    """Return the probability of at most k from the probability `mass` of k; `odds` is p / q."""
     total, term, j = mass, mass, k
     while j > 0.0 and term > 1e-17 * total:
         term *= j / ((n - j + 1.0) * odds)
@@ -57,7 +58,7 @@ def _up_to(k: float, n: float, odds: float, mass: float) -> float:
 
 @compiled
 def _above(k: float, n: float, odds: float, mass: float) -> float:
-    """The probability of more than k, from that of k."""
+    """Return the probability of more than k from the probability `mass` of k; `odds` is p / q."""
     if k >= n:
         return 0.0
     j = k + 1.0
@@ -72,7 +73,7 @@ def _above(k: float, n: float, odds: float, mass: float) -> float:
 
 @compiled
 def _search(u: float, n: float, p: float) -> float:
-    """The smallest count whose distribution function reaches u, for n p up to SEARCH_BELOW."""
+    """Return the smallest count whose distribution function reaches u, for n p <= SEARCH_BELOW."""
     odds = p / (1.0 - p)
     mass = math.exp(n * _log1p(-p))
     total, k = mass, 0
@@ -118,9 +119,11 @@ def _walk(u: float, n: float, p: float, start: float) -> float:
 
 @compiled
 def quantile(z: float, n: float, p: float) -> float:
-    """Return a real number that, rounded down, is the count at the normal quantile z, for n p from
-    SEARCH_BELOW on. It is the Cornish-Fisher expansion of the smooth distribution that agrees at
-    all k + 1/2 (Sheppard's correction of the cumulants), to order 1 / sigma."""
+    """Return a real number that, rounded down, is the count at the normal quantile z, for n p of at
+    least SEARCH_BELOW.
+
+    It is the Cornish-Fisher expansion, to order 1 / sigma, of the smooth distribution that agrees
+    at all k + 1/2 (Sheppard's correction of the cumulants)."""
     q = 1.0 - p
     spread = n * p * q
     variance = spread - 1 / 12
@@ -135,7 +138,7 @@ def quantile(z: float, n: float, p: float) -> float:
 
 @compiled
 def _rarer(u: float, n: float, p: float) -> float:
-    """Return the count for p up to 1/2."""
+    """Return the number of successes in n trials for p up to 1/2 (see `binomial`)."""
     if n * p < SEARCH_BELOW:
         return _search(u, n, p)
     z = normal(u)
@@ -152,8 +155,9 @@ def _rarer(u: float, n: float, p: float) -> float:
 
 @compiled
 def binomial(u: float, n: float, p: float) -> float:
-    """Return the number of successes in n trials: the smallest count whose distribution function
-    reaches u. n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
+    """Return the number of successes in n trials with probability p for a uniform number u: the
+    smallest count whose distribution function reaches u. n is a whole number from 0 to 2**53, p
+    lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
     if n <= 0.0 or p <= 0.0:
         return 0.0
     if p >= 1.0:

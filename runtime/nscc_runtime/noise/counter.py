@@ -1,10 +1,8 @@
-"""Uniform numbers from a key and a counter: a hash, so no state and no order.
+"""Uniform numbers from a key and a counter by a hash, without state.
 
-Philox4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3",
-SC 2011, which passes BigCrush. `nscc_runtime.noise.keys.philox` is the same function for Python.
-
-The functions are scalar: loops (`nscc_runtime.loop`) call them, and LLVM makes vectors of them.
-"""
+Philox4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC
+2011, which passes BigCrush. `nscc_runtime.noise.keys.philox` is the same function for Python. The
+functions are scalar; loops (`nscc_runtime.loop`) call them, and LLVM vectorises the loops."""
 
 from __future__ import annotations
 
@@ -25,8 +23,7 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 
 @inlined
 def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
-    """Return 64 random bits. `lane` distinguishes several numbers of one key and pixel; 0 is the
-    first."""
+    """Return 64 random bits of a key and a pixel. `lane`: 0, 1, .. for several results."""
     place = np.uint64(pixel)
     a, b = place & _MASK, place >> _HALF
     c, d = lane & _MASK, lane >> _HALF
@@ -40,8 +37,8 @@ def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
 
 @inlined
 def unit(random: np.uint64) -> float:
-    """Return the odd multiple of 2**-53 inside (0, 1) given by the upper 52 of 64 bits. Symmetric
-    about 1/2, and 1 - u is exact."""
+    """Return the odd multiple of 2**-53 inside (0, 1) given by the upper 52 bits of `random`. The
+    numbers are symmetric about 1/2, and 1 - u is exact."""
     # The bits become the fraction of a number in [1, 2): no conversion of integers, which not
     # every processor has for vectors.
     fraction = np.uint64((random >> _SHIFT_52) | _ONE_TO_TWO).view(np.float64) - 1.0

@@ -1,12 +1,11 @@
-"""Standard normal numbers from uniform ones: the inverse of the normal distribution function.
+"""Standard normal numbers from uniform numbers: the inverse of the normal distribution function.
 
-For v = min(u, 1 - u) the quantile is a Taylor polynomial about the upper end of v's cell; 32 cells
-an octave, from 2**-53 to 1/2. As functions of the distance t >= 0 from that end all coefficients
-are positive, so rounding keeps each polynomial increasing, and the table is made so that no cell
-ends above where the next begins: the result never decreases in u, not by one bit. The
-coefficients follow from the differential equation of the quantile: Steinbrecher and Shaw, "Quantile
-mechanics", European Journal of Applied Mathematics 19 (2008).
-"""
+For v = min(u, 1 - u) the quantile is a Taylor polynomial about the upper end of v's cell; there are
+32 cells per octave, from 2**-53 to 1/2. As functions of the distance t >= 0 from that end all
+coefficients are positive, so rounding keeps each polynomial increasing, and no cell ends above the
+start of the next: the result never decreases in u. The coefficients follow from the differential
+equation of the quantile: Steinbrecher and Shaw, "Quantile mechanics", European Journal of Applied
+Mathematics 19 (2008)."""
 
 from __future__ import annotations
 
@@ -27,7 +26,7 @@ _LAST = np.int64(_CELLS - 1)
 
 
 def taylor(z: float) -> list[float]:
-    """Coefficients of the quantile about the probability where it is z >= 0."""
+    """Return Taylor coefficients of the quantile about the probability at which it is z >= 0."""
     density = math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
     terms = [z]
     # The n-th derivative is polynomial(z) / density**n.
@@ -41,7 +40,7 @@ def taylor(z: float) -> list[float]:
 
 
 def _table() -> NDArray[np.float64]:
-    """`_TERMS` coefficients for each cell, flat; the cell of the smallest v comes first."""
+    """Return `_TERMS` Taylor coefficients of the quantile for each cell of arguments, flattened."""
     width = 2.0**-_CELL_BITS
     cells = np.empty((_CELLS, _TERMS))
     below = 0.0
@@ -63,7 +62,7 @@ _TABLE = table(_table)
 
 @inlined
 def normal(u: float) -> float:
-    """The standard normal quantile of u in [2**-53, 1 - 2**-53]; relative error below 1e-12."""
+    """Return the normal quantile of u in [2**-53, 1 - 2**-53]; relative error below 1e-12."""
     v = u if u < 0.5 else 1.0 - u
     cell = (np.float64(v).view(np.int64) >> _SHIFT) - _FIRST
     cell = cell if cell < _LAST else _LAST

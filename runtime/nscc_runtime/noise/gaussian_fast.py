@@ -1,6 +1,7 @@
-"""Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans. Parabolas
-about the middle of each of 32 cells an octave, so small a table that it stays in the fastest cache.
-Within 2e-6 of the exact number where |z| < 6."""
+"""Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans.
+
+The quantile is a parabola about the middle of each of 32 cells per octave. The table is small
+enough for the fastest cache. The error is below 2e-6 for |z| < 6."""
 
 from __future__ import annotations
 
@@ -22,15 +23,15 @@ _LOWER = np.uint64(0xFFFF_FFFF)
 
 
 def _cells() -> NDArray[np.float32]:
-    """Three coefficients (cells, 3) of each cell: constant, slope, bend."""
+    """Return three coefficients (cells, 3) of each cell: constant, slope, bend."""
     cells = np.zeros((_CELLS, 3))
     for cell in range(_CELLS - 1):
         octave, step = divmod(cell, 1 << _CELL_BITS)
         middle = 2.0 ** (octave - 53) * (1 + (step + 0.5) / (1 << _CELL_BITS))
-        # `taylor` is in the distance towards 0.
+        # `taylor` expands in the distance towards 0.
         value, slope, bend = taylor(-NormalDist().inv_cdf(middle))[:3]
         cells[cell] = value, -slope, bend
-    # The last cell holds 1/2 alone, half a cell away from its middle.
+    # The last cell contains only 1/2.
     return cells.astype(np.float32)
 
 
@@ -41,7 +42,7 @@ _SLOPES_AND_BENDS = table(lambda: np.ascontiguousarray(_cells()[:, 1:]).view(np.
 
 @inlined
 def normal_fast(u: float) -> np.float32:
-    """The standard normal quantile of u in [2**-53, 1 - 2**-53]."""
+    """Return the standard normal quantile of u in [2**-53, 1 - 2**-53]."""
     v = np.float32(u if u < 0.5 else 1.0 - u)
     cell = (v.view(np.int32) >> _SHIFT) - _FIRST
     middle = np.int32(((cell + _FIRST) << _SHIFT) | _HALF_CELL).view(np.float32)

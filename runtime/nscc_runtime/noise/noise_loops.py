@@ -1,6 +1,7 @@
-"""The loops over pixels that draw random numbers, called by `nscc_runtime.noise.arrays`. Every
-number depends on its key and pixel alone, and vectors round like scalars, so that splitting pixels
-over calls changes no bit."""
+"""The loops over pixels that draw random numbers, called by `nscc_runtime.noise.arrays`.
+
+Every number depends only on its key and pixel, and vectors round like scalars, so splitting pixels
+over calls does not change results."""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ _Places = Annotated[Ints, "count"]
 _Drawn = Written[Annotated[Floats, "count"]]
 
 BLOCK = 512
-"""Pixels per block: light varies little along a row, so most blocks need one method."""
+"""Number of pixels per block. Light varies little along a row, so most blocks need one method."""
 
 _FIRST_LANE = np.uint64(0)
 _SLOT_LANES = np.uint64(1 << 32)
@@ -50,8 +51,8 @@ def _drawable(rate: float, cap: float) -> float:
 
 @compiled
 def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
-    """out[i] := the formula's count at the uniform number out[i], without branches, so that LLVM
-    vectorises. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
+    """Replace the uniform numbers out[i] by counts of the formula. There are no branches, so LLVM
+    vectorises the loops. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
     for i in range(first, stop):
         out[i] = normal(out[i])
     for i in range(first, stop):
@@ -65,8 +66,8 @@ def _searched(
     rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
     drawn: Floats,
 ) -> None:  # fmt: skip
-    """out[i] := `search` at the uniform number out[i], step by step for the whole block. Rates are
-    below SEARCH_BELOW, and LLVM vectorises each step."""
+    """Replace the uniform numbers out[i] by counts of `search`, step by step for the whole block.
+    Rates are below SEARCH_BELOW. LLVM vectorises each step."""
     count = stop - first
     for i in range(count):
         rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
@@ -100,14 +101,14 @@ class Draws:
 
 @loop
 def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
-    """out[i] := the uniform number at pixels[i]."""
+    """Set out[i] to the uniform number of the key at pixels[i]."""
     for i in range(draws.count):
         out[i] = uniform(draws.key, pixels[i])
 
 
 @loop
 def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
-    """out[i] := the normal number at pixels[i]."""
+    """Set out[i] to the standard normal number of the key at pixels[i]."""
     for i in range(draws.count):
         out[i] = normal(uniform(draws.key, pixels[i]))
 
@@ -128,8 +129,8 @@ def fill_poisson(
     valid: Written[Annotated[Bytes, "count"]], rates: Written[Floats], total: Written[Floats],
     mass: Written[Floats], drawn: Written[Floats],
 ) -> None:  # fmt: skip
-    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether rate[i] is a number.
-    Arguments from `rates` on are scratch for `BLOCK` pixels each."""
+    """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
+    is a number. Arguments from `rates` on are working memory for `BLOCK` pixels each."""
     count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, BLOCK):
         stop = min(first + BLOCK, count)
@@ -163,8 +164,7 @@ def fill_poisson(
 def halved(
     stream: np.uint64, pixel: int, node: int, count: float, left_share: float, right_share: float
 ) -> float:
-    """Return how many of `count` fall into the left half of a node whose halves have
-    these shares."""
+    """Return the part of `count` in the left half of a tree node whose halves have these shares."""
     if count <= 0.0 or left_share <= 0.0:
         return 0.0
     if right_share <= 0.0:
@@ -175,7 +175,7 @@ def halved(
 
 @record
 class Spread:
-    """Options of `fill_thin`: `stride` is `slots`, or 0 for common shares."""
+    """Options of `fill_thin`. `stride` is `slots`, or 0 if all pixels have the same shares."""
 
     count: int
     key: np.uint64
@@ -188,8 +188,8 @@ def fill_thin(
     spread: Spread, pixels: _Places, counts: Annotated[Floats, "count"],
     shares: Annotated[Floats, "sharers slots"], out: Written[Annotated[Floats, "count slots"]],
 ) -> None:  # fmt: skip
-    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..]. Halves
-    are numbered as in a heap: 1 is the root."""
+    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..]. Tree
+    nodes are numbered as in a heap: 1 is the root."""
     slots, stride, stream = spread.slots, spread.stride, spread.key
     leaf_count = 1
     while leaf_count < slots:

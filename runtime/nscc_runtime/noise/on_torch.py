@@ -1,5 +1,6 @@
-"""The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device. Uniform
-numbers agree to the last bit, normal numbers to 1e-12, and counts with
+"""The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device.
+
+Uniform numbers are identical, normal numbers agree to 1e-12, and counts equal those of
 `nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides."""
 
 from __future__ import annotations
@@ -24,8 +25,9 @@ def key_tensor(keys: Sequence[np.uint64], device: torch.device | str) -> torch.T
 
 def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
     """Return the uniform number of each key (..) at each place: float64 (.., places).
-    Philox4x32-10, as `nscc_runtime.noise.counter`; products of 32 bits wrap round in int64 as they
-    do in uint64."""
+
+    This is Philox4x32-10 like `nscc_runtime.noise.counter`; 32-bit products overflow in int64 with
+    the same bits as in uint64."""
     keys = keys[..., None]
     k, m = keys & _MASK, (keys >> 32) & _MASK
     a, b = places & _MASK, (places >> 32) & _MASK
@@ -39,7 +41,7 @@ def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 
 
 def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
-    """Return standard normal numbers (.., places)."""
+    """Return standard normal numbers (.., places), float64."""
     quantiles: torch.Tensor = torch.special.ndtri(uniforms(keys, places))
     return quantiles
 
@@ -47,21 +49,22 @@ def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 def poisson(
     keys: torch.Tensor, places: torch.Tensor, rate: torch.Tensor, cap: float
 ) -> torch.Tensor:
-    """Return counts (.., places) of rates that broadcast to this shape. Rates above `cap` count as
-    `cap`, NaN as 0."""
+    """Return Poisson counts (.., places) of rates that broadcast to this shape. Rates above `cap`
+    count as `cap`, NaN as 0."""
     u = uniforms(keys, places)
     rate = torch.where(rate > 0.0, rate, 0.0).clamp(max=cap).expand(u.shape)
     counts = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)
     low = rate < SETTLED_ABOVE
     searched = _searched(u[low], rate[low].clamp(max=SEARCH_BELOW))
-    # The formula's error at the crossover must not let a greater rate give a smaller count.
+    # The formula's error at the crossover must not give a larger rate a smaller count.
     formula = torch.where(rate[low] >= SEARCH_BELOW, counts[low], 0.0)
     counts[low] = torch.maximum(searched, formula)
     return counts
 
 
 def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
-    """`nscc_runtime.noise.poisson_law.quantile`."""
+    """Return a number that, rounded down, is the Poisson count at the normal quantile z, as
+    `nscc_runtime.noise.poisson_law.quantile` does."""
     root, square = rate.sqrt(), z * z
     order_2 = z * (1 / 36 + square * (1 / 72))
     order_3 = square * (7 / 810 + square * (1 / 270)) - 8 / 405
@@ -69,8 +72,7 @@ def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
 
 
 def _searched(u: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
-    """Return the smallest counts whose distribution functions reach u, for rates up to
-    SEARCH_BELOW."""
+    """Return the smallest counts whose distribution functions reach u; rate <= SEARCH_BELOW."""
     mass = torch.exp(-rate)
     remainder, counts = u - mass, torch.zeros_like(u)
     for k in range(1, SEARCHED):

@@ -1,12 +1,10 @@
 """Poisson counts from one uniform number: the inverse of the distribution function.
 
-Both samplers never decrease in the uniform number for a fixed rate, nor in the rate for a fixed
-uniform number, so that a small change of the rate is a small change of the counts. That holds up
-to rounding: where u is within about 1e-13 of a step of the distribution function, rates that differ
-by less than that may change places.
-
-Rates are finite and at least 0; u lies in [2**-53, 1 - 2**-53].
-"""
+The counts of both samplers never decrease with the uniform number for a fixed rate, nor with the
+rate for a fixed uniform number. So a small change of the rate is a small change of the counts. This
+holds up to rounding: if u is within about 1e-13 of a step of the distribution function, the order
+of rates that differ by less than that may be reversed. Rates are finite and at least 0; u lies in
+[2**-53, 1 - 2**-53]."""
 
 from __future__ import annotations
 
@@ -21,10 +19,10 @@ SEARCH_BELOW = 10.0
 """Below this rate both samplers search from 0 upwards."""
 
 SETTLED_ABOVE = 16.0
-"""Rate from which on the fast formula never falls below the search at SEARCH_BELOW."""
+"""Rate from which on the fast formula is never below the search at SEARCH_BELOW."""
 
 EXACT_BELOW = 1e6
-"""Rate from which on the formula is used alone; it differs from the search with a probability of
+"""Rate from which on only the formula is used. It differs from the search with a probability of
 about 1e-15 rate, by rounding."""
 
 SEARCHED = 80
@@ -44,7 +42,7 @@ _STIRLING = np.array(
 
 @compiled
 def stirling_error(k: float) -> float:
-    """log(k!) less Stirling's formula, for whole k >= 1."""
+    """Return log(k!) minus Stirling's formula, for whole k >= 1."""
     if k < _STIRLING_TABLE:
         return float(_STIRLING[np.int64(k)])
     r = 1.0 / (k * k)
@@ -53,7 +51,7 @@ def stirling_error(k: float) -> float:
 
 @compiled
 def deviance(x: float, mean: float) -> float:
-    """x log(x / mean) + mean - x without cancellation, for x and mean above 0."""
+    """Return x log(x / mean) + mean - x without cancellation, for x and mean above 0."""
     if abs(x - mean) >= 0.1 * (x + mean):
         return x * math.log(x / mean) + mean - x
     v = (x - mean) / (x + mean)
@@ -66,8 +64,7 @@ def deviance(x: float, mean: float) -> float:
 
 @compiled
 def _mass(k: float, rate: float) -> float:
-    """Return the probability of k (Loader, "Fast and accurate computation of binomial
-    probabilities")."""
+    """Return the probability of k by Loader's saddle-point expansion (2000)."""
     if k == 0.0:
         return math.exp(-rate)
     scale = math.sqrt(2.0 * np.pi * k)
@@ -76,7 +73,7 @@ def _mass(k: float, rate: float) -> float:
 
 @compiled
 def _up_to(k: float, rate: float, mass: float) -> float:
-    """The probability of at most k, from that of k."""
+    """Return the probability of at most k from the probability `mass` of k."""
     total, term, j = mass, mass, k
     while j > 0.0 and term > 1e-17 * total:
         term *= j / rate
@@ -87,7 +84,7 @@ def _up_to(k: float, rate: float, mass: float) -> float:
 
 @compiled
 def _above(k: float, rate: float, mass: float) -> float:
-    """The probability of more than k, from that of k."""
+    """Return the probability of more than k from the probability `mass` of k."""
     j = k + 1.0
     term = mass * rate / j
     total = term
@@ -100,7 +97,8 @@ def _above(k: float, rate: float, mass: float) -> float:
 
 @compiled
 def search(u: float, rate: float) -> float:
-    """The smallest count whose distribution function reaches u, for rates up to SEARCH_BELOW."""
+    """Return the smallest count whose Poisson distribution function reaches u in (0, 1), for a mean
+    `rate` of at most SEARCH_BELOW."""
     # exp(-rate) >= 1 - rate, which is cheaper to compute.
     if u <= 1.0 - rate:
         return 0.0
@@ -117,8 +115,8 @@ def search(u: float, rate: float) -> float:
 
 @compiled
 def _walk(u: float, rate: float, start: float) -> float:
-    """Return the smallest count whose distribution function reaches u, searching from `start`. It
-    sums the smaller tail, so that the far ends are as accurate as the middle."""
+    """Return the smallest count whose distribution function reaches u, searching from `start`. The
+    smaller tail is added up, so that both tails are as accurate as the middle."""
     k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:
@@ -147,13 +145,12 @@ def _walk(u: float, rate: float, start: float) -> float:
 
 @inlined
 def quantile(z: float, rate: float) -> float:
-    """Return a real number that, rounded down, is the count at the normal quantile z, for rates
-    from SEARCH_BELOW on.
+    """Return a real number that, rounded down, is the count at the normal quantile z, for rates of
+    at least SEARCH_BELOW.
 
-    Cornish and Fisher's expansion to order 1/rate (Giles, "Algorithm 955: approximation of the
-    inverse Poisson cumulative distribution function", ACM TOMS 42 (2016)); its error is below
-    0.012 (1 + |z|**5) / rate**1.5 where the result is above 1/2 (measured to |z| = 8.2).
-    """
+    It is the Cornish-Fisher expansion to order 1/rate (Giles, "Algorithm 955: approximation of the
+    inverse Poisson cumulative distribution function", ACM TOMS 42 (2016)). Its error is below 0.012
+    (1 + |z|**5) / rate**1.5 where the result is above 1/2 (measured to |z| = 8.2)."""
     root, square = math.sqrt(rate), z * z
     inverse = 1.0 / root
     order_1 = 1 / 3 + square * (1 / 6)
@@ -164,12 +161,11 @@ def quantile(z: float, rate: float) -> float:
 
 @compiled
 def poisson_exact(u: float, rate: float) -> float:
-    """Return the count of the reference: the smallest whose distribution function reaches u.
+    """Return the count of the reference: the smallest count whose distribution function reaches u.
 
-    Below SEARCH_BELOW it is searched from 0. Above, it is `quantile` rounded down, unless that is
-    so close to a whole number that its error may matter: then the distribution function decides.
-    From EXACT_BELOW on the formula is used alone.
-    """
+    Below SEARCH_BELOW it is searched from 0. Above, it is `quantile` rounded down; if that is so
+    close to a whole number that its error may matter, the distribution function decides. From
+    EXACT_BELOW on only the formula is used."""
     if rate < SEARCH_BELOW:
         return search(u, rate)
     z = normal(u)
@@ -185,10 +181,13 @@ def poisson_exact(u: float, rate: float) -> float:
 
 @compiled
 def poisson_fast(u: float, rate: float) -> float:
-    """Return the count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above. Total
-    variation from the Poisson distribution: below 2e-4 from rate 10 on, 0 below."""
+    """Return the Poisson count with mean `rate` for a uniform number u in (0, 1), as plans use it:
+    exact below SEARCH_BELOW, `quantile` rounded down above.
+
+    The total variation distance from the Poisson distribution is below 2e-4 from rate 10 on, and 0
+    below."""
     if rate < SEARCH_BELOW:
         return search(u, rate)
     k = max(math.floor(quantile(normal(u), rate)), 0.0)
-    # The formula's error at the crossover must not let a greater rate give a smaller count.
+    # The formula's error at the crossover must not give a larger rate a smaller count.
     return max(k, search(u, SEARCH_BELOW)) if rate < SETTLED_ABOVE else k

@@ -1,1 +1,1 @@
-"""Pictures: each kind has a function that makes a figure, and `sheet.png_of` renders it."""
+"""Pictures: each kind has a function that returns a figure, and `sheet.png_of` renders it."""

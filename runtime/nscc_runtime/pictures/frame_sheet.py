@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 
 
 def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Return light as 8-bit grey on a logarithmic curve whose middle grey is the median."""
+    """Return light as 8-bit grey on a logarithmic curve that maps the median to middle grey.
+
+    `usable`: mask of the pixels that determine the curve. If they have no light, the result is
+    black."""
     white = float(np.percentile(light[usable], 99.8)) if usable.any() else 0.0
     if white <= 0:
         return np.zeros(light.shape, np.uint8)

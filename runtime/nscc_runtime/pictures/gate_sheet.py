@@ -1,9 +1,9 @@
-"""Draw a program's gates: registers as staves, time from left to right, line by line.
+"""Draw a program's gates: registers as horizontal lines (staves), time from left to right, row by
+row.
 
-A value is a bar on its register's stave from its write to its last read. A gate is a box on the
-stave that it writes, with a dot on every stave that it reads; so is a comparison of light. A
-triangle below the stave of FLAG marks an answered demand.
-"""
+A value is a bar on its register's line, from its write to its last read. A gate is a box on the
+line that it writes, with a dot on every line that it reads; a comparison of light is drawn in the
+same way. A triangle below the line of FLAG marks a value that the program needs in FLAG."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from networkx import DiGraph
 
 _COLUMNS = 23
-"""Gates and demands per line."""
+"""Number of gates and demands (values needed in FLAG) per row."""
 _MOST = 16 * _COLUMNS
-"""Most gates and demands that are drawn, in complete boundaries from the first on."""
+"""Largest number of gates and demands that are drawn, in complete boundaries from the first on."""
 _LEAST = 14
-"""Minimum columns of a picture, with room for the heading."""
+"""Smallest number of columns of a picture, with room for the heading."""
 _COLUMN, _STAVE = 0.32, 0.21
-"""Inches."""
+"""Width of a column and height of a register's line, in inches."""
 _ABOVE, _BELOW = 0.42, 0.42
 _HOLDER = 40
-"""Most letters of the content of a register."""
+"""Largest number of letters for the content of a register."""
 _WRITING = ("gate", "look")
 _SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
 """Index of the series colour for each kind of gate."""
@@ -37,8 +37,8 @@ _SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
 
 @dataclass(frozen=True)
 class _Score:
-    """The layout of gates. `column` of every gate and demand, _COLUMNS of them per line; `row` of
-    every register, FLAG last; `until`, the column to which each value lives."""
+    """The layout of gates. `column`: column of every gate and demand, _COLUMNS of them per row.
+    `row`: row of every register, FLAG last. `until`: the last column of each value."""
 
     network: DiGraph
     column: dict[str, int]
@@ -47,7 +47,7 @@ class _Score:
 
 
 def gate_sheet(network: DiGraph, title: str) -> Figure:
-    """Draw a network of `nscc.emit.network`, or its beginning if it is large."""
+    """Draw a network of `nscc.emit.network`, or only its beginning if it is large."""
     score = _score(network)
     used = 1 + max(score.column.values(), default=-1)
     lines, columns = -(-used // _COLUMNS), max(_LEAST, min(used, _COLUMNS))
@@ -83,7 +83,7 @@ def _score(network: DiGraph) -> _Score:
     ]  # fmt: skip
     names = {nodes[node]["register"] for node in values}
     order = sorted(names, key=lambda name: (name == "FLAG", len(name), name))
-    # Values that are read beyond the picture, as planes at the frame's end, live to its edge.
+    # Values that are read later than the picture shows are drawn up to its edge.
     until = {
         node: max((column.get(r, at) for r in network.successors(node)), default=-1)
         for node in values
@@ -108,7 +108,7 @@ def _note(network: DiGraph, score: _Score) -> str:
 
 
 def _draw_line(axes: Axes, score: _Score, first: int) -> None:
-    """Draw one line, the columns from `first` on."""
+    """Draw one row, the columns from `first` on."""
     nodes = score.network.nodes
     shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
     end = score.column[shown[-1]] + 1
@@ -132,7 +132,7 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
 
 
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
-    """Draw boundaries as bands, alternately shaded, with their numbers and their kernels'."""
+    """Draw boundaries as bands, alternately shaded, with the numbers of boundaries and kernels."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
     boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
@@ -185,5 +185,5 @@ def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> 
 
 
 def _short(holder: str) -> str:
-    """Return the end of a long text, where names of holders differ."""
+    """Return the end of a long text, because names of contents differ at the end."""
     return holder if len(holder) <= _HOLDER else "…" + holder[1 - _HOLDER :]

@@ -1,4 +1,4 @@
-"""The picture of a frame of images and planes: what was computed of every pixel's neighbours."""
+"""Draw a frame of images and planes, the results computed from every pixel's neighbours."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _COLUMNS = 2
 
 
 def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
-    """Images between their 0.5th and 99.5th percentiles, planes in black and white, and events."""
+    """Draw images (0.5th to 99.5th percentile), planes in black and white, and events."""
     arrays, shown = frame.told, []
     for name in pictures.reads:
         if f"plane_{name}" in arrays:

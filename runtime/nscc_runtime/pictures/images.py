@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _SIDE, _GAP, _LINE = 3.5, 0.2, 0.17
-"""Inches: side of an image, gap between images, height of a line of text."""
+"""Side of an image, gap between images, and height of a line of text, in inches."""
 _LETTERS = 11
-"""Letters per inch of a line of text."""
+"""Number of letters per inch of a line of text."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,8 +31,8 @@ class Image:
 
 
 def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None = None) -> Figure:
-    """Draw rows of images, with equal magnification for images of equal size in a row. An image has
-    `side` inches per side, by default a share of the width of a page."""
+    """Draw rows of images; images of equal size in a row have equal magnification. `side`: inches
+    per side of an image; None for an equal share of the page width."""
     columns = max(map(len, rows))
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 

@@ -1,8 +1,8 @@
-"""Texts beside the marks and lines that they belong to.
+"""Place texts beside the marks and lines that they belong to.
 
-Every text takes the first free place around its anchors, from near to far: inside the panel, and on
-no text, mark or line. The name of a line may stand on other lines where there is no free place.
-"""
+Every text takes the first free position around its anchors, from near to far: inside the panel, and
+not on a text, mark or line. The name of a line may be written on other lines if there is no free
+position."""
 
 from __future__ import annotations
 
@@ -20,32 +20,33 @@ if TYPE_CHECKING:
     from matplotlib.path import Path
 
 Points = NDArray[np.float64]
-"""(n, 2): x and y in dots."""
+"""Coordinates (n, 2): x and y in dots."""
 Boxes = NDArray[np.float64]
-"""(n, 4): left, bottom, right and top in dots."""
+"""Rectangles (n, 4): left, bottom, right and top in dots."""
 
 _NAME, _SMALL = 7.8, 7.0
-"""Points of the type of names, and of other texts."""
+"""Font size of names, and of other texts, in points."""
 _NEAR, _FAR = (3.0, 5.5, 8.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
-"""Points between a mark and its text, and a text that may stand further off."""
+"""Distances in points between a mark and its text, and for texts that may be further away."""
 _LEADER = 9.0
-"""Distance in points beyond which a text is joined to its anchor by a line."""
+"""A text further away than this distance in points is joined to its anchor by a line."""
 _HALO = 2.0
-"""Points of the line around the letters, of which half is outside them."""
+"""Width in points of the outline of letters, half of which is outside the letters."""
 _CLEAR = np.array([-1.0, -1.0, 1.0, 1.0]) * (_HALO / 2 + 0.8)
-"""Points that stay free around a text: its halo cuts nothing, with half of a line's width."""
+"""Margin in points around a text, so that its outline covers no line."""
 _APART = np.array([-4.0, -1.0, 4.0, 1.0])
-"""Points between one text and the next, in a line and from line to line."""
+"""Distance in points between texts, horizontally and vertically."""
 _ANCHOR, _TURN, _ASTRAY = 5.0, 2.0, 2.0
-"""Points of distance that a later anchor counts as, a less usual direction, and a point by which
+"""Costs in points of distance: of a later anchor, of a less usual direction, and per point by which
 the text is nearer to another mark than to its own."""
 
 
 @dataclass(frozen=True)
 class ChartLabel:
-    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first. The
-    `name` of a line is larger. It may stand further off, joined to its anchor by a thin line, and
-    so may a text that readers look for (`sought`)."""
+    """A text to place beside one of its `anchors` (x, y) in data coordinates, best first.
+
+    `name`: whether it is the name of a line, which is larger. `sought`: whether readers look for
+    it. Both kinds may be further away, joined to their anchor by a thin line."""
 
     text: str
     anchors: Sequence[tuple[float, float]]
@@ -55,15 +56,13 @@ class ChartLabel:
 
     @property
     def far(self) -> bool:
-        """Whether the text may stand far off."""
+        """Whether the text may be far from its anchor."""
         return self.name or self.sought
 
 
 def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
-    """Write the labels, in this order; return those for which there is no free place.
-
-    The figure is laid out (`sheet.lay_out`): nothing in it moves any more.
-    """
+    """Write the labels in this order, and return those for which there is no free position. The
+    figure must have its final layout (`sheet.lay_out`)."""
     drawn = _Drawn(axes)
     return [label for label in labels if label.text and not drawn.write(label)]
 
@@ -76,7 +75,7 @@ def halo() -> list[Any]:
 
 
 class _Drawn:
-    """What a panel holds: boxes of its texts and marks, its lines, and leaders to texts."""
+    """The content of a panel: boxes of its texts and marks, its lines, and leaders to texts."""
 
     def __init__(self, axes: Axes) -> None:
         self.axes, self.dots = axes, axes.figure.dpi / 72
@@ -97,7 +96,7 @@ class _Drawn:
         self.marks = np.vstack(marks)
 
     def write(self, label: ChartLabel) -> bool:
-        """Writes a label where there is a free place for it; returns whether there is one."""
+        """Write a label if there is a free position for it, and return whether there is."""
         text = self.axes.annotate(
             label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left",
             va="bottom", size=_NAME if label.name else _SMALL, color=look().type_in(label.colour),
@@ -124,7 +123,8 @@ class _Drawn:
         return True
 
     def _place(self, label: ChartLabel, size: Points) -> tuple[int, Points, Points] | None:
-        """The best free place: the number of its anchor, the anchor and the text's box in dots."""
+        """Return the best free position: the number of its anchor, the anchor, and the text's box
+        in dots; None if there is none."""
         numbers, anchors, boxes, costs = self._places(label, size)
         room = self.axes.bbox
         clear = boxes + self.dots * _CLEAR
@@ -145,7 +145,7 @@ class _Drawn:
     def _places(
         self, label: ChartLabel, size: Points
     ) -> tuple[NDArray[np.int64], Points, Boxes, Any]:
-        """All places around all anchors, with what each one costs in points."""
+        """Return all positions around all anchors, with the cost of each in points."""
         gaps = np.array(_FAR if label.far else _NEAR)
         numbers, gap, angle = (
             axis.ravel()
@@ -153,11 +153,11 @@ class _Drawn:
         )
         anchors = self.axes.transData.transform(np.array(label.anchors, float))[numbers]
         ahead = np.column_stack([np.cos(angle), np.sin(angle)])
-        # At a slant the box's corner is nearest, straight ahead the middle of its side.
+        # In a diagonal direction the box's corner is nearest, otherwise the middle of its side.
         leaning = np.clip(1.6 * ahead, -1, 1) * size / 2
         middle = anchors + ahead * (gap[:, None] + 2.5) * self.dots + leaning
         boxes = np.hstack([middle - size / 2, middle + size / 2])
-        # Names go on to the right, other texts stand above or below.
+        # Names continue a line to the right, other texts are above or below.
         turn = 1 - np.cos(angle) if label.name else 1 - np.abs(np.sin(angle))
         costs = gap + _ANCHOR * numbers + _TURN * turn
         anchor_distances = _distances(boxes, anchors)
@@ -172,7 +172,7 @@ def _distances(boxes: Boxes, points: Points) -> NDArray[np.float64]:
 
 
 def _overlaps(boxes_a: Boxes, boxes_b: Boxes) -> NDArray[np.bool_]:
-    """Which of (n, 4) overlap which of (m, 4): (n, m)."""
+    """Return a mask (n, m): which of the boxes (n, 4) overlap which of the boxes (m, 4)."""
     a, b = boxes_a[:, None], boxes_b[None]
     return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
@@ -184,7 +184,7 @@ def _segment(start: Points, end: Points) -> Path:
 
 
 def _cross(paths: Sequence[Path], boxes: Boxes) -> bool:
-    """Whether one of the paths crosses one of the boxes."""
+    """Return whether one of the paths crosses one of the boxes."""
     from matplotlib.transforms import Bbox
 
     bboxes = [Bbox(box.reshape(2, 2)) for box in boxes]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _LIGHTS = 360
-"""Rows of a chart: lights."""
+"""Number of rows of a chart, one for each amount of light."""
 _MOST_CODES = 3
 _LATER = 8
 """With kept states, this later frame is drawn beside the first."""
@@ -34,8 +34,7 @@ _ROUND = 4.0
 """Factor by which the lights shown extend beyond the outermost thresholds."""
 _MOST_RANGE = 1e7
 _HEIGHT, _BETWEEN, _TIMES, _GAP, _ABOVE = 3.0, 0.95, 1.5, 0.35, 0.3
-"""Inches: height of a chart, gap between charts, width of the open times, gap to their left, margin
-above."""
+"""Inches: height of a chart, gap below, width of the open times, gap to their left, margin."""
 _MOST_NAMED = 14
 _MOST_FLIPS = 400
 
@@ -84,7 +83,7 @@ class _Shown:
 
 
 def _shown(container: Container) -> list[_Shown]:
-    """Return the charts: of some codes, evenly chosen, or of the first frame and a later one."""
+    """Return the charts: of some evenly chosen codes, or of the first frame and a later frame."""
     machine, table = container.machine, container.table
     assert machine is not None
     wells = _wells(container)
@@ -116,7 +115,7 @@ def _wells(container: Container) -> NDArray[np.float64]:
 
 
 def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
-    """Draw the open time, coloured by its total, or of several buckets by the bucket."""
+    """Draw the open time, coloured by its total, or by the bucket if there are several buckets."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 
@@ -159,7 +158,7 @@ def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
 
 
 def _draw_times(axes: Axes, container: Container, shown: _Shown) -> None:
-    """Draw the total open time against light, and the states that pixels then send."""
+    """Draw the total open time against light, and the states that are read."""
     courses, machine = shown.courses, container.machine
     assert machine is not None
     slot_us = np.array(container.slot_us)

@@ -9,16 +9,18 @@ from dataclasses import dataclass
 from typing import Any
 
 MARKERS = "osD^vP"
-"""Markers, coprime in number with the series colours: 42 series differ in colour or marker."""
+"""Markers of series. Their number is coprime with that of the series colours, so 42 series differ
+in colour or marker."""
 _LEGIBLE = 4.5
-"""Minimum contrast of small type (Web Content Accessibility Guidelines 2.2, 1.4.3)."""
+"""Smallest contrast of small type (Web Content Accessibility Guidelines 2.2, 1.4.3)."""
 
 
 @dataclass(frozen=True)
 class Look:
-    """The colours of a picture, all as `#rrggbb`. `paper` is the background, `ink` and `faint` are
-    its type, `grid` its thinnest lines, `closed` its empty areas, `bar` its bars behind marks.
-    `series` are seven colours that the colour-blind can distinguish."""
+    """The colours of a picture, all as `#rrggbb`.
+
+    `paper`: background. `ink`, `faint`: type. `grid`: thinnest lines. `closed`: empty areas. `bar`:
+    bars behind marks. `series`: seven colours that colour-blind readers can distinguish."""
 
     paper: str
     ink: str
@@ -36,7 +38,7 @@ class Look:
         }
 
     def type_in(self, colour: str) -> str:
-        """Return the colour, mixed with ink until small type in it is legible on the paper."""
+        """Return the colour, mixed with ink until small type in it is legible on the background."""
         mixed = (_mix(colour, self.ink, step / 20) for step in range(21))
         return next((shade for shade in mixed if contrast(shade, self.paper) >= _LEGIBLE), self.ink)
 
@@ -48,7 +50,7 @@ class Look:
 LIGHT = Look(
     paper="#ffffff", ink="#1d2129", faint="#5b6270", grid="#e3e7ee", closed="#f1f3f6",
     bar="#bcc8da",
-    # Okabe and Ito's, without their yellow: white paper.
+    # The colours of Okabe and Ito, except yellow, which is illegible on white.
     series=("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#1d2129", "#56b4e9", "#e69f00"),
 )  # fmt: skip
 DARK = Look(
@@ -68,7 +70,7 @@ def look() -> Look:
 
 @contextmanager
 def looking(chosen: Look) -> Iterator[None]:
-    """Draw and save the pictures of this block in these colours."""
+    """Draw and save the pictures of a with block in these colours."""
     before = _current.set(chosen)
     try:
         yield

@@ -1,9 +1,8 @@
-"""Work-precision diagrams: error against time, a panel per problem, a line per method.
+"""Work-precision diagrams: error against time, one panel per problem, one line per method.
 
 Settings of a method are marks joined in order, each on a band from its shortest to its longest
-time; hollow marks are dominated. Dashed lines in a method's colour are proved bounds. Names stand
-beside their lines; names without room are in the legend.
-"""
+time; hollow marks are dominated. Dashed lines in a method's colour are proved bounds. Names are
+beside their lines; names without room are in the legend."""
 
 from __future__ import annotations
 
@@ -23,17 +22,17 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MOST_ANCHORS = 40
-"""Most anchors of a line's name besides its ends; the time of placement grows with their number
-times that of all marks."""
+"""Largest number of anchors of a line's name besides its ends. The time of placement grows with
+their number times the number of marks."""
 _EXACT = 1e-7
-"""On a logarithmic axis errors below this fraction of the largest are drawn at its end, pointing
-down."""
+"""On a logarithmic axis, errors below this fraction of the largest error are drawn at the end of
+the axis, pointing down."""
 _COLUMNS = 2
 
 
 @dataclass(frozen=True)
 class Guide:
-    """A reference line across a panel, at a time or at an error."""
+    """A reference line with a dash pattern: vertical at `time_ms`, or horizontal at `error`."""
 
     name: str
     dashes: str
@@ -43,7 +42,7 @@ class Guide:
 
 @dataclass(frozen=True)
 class Panel:
-    """A problem: the label of its error, its points and guides."""
+    """A problem: its title, the label of its error axis, its points and reference lines."""
 
     title: str
     error: str
@@ -53,9 +52,11 @@ class Panel:
 
 @dataclass(frozen=True)
 class PointReading:
-    """The mapping of points to a diagram. `time` is the label of the time axis, and `per_ms` its
-    units per millisecond; `line` returns the line of a point (empty: it only counts for dominance),
-    `text` its label. `linear`: the error axis, in decibels, is linear instead of logarithmic."""
+    """The mapping of points to a diagram.
+
+    `time`: label of the time axis. `per_ms`: its units per millisecond. `line`: returns the name of
+    a point's line (empty: the point only counts for dominance). `text`: returns a point's label.
+    `linear`: whether the error axis, in decibels, is linear instead of logarithmic."""
 
     time: str
     per_ms: float = 1.0
@@ -72,7 +73,7 @@ class PointReading:
         return points_by_line
 
     def times(self, point: Point) -> list[float]:
-        """Return median, minimum and maximum on the time axis."""
+        """Return median, minimum and maximum of a point's time, in units of the time axis."""
         times_ms = (point.time_ms, min(point.times_ms), max(point.times_ms))
         return [time_ms * self.per_ms for time_ms in times_ms]
 
@@ -80,8 +81,7 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Draw all panels, with one scale of time, and one scale of errors per label. Raises ValueError
-    without points."""
+    """Draw panels with common scales of time and error. Raises ValueError without points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]
@@ -146,8 +146,7 @@ def _draw(
     axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: PointReading,
     beaten: dict[int, bool],
 ) -> list[ChartLabel]:  # fmt: skip
-    """Draw lines and guides; return their names, then the texts of points, undominated
-    ones first."""
+    """Draw lines and reference lines. Return labels: lines, undominated points, other points."""
     lines = reading.lines(panel.points)
     bounds = {
         name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound
@@ -188,7 +187,6 @@ def _draw(
 
 
 def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
-    """Set scale, limits and ticks of the error axis."""
     if linear:
         least, most = min(heights), max(heights)
         margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)

@@ -1,6 +1,7 @@
-"""Common parts of all pictures: type, heading, placement in inches, and saving. A kind of picture
-is a function that returns a matplotlib figure of the size of its panels; headings, legends and row
-names grow outwards, and saving includes them."""
+"""Common parts of all pictures: type, heading, placement in inches, and saving.
+
+A kind of picture is a function that returns a matplotlib figure of the size of its panels.
+Headings, legends and row names extend outside the panels, and saving includes them."""
 
 from __future__ import annotations
 
@@ -52,7 +53,7 @@ def _settings(chosen: Look) -> dict[Any, Any]:  # matplotlib lists every key as 
 
 @cache
 def _matplotlib() -> Any:
-    """Import matplotlib without its warnings about cache folders: what it keeps there is small."""
+    """Import matplotlib without its warnings about cache folders, which contain little."""
     logger = logging.getLogger("matplotlib")
     level = logger.level
     logger.setLevel(logging.ERROR)
@@ -70,8 +71,7 @@ def _matplotlib() -> Any:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Use the style and the current colours, independent of the user's settings, to make and save
-    figures."""
+    """Use the style and the current colours in a with block, independent of the user's settings."""
     matplotlib = _matplotlib()
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
@@ -127,16 +127,15 @@ def _round_to_dots(inches: float) -> float:
 
 
 def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
-    """Return width and height in inches of an image (rows, cols) that has `room` inches per side.
-    It is magnified by a whole number if possible, to avoid moire."""
+    """Return width and height in inches of an image (rows, cols) in a square of side `room`. The
+    image is magnified by a whole number if possible, to avoid moire."""
     dots = room * DPI / max(shape[:2])
     zoom = max(1, int(dots)) / DPI
     return shape[1] * zoom, shape[0] * zoom
 
 
 def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
-    """Draw an image, grey (rows, cols) of 0..255 or RGB, over all of the axes, a square
-    per pixel."""
+    """Draw a grey (0..255) or RGB image over all of the axes, one square per pixel."""
     axes.imshow(image, cmap="gray", vmin=0, vmax=255, interpolation="nearest", aspect="auto")
     axes.grid(False)
 
@@ -148,8 +147,7 @@ def lay_out(figure: Figure) -> None:
 
 
 def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
-    """Add title, subtitle and legend, stacked above the figure. Call it last: it fixes the layout
-    of the panels."""
+    """Add title, subtitle and legend above the figure. Call it last: it fixes the layout."""
     lay_out(figure)
     width, height = figure.get_size_inches()
     left_edge, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 _MOST_ROWS, _CHOSEN_ROWS = 64, 48
 _COLUMNS = 1200
-"""Most columns of a chart; with more slots a column shows its open fraction."""
+"""Largest number of columns of a chart. With more slots, a column shows its open fraction."""
 _MOST_BOUNDARIES = 130
 _MOST_NUMBERS = 16
 _MOST_LABELLED = 8
-"""Most cells per side of a tile map with printed codes."""
+"""Largest number of cells per side of a tile map with printed codes."""
 _CORNER = 16
 _MAP, _BETWEEN = 3.5, 0.6
 CHART_INCHES = 2 * _MAP + _BETWEEN
@@ -64,7 +64,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
 
 
 def subtitle(container: Container, subject: str) -> str:
-    """Return a line with a program's class, frame and chip, and the `subject` drawn."""
+    """Return a line with a program's class, frame and chip, and the `subject` of the picture."""
     lengths, lowering = container.slot_us, container.notes.get("lowering")
     length = _time(min(lengths))
     if min(lengths) < max(lengths):
@@ -86,7 +86,7 @@ def _time(us: float) -> str:
 
 
 def unit(us: float) -> tuple[float, str]:
-    """Return a factor and a unit that make a time readable."""
+    """Return a factor and a unit for writing a time given in microseconds."""
     if us >= 1e6:
         return 1e-6, "s"
     if us >= 1e3:
@@ -104,8 +104,7 @@ def _chosen(count: int) -> NDArray[np.int64]:
 def _draw_chart(
     axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
 ) -> None:
-    """Draw bars of open time, in the colours of the map, or of several buckets in those of the
-    buckets."""
+    """Draw bars of open time, in the colours of the map or of several buckets."""
     from matplotlib.colors import to_rgb
 
     count, lanes, slots = rows.shape
@@ -115,7 +114,7 @@ def _draw_chart(
     columns = chart_columns(edges)
     buckets = [to_rgb(look().of(lane)["color"]) for lane in range(lanes)]
     image = np.empty((count, lanes + 1, len(columns) - 1, 3))
-    image[:] = to_rgb(look().paper)  # the last lane stays: it is the gap
+    image[:] = to_rgb(look().paper)  # the last lane keeps this colour: it is the gap
     for row, lane in np.ndindex(count, lanes):
         share = open_share(rows[row, lane], edges, columns)
         colour = row_colours[row] if lanes == 1 else buckets[lane]
@@ -139,7 +138,7 @@ def _draw_chart(
 
 
 def chart_columns(edges: Field) -> Field:
-    """Return the edges of a chart's columns: those of the slots (N + 1,), or fewer."""
+    """Return the edges of a chart's columns: the edges of the slots (N + 1,), or fewer."""
     return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
 
 
@@ -150,7 +149,6 @@ def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field
 
 
 def _number_slots(axes: Axes, edges: Field) -> None:
-    """Draw slot numbers above the chart, as many as fit."""
     slots = len(edges) - 1
     step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
     middles = (edges[:-1] + edges[1:]) / 2
@@ -175,8 +173,7 @@ class _Map:
 
 
 def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
-    """Return maps of the array, and of the smallest repeating tile of codes, or of a corner without
-    one."""
+    """Return maps of the array, and of the smallest repeating tile of codes, or of a corner."""
     codes = container.pixel_codes
     if codes is None:
         return ()

@@ -1,5 +1,5 @@
-"""Diagrams of the emulator's studies: error and time, predicted and measured errors,
-error budgets."""
+"""Diagrams of the emulator's studies: error and time, predicted and measured errors, error
+budgets."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from nscc_runtime.planning.plan_parts import Decision
 
 _LOWEST = 30.0
-"""Factor below the smallest tolerance at which errors are drawn at the edge, with their number."""
+"""Errors below the smallest tolerance over this factor are drawn at the edge, with number."""
 _SIDE = 6.2
 _BAR = 0.2
 """Inches between bars."""
@@ -75,8 +75,7 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
 
 
 def promise_diagram(studies: Sequence[Study]) -> Figure:
-    """Draw predicted and measured errors of all plans against the tolerance. ValueError without
-    plans."""
+    """Draw predicted and measured errors against the tolerance. Raises ValueError without plans."""
     from matplotlib.lines import Line2D
 
     plans = [
@@ -136,7 +135,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
 
 def budget_diagram(studies: Sequence[Study]) -> Figure:
     """Draw, for each scene, the size of its effects, and the time that leaving each out saves.
-    Effects of the readout are excluded. ValueError without scenes."""
+    Effects of the readout are excluded. Raises ValueError without scenes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 

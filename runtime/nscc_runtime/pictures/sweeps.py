@@ -1,5 +1,7 @@
-"""Diagrams of sweeps: figures against an axis, a line for each value of other axes. Panels of equal
-quantities have equal scales: numbers, logarithmic if they span a decade, or names side by side."""
+"""Diagrams of sweeps: quantities against a setting, one line for each value of other settings.
+
+Panels of equal quantities have equal scales: numbers, logarithmic if they span a decade, or names
+side by side."""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ _DECADE = 10.0
 _MARGIN = 0.06
 """Margin of an axis beyond its outermost points, relative to its length."""
 _MOST_NAMED = 6
-"""Most lines with names beside them; more have a legend."""
+"""Largest number of lines with names beside them; more lines have a legend."""
 
 Place = float | str
 """The position of a point on an axis: a number, or one of several names."""
@@ -29,7 +31,7 @@ Place = float | str
 
 @dataclass(frozen=True)
 class Lines:
-    """A panel: labels of its axes, and the points (across, upwards) of each line."""
+    """A panel: its axis labels (`across`, `upwards`), and each line's points (across, upwards)."""
 
     title: str
     across: str
@@ -39,7 +41,7 @@ class Lines:
 
 @dataclass(frozen=True)
 class _Scale:
-    """The scale of an axis: `names` side by side, or numbers between limits."""
+    """The scale of an axis: `names` side by side if given, else numbers from `low` to `high`."""
 
     low: float
     high: float
@@ -61,7 +63,6 @@ class _Scale:
         return cls(low - room, high + room)
 
     def at(self, value: Place) -> float:
-        """Return the position of a value."""
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:
@@ -77,10 +78,7 @@ class _Scale:
 
 
 def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
-    """Draw all panels, with one colour per name of lines.
-
-    Raises ValueError without points.
-    """
+    """Draw all panels, with one colour per name of lines. Raises ValueError without points."""
     from matplotlib.lines import Line2D
 
     filled_panels = [panel for panel in panels if any(panel.lines.values())]
@@ -127,7 +125,7 @@ def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
 ) -> list[ChartLabel]:
-    """Draw a panel's lines; return labels with their names at their ends."""
+    """Draw a panel's lines. Return labels with their names at their ends."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
     axes.set_xlabel(panel.across)

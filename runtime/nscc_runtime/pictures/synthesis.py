@@ -14,8 +14,10 @@ if TYPE_CHECKING:
 
 
 def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
-    """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, a line per lowering.
-    `words` names the words that are counted; `repeats` compilations were timed on `device`."""
+    """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, one line per
+    lowering.
+
+    `words` names the words that are counted. `repeats` compilations were timed on `device`."""
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
     ]

@@ -1,5 +1,5 @@
-"""Tone curves from light to display values, fitted to one picture and shared by pictures
-beside it."""
+"""Tone curves from light to display values, fitted to one picture and shared with pictures beside
+it."""
 
 from __future__ import annotations
 
@@ -15,24 +15,23 @@ from nscc.diagnostics.rejection import unknown_name
 Field = NDArray[np.float64]
 
 WHITE_PERCENTILE = 99.8
-"""Percentile of light that is shown as white; a few bright lights would darken the picture."""
+"""Percentile of light shown as white: a few bright lights must not darken the picture."""
 _MIDDLE = 0.45
-"""The grey level of the median under a logarithmic curve."""
+"""Grey level of the median under a logarithmic curve."""
 _KEY = 0.18
 """Reinhard's middle grey."""
 
 
 @dataclass(frozen=True)
 class Tone:
-    """A fitted tone curve: `curve` maps light over `white` (0 and above) to 0..1; `name` describes
-    it."""
+    """A fitted tone curve. `curve` maps light divided by `white` to 0..1. `name` describes it."""
 
     name: str
     white: float
     curve: Callable[[Field], Field]
 
     def __call__(self, light: NDArray[Any]) -> NDArray[np.uint8]:
-        """Map light of any shape to 0..255; negative values are black."""
+        """Map light of any shape to 0..255 (uint8); negative values are black."""
         if not self.white > 0:
             return np.zeros(light.shape, np.uint8)
         shown = np.clip(np.nan_to_num(np.asarray(light, np.float64)), 0.0, self.white)
@@ -47,9 +46,10 @@ def check_tone(tone: str) -> None:
 
 
 def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
-    """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours. `white` is the
-    light shown as white, by default the percentile `WHITE_PERCENTILE`. Raises Rejected as
-    `check_tone`."""
+    """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours.
+
+    `white`: the light shown as white; None for the percentile `WHITE_PERCENTILE`. Raises Rejected
+    like `check_tone`."""
     check_tone(tone)
     values = np.asarray(light, np.float64).ravel()
     values = np.maximum(values[np.isfinite(values)], 0.0)
@@ -103,4 +103,4 @@ TONES: dict[str, Callable[[Field], Callable[[Field], Field]]] = {
     "srgb": lambda _relative: srgb_of_linear,
     "linear": lambda _relative: lambda light: light,
 }
-"""Tone curves by name; each is fitted to light over white."""
+"""Functions by name that fit a curve to light divided by white."""

@@ -1,4 +1,3 @@
-"""Planning: which effects of the sensor a run simulates, chosen by measuring on a sample of pixels.
+"""Planning: choose the sensor effects that a run simulates, by measuring on a sample of pixels.
 
-`nscc_runtime.planning.make` has the five steps.
-"""
+`nscc_runtime.planning.make` describes the five steps."""

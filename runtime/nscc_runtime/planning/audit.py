@@ -1,8 +1,9 @@
-"""The audit: frames under a plan compared with the reference, with the same random numbers.
+"""The audit: compare frames under a plan with frames of the reference, with the same random
+numbers.
 
-For large frames the reference exposes evenly spaced bands of rows, and the band of the brightest
-pixel. Their values are those of the whole frame, including crosstalk from rows outside the band.
-"""
+Of large frames, the reference exposes only some bands of rows: evenly spaced bands, and the band of
+the brightest pixel. The exposures of a band equal those of the whole frame, including crosstalk
+from rows outside the band."""
 
 from __future__ import annotations
 
@@ -22,30 +23,32 @@ from nscc_runtime.planning.tail import largest
 Values = NDArray[np.float64]
 
 SLACK = 1.1
-"""A promise holds while the measured error is at most this times the tolerance."""
+"""The audit passes if the measured error is at most this multiple of the tolerance."""
 
 _BAND = 4
 _MOST_CELLS = 1 << 23
-"""Largest number of slots x pixels that the reference exposes; of larger frames it exposes
-bands."""
+"""Largest slots x pixels that the reference exposes. Of larger frames it exposes bands."""
 _FEWEST_FRAMES, _MOST_FRAMES = 2, 8
 _POOLED = 65536
-"""Smaller frames are pooled until they have this number of pixels together."""
+"""Errors of small frames are averaged until they have this number of pixels together."""
 _NO_NOISE_E2 = 1e-12
-"""Largest variance over frames that is attributed to rounding."""
+"""A variance over frames below this value, in square electrons, counts as rounding."""
 
 
 @dataclass(frozen=True)
 class Audit:
     """The measured error of a plan, for the worst frame and bucket (small frames are pooled).
 
-    `measured_rms_e`: root mean square of plan - reference, with standard error `mc_error_e`.
-    `measured_p999_e`, `measured_max_e`: its 99.9 % quantile and its maximum. `bias_e`: its mean
-    over all samples, with standard error `bias_mc_error_e`. `std_ratio`: standard deviation over
-    frames with the plan divided by that of the reference (root mean squares over pixels; None if
-    the reference has no noise), with `std_ratio_mc_error`. `samples`: pixels x buckets x frames.
-    `other_states`: for a program that looks, the fraction of pixels that end in other states than
-    in the reference, with its standard error; the errors are those of the remaining pixels."""
+    The error of a pixel is its exposure with the plan minus its exposure with the reference, in
+    electrons. `measured_rms_e`: root mean square error, with standard error `mc_error_e`.
+    `measured_p999_e`, `measured_max_e`: 99.9 % quantile and maximum of the absolute error.
+    `bias_e`: mean error of all samples, with standard error `bias_mc_error_e`. `std_ratio`:
+    standard deviation over frames with the plan divided by that with the reference (root mean
+    squares over pixels), with standard error `std_ratio_mc_error`; both are None if the reference
+    has no noise. `samples`: pixels x buckets x frames. `holds`: whether every error is within its
+    tolerance. `other_states`: the fraction of pixels that end in other states than in the
+    reference, with standard error `other_states_mc_error`; both are None for programs without
+    states. Errors are those of the remaining pixels."""
 
     measured_rms_e: float
     mc_error_e: float
@@ -79,7 +82,8 @@ class Audit:
         )
 
     def breach(self, plan: Plan) -> str | None:
-        """Describe how the measured error exceeds the plan's tolerance; None if it does not."""
+        """Return a sentence about the first measured error that exceeds its limit in `plan`; None
+        if all errors are within their limits."""
         most_e, tolerance_e = plan.tolerance_max_e, plan.tolerance_e or 0.0
         if plan.tolerance_e is not None and self.measured_rms_e > SLACK * tolerance_e:
             return (
@@ -100,8 +104,10 @@ class Audit:
 
 
 class Compared(NamedTuple):
-    """Exposures (buckets, rows, cols) with the plan and with the reference; `same` (rows, cols):
-    where both end in the same states, None for programs without states."""
+    """One frame, exposed with the plan and with the reference.
+
+    `planned_e`, `full_e`: exposures in electrons, shape (buckets, rows, cols). `same`: where a
+    pixel ends in the same states in both, shape (rows, cols); None for programs without states."""
 
     planned_e: Values
     full_e: Values
@@ -115,12 +121,12 @@ def audit(
     plan: Plan,
     frames: int,
 ) -> Audit:
-    """Compare frames 0, 1, .. of a plan with the reference.
+    """Compare frames 0, 1, .. of a plan with the reference and return the measured errors.
 
-    `compare` exposes bands of rows of one frame both ways; it is called in the order of frames.
-    `slots`: slots or intervals that the reference simulates. Of the requested number of `frames`,
-    at least 2 and at most 8 are compared; more if frames have few pixels.
-    """
+    `compare(frame, row_ranges)` exposes these rows of one frame with the plan and with the
+    reference. It is called in the order of frames. `slots`: number of slots or intervals that the
+    reference simulates. `frames`: requested number of frames; at least 2 and at most 8 are
+    compared, more if frames have few pixels."""
     rows = compared_rows(slots, light.total_e())
     count, pooled = compared_frames(frames, light.shape)
     runs, mine, full, other_states_by_frame = [*bands(rows)], [], [], []
@@ -146,16 +152,18 @@ def audit(
 
 
 def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
-    """Return the number of frames of `shape` (rows, cols) to compare, and how many are pooled."""
+    """Return the number of frames of `shape` (rows, cols) to compare, and the number of consecutive
+    frames whose errors are averaged."""
     pooled = min(max(1, math.ceil(_POOLED / max(1, shape[0] * shape[1]))), 64)
     return max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * pooled, pooled
 
 
 def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan) -> Audit:
-    """Return the audit of exposures (frames, buckets, rows, cols); NaN marks pixels to leave out.
+    """Compute the audit from exposures (frames, buckets, rows, cols) with the plan and the
+    reference.
 
-    `weight` (rows,): the fraction of the frame that each row represents.
-    """
+    NaN marks pixels to leave out. `weight` (rows,): the fraction of the frame that each row
+    represents. `pooled`: number of consecutive frames whose errors are averaged."""
     error, buckets = mine - full, mine.shape[1]
     is_compared = np.isfinite(error)
     error = np.where(is_compared, error, 0.0)
@@ -190,8 +198,11 @@ def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan
 
 
 def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDArray[np.intp]:
-    """Return the rows to compare: all, or bands of `_BAND` rows with at most `cells` slots x pixels
-    (None: `_MOST_CELLS`), including the band of the brightest pixel of `total_e` (rows, cols)."""
+    """Return the numbers of the rows to compare, in ascending order.
+
+    These are all rows if slots x pixels is at most `cells` (None: `_MOST_CELLS`). Otherwise they
+    are bands of `_BAND` rows, including the band of the brightest pixel of `total_e` (rows, cols).
+    """
     height, cols = total_e.shape
     band_count = (cells or _MOST_CELLS) // (slots * cols) // _BAND
     bands = -(-height // _BAND)
@@ -204,13 +215,13 @@ def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDAr
 
 
 def row_weights(rows: NDArray[np.intp], height: int) -> Values:
-    """Return the fraction of the frame that each row represents: half-way to the next rows."""
+    """Return the fraction of the frame that each row represents, half-way to adjacent rows."""
     edges = np.concatenate(([0.0], (rows[1:] + rows[:-1] + 1) / 2, [float(height)]))
     return np.diff(edges) / height
 
 
 def bands(rows: NDArray[np.intp]) -> Iterator[range]:
-    """Return the ranges of consecutive rows."""
+    """Yield a range for each run of consecutive row numbers."""
     for run in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1):
         yield range(int(run[0]), int(run[-1]) + 1)
 
@@ -218,8 +229,10 @@ def bands(rows: NDArray[np.intp]) -> Iterator[range]:
 def _std_ratio(
     plan: Values, full: Values, known: NDArray[np.bool_]
 ) -> tuple[float | None, float | None]:
-    """Return the ratio of the standard deviations over frames (axis 0), as root mean squares over
-    the `known` pixels, and its standard error."""
+    """Return the ratio of the standard deviations over frames (axis 0) and its standard error.
+
+    Variances are averaged over the `known` pixels. Both results are None if the reference has no
+    noise."""
     mine, theirs = (values[:, known].var(axis=0, ddof=1) for values in (plan, full))
     if not (theirs.size and theirs.mean() > _NO_NOISE_E2):
         return None, None

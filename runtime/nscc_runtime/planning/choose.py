@@ -18,19 +18,23 @@ from nscc_runtime.planning.trial import NONE, Move, Names, Setting, Trial
 Values = NDArray[np.float64]
 
 MARGIN = 0.9
-"""Effects are dropped while the measured error is below this fraction of the tolerance."""
+"""Effects are dropped only while the measured error is at most this fraction of the tolerance."""
 _SURE = 0.97
-"""The same for the error plus two standard errors of the sample."""
+"""Effects are dropped only while the measured error plus two standard errors is at most this
+fraction of the tolerance."""
 _MOST_MOVES = 10
-"""Number of moves, those that save most time, of which all subsets are compared."""
+"""All subsets of this number of moves, those that save most time, are compared."""
 _TRIED, _FEW = 8, 2
-"""Largest number of sets to measure together, with and without measurements near saturation."""
+"""Largest number of sets to measure: `_TRIED` with measurements near saturation, `_FEW` without."""
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Upper limits for a plan: the mean square error in square electrons, the same plus two
-    standard errors, the fraction of pixels in other states, and the largest error."""
+    """Upper limits for the errors of a plan.
+
+    `square_e2`: mean square error in square electrons. `sure_e2`: mean square error plus two
+    standard errors. `other_states`: fraction of pixels in other states. `max_e`: largest error of a
+    pixel, in electrons; infinite without a `--tolerance-max`."""
 
     square_e2: float
     sure_e2: float
@@ -45,8 +49,11 @@ class Limits:
         other_states: float,
         measured: MeasuredEffects,
     ) -> Limits:
-        """Return the limits for tolerances. Errors of effects that the user forced off are added:
-        the effects that the planner drops have to keep the tolerance by themselves."""
+        """Compute the limits from the tolerances (`most`: of the largest error, or None) and the
+        largest fraction of pixels in other states.
+
+        Errors of effects that the user forced off are added to the limits: the effects that the
+        planner drops have to keep the tolerance by themselves."""
         forced, tolerance_e = measured.forced, allowed.electrons
         square_e2, sure_e2 = (MARGIN * tolerance_e) ** 2, (_SURE * tolerance_e) ** 2
         if forced.likely_e2(0.0) > square_e2:
@@ -58,7 +65,7 @@ class Limits:
         return cls(square_e2, sure_e2, other_states, max_e)
 
     def allow(self, together: Together) -> bool:
-        """Whether the measured errors of a setting are within the limits."""
+        """Return whether all measured errors of a setting are within the limits."""
         return (
             together.square_e2 <= self.square_e2
             and together.likely_e2(2.0) <= self.sure_e2
@@ -69,9 +76,11 @@ class Limits:
 
 @dataclass(frozen=True)
 class Together:
-    """The measured errors of a setting: the difference from the simulation with all effects, the
-    independent error of the approximations of sums, and an allowance for rare pixels that no sample
-    shows."""
+    """The measured errors of a setting.
+
+    `difference`: error relative to the simulation with all effects. `approximations`: independent
+    error of the approximations of sums, or None. `unseen_e2`: allowance for rare pixels that the
+    sample does not contain, in square electrons."""
 
     setting: Setting
     difference: Difference
@@ -80,17 +89,17 @@ class Together:
 
     @property
     def square_e2(self) -> float:
-        """The mean square error of the worst output."""
+        """The mean square error of the worst output, in square electrons."""
         return self.likely_e2(0.0)
 
     def likely_e2(self, errors: float) -> float:
-        """The mean square error of the worst output plus a number of standard `errors`."""
+        """Return the worst output's mean square error plus `errors` times its standard error."""
         differences = [self.difference, *filter(None, [self.approximations])]
         return sum(difference.likely_e2(errors) for difference in differences) + self.unseen_e2
 
     @property
     def worst(self) -> Worst:
-        """The largest errors."""
+        """The 99.9 % quantile and the maximum of the error, including approximations of sums."""
         if self.approximations is None:
             return self.difference.worst
         measured, approximated = self.difference.worst, self.approximations.worst
@@ -103,8 +112,10 @@ class Together:
 def choose_cheapest(
     trial: Trial, measured: MeasuredEffects, moves: Sequence[Move], limits: Limits
 ) -> list[Names]:
-    """Return the sets of effects that save most time, if the errors of single effects add up to
-    less than the limits. Fewer sets are returned without measurements near saturation."""
+    """Return the sets of effects that save most time and whose added-up errors are within `limits`.
+
+    The result is sorted by saved time, largest first. It contains at most `_TRIED` sets, or `_FEW`
+    without measurements near saturation; it is empty if no set fits."""
     fitting = [move for move in moves if _alone_e2(trial, measured, move) <= limits.square_e2]
     fitting = sorted(fitting, key=lambda move: -move.saved_ns)[:_MOST_MOVES]
     squares, unsure, saved_ns, other_states = _sums_of_subsets(trial, measured, fitting)
@@ -128,6 +139,7 @@ def choose_cheapest(
 
 
 def _alone_e2(trial: Trial, measured: MeasuredEffects, move: Move) -> float:
+    """Return the mean square error of a single move; infinite if it was not measured."""
     if move.field is None:
         return trial.square_e2(move.names)
     alone = measured.alone.get(move.field)
@@ -137,9 +149,12 @@ def _alone_e2(trial: Trial, measured: MeasuredEffects, move: Move) -> float:
 def _sums_of_subsets(
     trial: Trial, measured: MeasuredEffects, moves: Sequence[Move]
 ) -> tuple[Values, Values, Values, Values]:
-    """Return for every subset of the moves, numbered by its bits: the mean square error and the sum
-    of its standard errors (outputs, subsets), the saved nanoseconds, and the fraction of pixels in
-    other states."""
+    """Return errors and savings of every subset of the moves; bit i of the subset number stands for
+    move i.
+
+    Returns the mean square error and the sum of its standard errors, both of shape (outputs,
+    subsets), then the saved nanoseconds and the fraction of pixels in other states, both of shape
+    (subsets,)."""
     products = measured.products_e2
     squares, cross = products[:, :1, 0], products[:, :1, :]
     unsure, saved_ns, other_states = np.zeros((len(products), 1)), np.zeros(1), np.zeros(1)
@@ -167,8 +182,8 @@ def _sums_of_subsets(
 def measure_together(
     trial: Trial, measured: MeasuredEffects, candidates: Iterable[Names], limits: Limits
 ) -> Together:
-    """Measure each candidate set with all its effects dropped at once. Return the first one within
-    the limits, else the setting that drops nothing."""
+    """Measure each candidate set with all its effects dropped at once. Return the first result
+    within the limits, or else the result of dropping no effect."""
     # A sample of pixels near saturation says little of the worst of them.
     full_setting = Setting(NONE, exact=not math.isinf(limits.max_e))
     every_ns, _ = trial.frame_ns(full_setting)
@@ -184,6 +199,6 @@ def measure_together(
 
 
 def tried_together(trial: Trial, setting: Setting, approximations: Difference | None) -> Together:
-    """Measure one setting."""
+    """Measure the errors of one setting; `approximations` is the error of sums, or None."""
     difference = Difference(trial.together(setting), trial.sample)
     return Together(setting, difference, approximations, trial.unseen_e2(setting))

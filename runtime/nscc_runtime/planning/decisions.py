@@ -1,4 +1,4 @@
-"""Step 5 of planning: the decision on each effect, with its measured error and the reason."""
+"""Step 5 of planning: decide on each effect, with its measured error and the reason."""
 
 from __future__ import annotations
 
@@ -18,16 +18,19 @@ from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 FROM_GIVEN_PLAN = "taken from the plan given"
-"""The reason for decisions that were made for another scene."""
+"""The reason shown for decisions that were read from a plan made for another scene."""
 _BOUND_ERRORS = 3.0
-"""Number of standard errors between the predicted error and its bound."""
+"""Number of standard errors that are added to the predicted error to get its bound."""
 
 
 @dataclass(frozen=True)
 class Demands:
-    """The user's request: effects, the names of those decided by the user, and tolerances.
-    `tolerance_text` is used if the tolerance in electrons is unknown. `reason`: that of forced
-    decisions."""
+    """The user's request for a plan.
+
+    `effects`: the selected effects. `forced`: names of the effects that the user switched on or
+    off. `allowed`, `most`: tolerances of the RMS error and of the largest error, None if unknown or
+    not requested. `tolerance_text`: text of the tolerance, used if `allowed` is None. `reason`:
+    reason shown for forced decisions."""
 
     effects: Selection
     forced: Names
@@ -37,7 +40,7 @@ class Demands:
     reason: str = "named in --effects"
 
     def on(self, plan: Plan) -> Plan:
-        """Return the plan with these tolerances entered."""
+        """Return a copy of the plan with these tolerances entered."""
         tolerances = [tolerance for tolerance in (self.allowed, self.most) if tolerance is not None]
         signal_e, noise_e = (
             next((value for value in values if value is not None), None)
@@ -56,7 +59,7 @@ class Demands:
 def planned(
     trial: Trial, demands: Demands, measured: MeasuredEffects, together: Together, figures: bool
 ) -> Plan:
-    """Return the plan of a measured setting."""
+    """Return the plan for a measured setting; `figures`: measure the noise ratio, too."""
     assert demands.allowed is not None
     setting, worst = together.setting, together.worst
     approximations = [Approximation(name, None) for name in trial.approximations]
@@ -86,7 +89,10 @@ def planned(
 
 
 def unmeasured(trial: Trial, demands: Demands, path: Path, why: str, reason: str) -> Plan:
-    """Return the plan that simulates every effect that is not forced off, without a measurement."""
+    """Return a plan without measured errors that simulates every effect except those forced off.
+
+    `path`: how frames are executed, because of `why`. `reason`: reason shown for effects that the
+    user did not force."""
     setting = Setting(NONE)
     decisions = []
     for effect in registered():
@@ -157,8 +163,11 @@ def _decision(
 
 
 def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Together) -> float:
-    """Return the error of the plan without one more effect, estimated from the error of the setting
-    and the mean products of the errors of single effects."""
+    """Estimate the RMS error of the plan if one more effect, `name`, were dropped as well, in
+    electrons.
+
+    The estimate adds the mean products of the errors of single effects to the error of the setting.
+    """
     dropped_effects, square_e2 = together.setting.dropped, together.difference.square_e2
     more_e2 = together.unseen_e2 + measured.approximations_e**2
     if not dropped:
@@ -178,6 +187,7 @@ def _why_kept(
     saved_ns: float,
     then_e: float | None,
 ) -> str:
+    """Return the reason why an effect is simulated."""
     assert demands.allowed is not None
     if saved_ns <= 0:
         return "costs nothing"
@@ -198,8 +208,8 @@ def _why_kept(
 
 
 def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
-    """Return the decision on an effect of the readout, which is simulated unless the user forces it
-    off. The tolerance does not include it."""
+    """Return the decision on an effect of the readout. It is simulated unless the user forces it
+    off, and the tolerance does not include its error."""
     forced = not effect.always and effect.name in demands.forced
     on = effect in demands.effects or (demands.effects.auto and not forced)
     reason = demands.reason if forced else "always applied, after the exposure"
@@ -210,7 +220,8 @@ def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
 
 
 def _readout_e(effect: Effect, sensor: Sensor) -> float | None:
-    """Return the RMS change of codes by an effect of the readout, in electrons."""
+    """Return the RMS change of codes by an effect of the readout, in electrons; None if the effect
+    is neither converter noise nor rounding."""
     from nscc_runtime.effects import everything
 
     code_e = everything().require_part(Codes).electrons(sensor)
@@ -220,7 +231,7 @@ def _readout_e(effect: Effect, sensor: Sensor) -> float | None:
 
 
 def _cost(trial: Trial, setting: Setting, planning_ms: float) -> Cost:
-    """Return the time of a frame under the plan, and of a frame with every effect."""
+    """Return the predicted times of a frame under the plan and of a frame with every effect."""
     ms = trial.pixels * 1e-6
     total_ns, near_ns = trial.frame_ns(setting)
     every_ns, _ = trial.frame_ns(Setting(NONE))

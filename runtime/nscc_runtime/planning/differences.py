@@ -15,7 +15,7 @@ Values = NDArray[np.float64]
 _SIGMAS = 3.0
 """A mean within this number of standard errors of 0 counts as 0."""
 _NO_NUMBER_E = 1e30
-"""The error that an exposure of NaN or infinity counts as."""
+"""Error in electrons that is assigned to an exposure of NaN or infinity."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,9 +25,11 @@ class WeightedPixels:
     Attributes
     ----------
     weight : float64, shape (pixels,)
-        Number of the `scene_pixels` that each represents.
+        Number of pixels of the scene that each sampled pixel represents.
     cluster : int64, shape (pixels,)
-        Cluster number. Pixels of a cluster are adjacent and were drawn together.
+        Cluster number, ascending. Pixels of a cluster are adjacent and were drawn together.
+    scene_pixels : int
+        Number of pixels of the scene.
     """
 
     weight: Values
@@ -35,14 +37,12 @@ class WeightedPixels:
     scene_pixels: int
 
     def mean(self, values: Values) -> Values:
-        """Return the weighted mean of values (.., pixels)."""
+        """Return the weighted mean over the last axis of `values`, shape (.., pixels)."""
         return np.asarray((values * self.weight).sum(axis=-1) / max(self.weight.sum(), 1e-300))
 
     def standard_error(self, values: Values) -> Values:
-        """Return the standard error of `mean(values)`.
-
-        A pixel of weight 1 was certain to be drawn and adds no sampling error.
-        """
+        """Return the standard error of `mean(values)`; 0 without pixels. A pixel of weight 1 was
+        certain to be drawn and adds no sampling error."""
         if not values.size:
             return np.zeros(values.shape[:-1])
         not_sampled = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
@@ -53,18 +53,17 @@ class WeightedPixels:
 
     @cached_property
     def cluster_starts(self) -> NDArray[np.intp]:
-        """The first pixel of each cluster."""
+        """Index of the first pixel of each cluster."""
         return np.flatnonzero(np.diff(self.cluster, prepend=-1))
 
 
 @dataclass(frozen=True, eq=False)
 class ExposureErrors:
-    """Differences between exposures and the truth.
+    """Differences between exposures and true exposures, for sampled pixels.
 
-    `size_e` (outputs, pixels): electrons; an output is a bucket of one frame. `compared` (outputs,
-    pixels): False if the pixel ended in other states than in the truth, or a value is not finite.
-    `states`: whether the program has states.
-    """
+    `size_e` (outputs, pixels): error in electrons, 0 where not compared; an output is a bucket of
+    one frame. `compared` (outputs, pixels): False where the pixel ended in another state than in
+    the true exposure, or where a value is not finite. `states`: whether the program has states."""
 
     size_e: Values
     compared: NDArray[np.bool_]
@@ -72,7 +71,8 @@ class ExposureErrors:
 
     @classmethod
     def of(cls, exposure_e: Values, truth_e: Values) -> ExposureErrors:
-        """Return the errors of exposures (outputs, pixels) of a program without states."""
+        """Return the errors of exposures (outputs, pixels) of a program without states. Pixels
+        whose true exposure is not finite are not compared."""
         compared = np.isfinite(truth_e)
         with np.errstate(invalid="ignore"):
             away_e = np.where(np.isfinite(exposure_e), exposure_e - truth_e, _NO_NUMBER_E)
@@ -88,48 +88,48 @@ class Difference:
 
     @cached_property
     def _compared(self) -> Values:
-        """The fraction of the scene (outputs,) that is compared."""
+        """The fraction of the scene that is compared, for each output."""
         return np.maximum(self.sample.mean(self.errors.compared.astype(np.float64)), 1e-12)
 
     @cached_property
     def square_e2(self) -> Values:
-        """Mean square (outputs,) in square electrons."""
+        """Mean square error (outputs,) in square electrons."""
         return self.sample.mean(self.errors.size_e**2) / self._compared
 
     @cached_property
     def unsure_e2(self) -> Values:
-        """The standard error (outputs,) of the mean square."""
+        """Standard error (outputs,) of the mean square error, in square electrons."""
         return self.sample.standard_error(self.errors.size_e**2)
 
     @property
     def changes(self) -> bool:
-        """Whether any exposure differs."""
+        """Whether any sampled exposure differs from the true one."""
         return bool(self.square_e2.any()) or self.other_states > 0
 
     @property
     def rms_e(self) -> float:
-        """Root mean square of the worst output."""
+        """Root mean square error of the worst output, in electrons."""
         return float(np.sqrt(self.square_e2.max(initial=0.0)))
 
     @property
     def bias_e(self) -> float:
-        """Mean of the worst output; 0 if it is within three standard errors of 0."""
+        """Mean error of the worst output in electrons; 0 if within three standard errors of 0."""
         size_e = self.errors.size_e[int(np.argmax(self.square_e2))]
         mean_e = float(self.sample.mean(size_e))
         return mean_e if abs(mean_e) > _SIGMAS * float(self.sample.standard_error(size_e)) else 0.0
 
     def likely_e2(self, errors: float) -> float:
-        """Return the mean square of the worst output plus a number of standard `errors`."""
+        """Return the largest mean square error of an output plus `errors` standard errors."""
         return float((self.square_e2 + errors * self.unsure_e2).max(initial=0.0))
 
     @cached_property
     def other_states(self) -> float:
-        """Fraction of the pixels that end in other states."""
+        """Fraction of the pixels that end in other states; 0 for programs without states."""
         return float(1.0 - self._compared.min(initial=1.0)) if self.errors.states else 0.0
 
     @cached_property
     def worst(self) -> Worst:
-        """The largest errors of the pixels that are compared."""
+        """99.9 % quantile and maximum of the error, estimated from the compared pixels."""
         is_compared = self.errors.compared.all(axis=0)
         weight = self.sample.weight[is_compared]
         fraction = weight / max(float(weight.sum()), 1e-300)

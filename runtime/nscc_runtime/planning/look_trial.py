@@ -1,9 +1,9 @@
 """Trials of programs whose pixels look at the light, on tiles of a scene.
 
-The exposure of a pixel that ends in another state is a different measurement, not an error. So two
-figures are measured: the fraction of such pixels, and the errors of the others. With kept states
-the later frames of a series begin in other states than the first, so a whole series is simulated.
-"""
+If a pixel ends in another state, its exposure is a different measurement instead of an error.
+Therefore two figures are measured: the fraction of such pixels, and the error of the remaining
+pixels. If a program has kept states, later frames of a series begin in other states than the first
+frame, so a whole series is simulated."""
 
 from __future__ import annotations
 
@@ -44,16 +44,15 @@ _SEEDS = 0, 0
 _FRAMES = 16
 """Largest number of frames of a series."""
 _SETTLED = 0.005
-"""A series ends when at most this fraction of the pixels begins a frame with new register
-values."""
+"""A series ends if at most this fraction of the pixels begins a frame with new values."""
 _REFERENCE_NS = 1000.0
-"""Additional nanoseconds of a pixel in the reference."""
+"""Additional nanoseconds per pixel if the reference simulates the frame."""
 LOOKS = "pixels look at the light: each runs through the words that act in it"
 
 
 @dataclass(frozen=True, eq=False)
 class LookTrial(Trial):
-    """A program whose pixels look, on a scene."""
+    """The trial of a program whose pixels look at the light of a scene."""
 
     program: LookingProgram
     light: Light
@@ -62,17 +61,14 @@ class LookTrial(Trial):
 
     @property
     def sensor(self) -> Sensor:
-        """The sensor."""
         return self.program.sensor
 
     @property
     def pixels(self) -> int:
-        """Number of pixels of the scene."""
         return self.light.shape[0] * self.light.shape[1]
 
     @cached_property
     def absent(self) -> Names:
-        """Effects that certainly change nothing on this scene."""
         steady = everything().names(Moving) if self.light.motion is None else frozenset()
         return steady | (frozenset() if self.program.fades else everything().names(Fading))
 
@@ -80,7 +76,6 @@ class LookTrial(Trial):
 
     @cached_property
     def sample(self) -> Sample:
-        """The measured pixels."""
         return sample_of(self.light.sum_e, NO_PIXELS, self.sensor.full_well_e, _TILES)
 
     @cached_property
@@ -109,8 +104,11 @@ class LookTrial(Trial):
 
     @cached_property
     def _film(self) -> list[tuple[Mapping[str, Bits], Executed]]:
-        """A series of frames with all effects, each with its registers at the start. It ends when
-        nearly all pixels begin a frame with register values that they had before."""
+        """A series of frames with all effects: for each frame, the planes at its start and its
+        result.
+
+        The series ends when nearly all pixels begin a frame with register values that they had
+        before."""
         container, all_effects = self.program.container, everything()
         weight = np.zeros(self._places.size)
         inner_weight = self.sample.weight[: len(self.sample.inner)]
@@ -144,8 +142,7 @@ class LookTrial(Trial):
 
     @remembered
     def _fallen(self, before: Names, every_slot: bool, frame: int) -> Fallen:
-        """Return the charge of a frame under the effects in `before`, which act before words
-        run."""
+        """Return the charge of a frame under the effects `before`, which act before words run."""
         effects = everything()
         effects = effects.without(*(e.name for e in effects.effects if e.name not in before))
         joined = Intervals.of(self.program.container, every_slot).joined(self._scene)
@@ -154,7 +151,8 @@ class LookTrial(Trial):
 
     @remembered
     def _of_film(self, dropped: Names) -> list[list[Executed]]:
-        """Return the exposures of every frame of the series without the `dropped` effects."""
+        """Return the results of every frame of the series without the `dropped` effects; frames of
+        small scenes are repeated `sample.frames` times with other random numbers."""
         effects = everything().without(*dropped)
         return [
             [
@@ -166,8 +164,8 @@ class LookTrial(Trial):
         ]  # fmt: skip
 
     def _between(self, dropped: Names, other_dropped: Names) -> ExposureErrors:
-        """Return exposures without `dropped` minus exposures without `other_dropped` effects, for
-        pixels that end in the same states in both."""
+        """Return exposures without the effects `dropped` minus exposures without `other_dropped`.
+        Pixels that end in different states are not compared."""
         size_e, compared, inner = [], [], self.sample.inner
         for mine, theirs in zip(self._of_film(dropped), self._of_film(other_dropped), strict=True):
             turns = [_difference(*pair) for pair in zip(mine, theirs, strict=True)]
@@ -178,21 +176,19 @@ class LookTrial(Trial):
     # -- What planning asks -------------------------------------------------------------------
 
     def executes(self, setting: Setting) -> Path:
-        """See `Trial`: the words, or the reference if only it has an effect."""
+        """Return "words", or "reference" if only the reference supports a kept effect."""
         kept_effects = self.requested_effects.without(*setting.dropped)
         return "reference" if self.program.lacks(kept_effects) else "words"
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """See `Trial`."""
         other_dropped = self.forced_off - {effect.name}
         return self._between(other_dropped | {effect.name}, other_dropped)
 
     def together(self, setting: Setting) -> ExposureErrors:
-        """See `Trial`."""
         return self._between(self.forced_off | setting.dropped, NONE)
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """See `Trial`: single effects."""
+        """Return a move for each single free effect that costs time."""
         return [
             Move(frozenset({e.name}), self.saved_ns(e.name), e.name)
             for e in registered()
@@ -200,7 +196,7 @@ class LookTrial(Trial):
         ]
 
     def noise_e(self) -> float:
-        """See `Trial`; for pixels that end in the same states."""
+        """Return the RMS noise of a frame in electrons, from pixels with equal states in two."""
         loaded, first = self._film[0]
         numbers, inner = range(1, 1 + self.sample.frames), self.sample.inner
         pairs = [
@@ -216,12 +212,10 @@ class LookTrial(Trial):
     # -- Prices -------------------------------------------------------------------------------
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """See `Trial`."""
         kept_effects = self.requested_effects.without(*setting.dropped)
         return self.program.lacks(kept_effects) or (LOOKS,)
 
     def saved_ns(self, name: str) -> float:
-        """See `Trial`."""
         all_effects = everything()
         lacks = self.program.lacks
         reference_ns = (
@@ -230,13 +224,11 @@ class LookTrial(Trial):
         return next(e.cost_ns for e in registered() if e.name == name) + reference_ns
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """See `Trial`."""
         kept_effects = self.requested_effects.without(*setting.dropped, *self.absent)
         effects = (e.name for e in kept_effects.effects if e.kind != "after")
         return SHIPPED.looked + sum(self.saved_ns(name) for name in effects), 0.0
 
     def planning_ms(self) -> float:
-        """See `Trial`: the sample is exposed with all effects, and without each."""
         pixels = min(self.pixels, 16 * _TILES)
         exposures = sum(e.kind != "after" for e in registered()) - len(self.absent) + 2
         machine = self.program.container.machine
@@ -245,8 +237,11 @@ class LookTrial(Trial):
 
 
 def _difference(exposed: Executed, full: Executed) -> tuple[Values, Bits]:
-    """Return the difference of exposures (buckets, pixels), and where it is valid: finite, and in
-    the same states. Elsewhere it is 0."""
+    """Return the difference of two exposures, and where it is valid, both of shape (buckets,
+    pixels).
+
+    A difference is valid if both exposures are finite and the pixel ends in the same states.
+    Invalid differences are 0."""
     valid = exposed.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
     same = valid & same_states(exposed, full)
     with np.errstate(invalid="ignore"):
@@ -256,7 +251,7 @@ def _difference(exposed: Executed, full: Executed) -> tuple[Values, Bits]:
 
 
 def same_states(exposed: Executed, full: Executed) -> Bits:
-    """Return where (rows, cols) two frames end in the same states."""
+    """Return a mask (rows, cols) of the pixels that end two frames in the same states."""
     same = np.ones(full.exposure.valid.shape[1:], np.bool_)
     for name, plane in full.planes.items():
         same &= exposed.planes[name] == plane

@@ -1,16 +1,14 @@
 """Make a plan for a scene, in five steps.
 
-1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
-2. `measured_effects`: drop each effect alone, on these pixels with the same random numbers.
-3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
-   tolerance.
-4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
-   standard errors exceeds the tolerance, try the next set.
-5. `decisions`: enter for every effect whether it is simulated, its measured error and the reason.
+1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents. 2.
+`measured_effects`: drop each effect alone, on these pixels with the same random numbers. 3.
+`choose`: find the sets of effects that save most time, if their errors add up to less than the
+tolerance. 4. `choose`: drop all effects of a set at once and compare with the truth. If the error
+plus two standard errors exceeds the tolerance, try the next set. 5. `decisions`: enter for every
+effect whether it is simulated, its measured error and the reason.
 
 Effects are only measured if that saves more time than it takes, or if the user requests the table.
-Otherwise every effect is simulated.
-"""
+Otherwise every effect is simulated."""
 
 from __future__ import annotations
 
@@ -41,29 +39,31 @@ from nscc_runtime.planning.tolerance import (
 from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 MANY = 1000
-"""Number of frames that a plan is made for, by default."""
+"""Default number of frames that share a plan."""
 _APPROXIMATED = 0.6
-"""Largest error of the approximations of sums, as a fraction of the tolerance; with larger errors,
-all pixels run through their words."""
+"""If the approximations of sums have an error above this fraction of the tolerance, all pixels run
+through their words instead."""
 _NEGLIGIBLE = 0.05
-"""Approximations below this fraction of the tolerance are not measured."""
+"""Approximations of sums with errors below this fraction of the tolerance are not measured."""
 _ONE_COUNT_E = 1.0
-"""Error of sums in rare pixels; with a smaller `tolerance_max`, all pixels run through their words.
-"""
+"""Error of sums in rare pixels, in electrons. With a smaller `tolerance_max`, all pixels run
+through their words."""
 _HOPED = 0.35
-"""Typical saving of a plan, as a fraction of the saving of dropping all effects that are free."""
+"""Typical time saved by a plan, as a fraction of the time saved by dropping all effects that the
+user did not force."""
 _OTHER_STATES, _SERVED_OTHER_STATES = 0.5, 0.7
-"""Largest measured fraction of pixels in other states, relative to `MOST_OTHER_STATES`, when a plan
-is made and when it is reused for another scene."""
+"""Largest measured fraction of pixels in other states, relative to `MOST_OTHER_STATES`: when a plan
+is made, and when it is reused for another scene."""
 
 
 @dataclass(frozen=True)
 class PlanRequest:
     """The request for a plan.
 
-    `frames`: number of frames that share the plan; it decides whether measuring saves time.
-    `figures`: measure every figure of the table, even if that saves no time.
-    """
+    `effects`: the requested effects. `tolerance`, `tolerance_max`: the largest RMS error and the
+    largest error of a pixel (None: any). `frames`: number of frames that share the plan; it decides
+    whether measuring saves time. `figures`: measure every figure of the table, even if that saves
+    no time."""
 
     effects: Selection
     tolerance: ToleranceInput = DEFAULT
@@ -75,8 +75,8 @@ class PlanRequest:
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
 
-    Raises Rejected (NS0746) for an invalid tolerance.
-    """
+    If measuring would take longer than it saves, the plan simulates every effect instead. Raises
+    Rejected (NS0746) for an invalid tolerance."""
     effects = request.effects
     forced = frozenset(e.name for e in registered() if not effects.auto or e.name in effects.forced)
     forced_off = frozenset(
@@ -98,8 +98,7 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
 
 
 def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
-    """Return a given plan with its errors measured on this scene. A relative tolerance refers to
-    this scene."""
+    """Return a plan with its errors and its relative tolerance measured on this scene."""
     off = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
     forced_off = frozenset(e.name for e in registered() if e not in plan.requested_effects) & off
     trial = scene.trial(forced_off)
@@ -116,8 +115,8 @@ def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
 
 
 def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
-    """Whether a plan keeps its tolerance on another scene with similar light: the error of all its
-    `dropped` effects is measured there."""
+    """Return whether a plan keeps its tolerance on another scene with similar light, by measuring
+    the error of dropping all effects of `dropped` there."""
     measured_setting, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
     return (
         measured_setting.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
@@ -129,7 +128,8 @@ def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
 def allowed_on(
     scene: PlannedScene, tolerance: ToleranceInput, tolerance_max: ToleranceInput | None
 ) -> tuple[Tolerance, Tolerance | None]:
-    """Return the tolerances in electrons on a scene."""
+    """Convert the tolerances of the RMS error and of the largest error to electrons on a scene; the
+    second is None if it was not requested."""
     allowed = tolerance_of(tolerance, scene.sensor, scene)
     if tolerance_max is None:
         return allowed, None
@@ -139,7 +139,7 @@ def allowed_on(
 def _measured(
     scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
 ) -> Plan:
-    """Run the five steps and return the plan."""
+    """Run the five steps and return the plan, with a slower trial if sums are too inaccurate."""
     assert demands.allowed is not None
     too_large = trial.too_large(demands.allowed.electrons)
     moves = [move for move in trial.moves(free) if not move.names & too_large]
@@ -176,20 +176,20 @@ def _measured(
 
 
 def _names(trial: Trial) -> Names:
-    """Return the effects of the exposure that are not absent."""
+    """Return the effects of the exposure that are not absent on the trial's scene."""
     return frozenset(e.name for e in registered() if e.kind != "after") - trial.absent
 
 
 def _not_worth(
     scene: PlannedScene, trial: Trial, request: PlanRequest, forced: Names
 ) -> str | None:
-    """Return the reason for not measuring effects; None if measuring saves time."""
+    """Return the reason for not measuring effects; None if effects should be measured."""
     if request.figures or trial.slow - trial.absent - trial.forced_off:
         return None
     if not request.effects.auto:
         return "named in --effects"
     if trial.forced_off - trial.absent:
-        return None  # they may break the promise, which is to be said
+        return None  # the user must be told if these effects exceed the tolerance
     allowed = _known(scene, request.tolerance)
     tolerance_e = None if allowed is None else allowed.electrons
     noise_fraction = None if allowed is not None else noise_part(str(request.tolerance))
@@ -207,8 +207,7 @@ def _not_worth(
 
 
 def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
-    """Return a tolerance in electrons; None for a fraction of the noise, which needs a
-    measurement."""
+    """Return a tolerance in electrons; None for a fraction of the noise, which must be measured."""
     if isinstance(tolerance, str) and noise_part(tolerance) is not None:
         check_tolerance(tolerance, scene.sensor)
         return None

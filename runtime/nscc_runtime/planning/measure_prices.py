@@ -32,12 +32,13 @@ pixels stop = 1 + (5 * x + 3 * y) % 16
 _NEAR = 512
 """Number of pixels that run through their words."""
 _ROUNDS = 5
+"""Number of timed rounds of each measurement; the fastest counts."""
 
 
 @dataclass(frozen=True)
 class Price:
-    """One line of the list: `measured` on this machine, and `shipped`, which plans are chosen
-    by."""
+    """One measured time. `shipped`: the value that plans are chosen by; `measured`: the value on
+    this machine, both in `unit`."""
 
     name: str
     description: str
@@ -47,7 +48,7 @@ class Price:
 
 
 def measure_prices() -> list[Price]:
-    """Measure the prices on this machine, each as the fastest of several rounds. Takes seconds."""
+    """Measure each price on this machine, in several seconds, as the fastest of some rounds."""
     container = nscc.compile(_TEXT, level=1).container
     program = analysed(container, default_sensor(container.target))
     rows, cols = program.array.shape
@@ -83,8 +84,8 @@ def measure_prices() -> list[Price]:
 
 
 def _of_effects(program: AnalysedProgram, still: Light) -> list[Price]:
-    """Measure the time saved by dropping each effect from sums: per still, and per frame of
-    light."""
+    """Return prices of effects in simulations by sums: the time saved by dropping each effect, for
+    a still scene and for each further frame of light."""
     all_effects = everything()
     all_effects = all_effects.without(
         *(e.name for e in all_effects.effects if isinstance(e.sums, CannotHave))
@@ -111,7 +112,7 @@ def _of_effects(program: AnalysedProgram, still: Light) -> list[Price]:
 def _saved_ns(
     program: AnalysedProgram, light: Light, all_effects: Selection, effect: Effect
 ) -> float:
-    """Return the nanoseconds per pixel that a frame without the effect saves."""
+    """Return the nanoseconds per pixel that a frame by sums saves without `effect`."""
     executions = [
         Execution("sums", kept_effects, kept_effects, all_effects)
         for kept_effects in (all_effects, all_effects.without(effect.name))
@@ -125,12 +126,12 @@ def _saved_ns(
 
 
 def _frame(program: AnalysedProgram, light: Light, execution: Execution) -> None:
-    """Expose one frame of a copy of the light without cached properties, on one core."""
+    """Expose one frame on one core. The light is copied, so that no cached property is reused."""
     executed(program, replace(light), execution, threads=1).frame(0, 0)
 
 
 def _least_s(run: Callable[[], object], rounds: int = _ROUNDS) -> float:
-    """Return the seconds of the fastest round, after a warm-up round."""
+    """Return the processor seconds of the fastest round, after a warm-up round."""
     run()
     seconds = []
     for _ in range(rounds):

@@ -1,8 +1,8 @@
 """Step 2 of planning: measure the error of dropping each effect.
 
-Each effect is dropped alone, on the same pixels with the same random numbers. If effects add up,
-the mean square error of dropping a set of them is the sum of the mean products of these
-differences."""
+Each effect is dropped alone, on the same pixels with the same random numbers. If errors add up, the
+mean square error of dropping a set of effects is the sum of the mean products of their single
+errors."""
 
 from __future__ import annotations
 
@@ -24,13 +24,14 @@ class MeasuredEffects:
 
     Attributes
     ----------
-    alone : dict of Difference
-        The error of dropping each measured effect alone.
+    alone : dict of str to Difference
+        The error of dropping each measured effect alone, by the name of the effect.
     products_e2 : float64, shape (outputs, 1 + effects, 1 + effects)
-        Mean products of these differences over the scene; the first row and column belong to the
-        effects that the user forced off.
+        Mean products of these errors over the scene, in square electrons. Row and column 0 belong
+        to the effects that the user forced off.
     approximations : Difference or None
-        The error of exposures with every effect; None if it is 0 or was not measured.
+        The error of the approximations of sums with every effect; None if it is 0 or was not
+        measured.
     near_saturation : bool
         Whether effects were also measured on pixels near saturation.
     forced : Difference
@@ -45,15 +46,16 @@ class MeasuredEffects:
 
     @property
     def approximations_e(self) -> float:
-        """Root mean square error of the approximations."""
+        """RMS error of the approximations of sums in electrons; 0 if it was not measured."""
         return 0.0 if self.approximations is None else self.approximations.rms_e
 
     def index(self, name: str) -> int:
-        """Return the row of an effect in `products_e2`."""
+        """Return the row of the measured effect `name` in `products_e2`."""
         return 1 + [*self.alone].index(name)
 
     def squares_e2(self, names: Names) -> Values:
-        """Return the mean square error (outputs,) of dropping a set of measured effects."""
+        """Return the mean square error (outputs,) of dropping the measured effects in `names`
+        together with the effects that the user forced off."""
         rows = [0, *(self.index(name) for name in self.alone if name in names)]
         return np.asarray(self.products_e2[:, rows][:, :, rows].sum(axis=(1, 2)))
 
@@ -61,8 +63,10 @@ class MeasuredEffects:
 def measure_effects(
     trial: Trial, effects: Names, *, approximations: bool = True, near_saturation: bool = False
 ) -> MeasuredEffects:
-    """Measure the error of dropping each of the effects, except absent ones. `near_saturation`:
-    also on pixels near saturation, if dropping the effect there saves time."""
+    """Measure the error of dropping each of the `effects` that is not absent on the scene.
+
+    `approximations`: also measure the error of sums. `near_saturation`: also measure on pixels near
+    saturation, if dropping the effect there saves time."""
     errors: dict[str, ExposureErrors] = {}
     for effect in registered():
         if effect.name in effects and effect.name not in trial.absent and effect.kind != "after":
@@ -79,7 +83,8 @@ def measure_effects(
 
 
 def _products(fields: Values, weight: Values) -> Values:
-    """Mean products (outputs, fields, fields) of fields (fields, outputs, pixels)."""
+    """Return mean products (outputs, fields, fields) of all pairs of `fields` (fields, outputs,
+    pixels)."""
     weighed = fields * (weight / max(float(weight.sum()), 1e-300))
     # Not by a library for matrices: its sums may differ from machine to machine.
     return np.array(

@@ -1,4 +1,5 @@
-"""The plan of a run: the effects that are simulated, how, and the measured errors."""
+"""The plan of a run: the effects that are simulated, how they are simulated, and the measured
+errors."""
 
 from __future__ import annotations
 
@@ -41,45 +42,48 @@ class Plan:
     """The plan of a run.
 
     Errors are root mean squares over pixels and buckets of the difference from the reference with
-    every effect, in electrons before the ADC. Figures that were not measured are None. As text a
-    plan is the table that `nscc run` prints.
+    every effect, in electrons before the ADC. Figures that were not measured are None. Converting a
+    plan to text returns the table that `nscc run` prints.
 
     Attributes
     ----------
     tolerance_e : float or None
-        The tolerance in electrons; None where it is a part of a noise that was not measured.
+        The tolerance in electrons; None if it is a fraction of a noise that was not measured.
     predicted_e, bound_e : float or None
-        The error measured on a sample of the scene, and the same with three standard errors.
+        The error measured on a sample of the scene, and this error plus three standard errors.
     slot_loop : {"none", "some", "all", "reference"}
-        Which pixels run through their words one by one; "reference": the reference simulates all.
+        Which pixels run through their words one by one. "reference": the reference simulates all
+        pixels instead.
     slot_loop_reasons : tuple of str
-        Why they do.
+        Why pixels run through their words, or why the reference is used.
     sampled_fraction : float
-        The part of the pixels that was measured.
+        The fraction of the pixels that was measured.
     approximations : tuple of Approximation
-        How sums differ from the reference with the same effects.
+        Differences between sums and the reference with the same effects.
     decisions : tuple of Decision
         The decision on each effect.
     other_states : float or None
-        Of a program that looks, the part of the pixels that end in other states than with every
-        effect; errors are those of the other pixels.
+        For a program that looks, the fraction of pixels that end in other states than with every
+        effect. Errors are those of the other pixels.
     tolerance, tolerance_max : str
-        What was asked of the root mean square and of the largest error; "" where nothing was.
+        The requested tolerances of the RMS error and of the largest error, as text; "" if not
+        requested.
     signal_e, noise_e : float or None
-        The mean signal or the frame's own noise that the tolerance is a part of.
+        The mean signal, or the frame's own noise, that a relative tolerance refers to.
     predicted_p999_e, predicted_max_e : float or None
-        Estimates of the error that one pixel in a thousand passes, and of the largest.
+        Estimates of the 99.9 % quantile of the error, and of the largest error.
     tolerance_max_e : float or None
-        What was asked of the largest error, in electrons.
+        The requested tolerance of the largest error, in electrons.
     noise_ratio : float or None
-        Estimate of the standard deviation of exposures over frames by that with every effect.
+        Estimate of the standard deviation of exposures over frames, divided by that with every
+        effect.
     saturating_lack : tuple of str
-        The dropped effects that pixels near saturation lack as well; they have the others.
+        The dropped effects that are dropped for pixels near saturation, too.
     cost : Cost or None
-        What frames take, by shipped prices.
+        Predicted times of frames, by shipped prices.
     reused : bool
-        Whether the plan was made for an earlier scene with light of this kind and no weaker, whose
-        figures these are.
+        Whether the plan was made for an earlier scene with similar light, at least as strong. The
+        figures are those of that scene.
     """
 
     tolerance_e: float | None
@@ -145,13 +149,13 @@ class Plan:
 
     @property
     def allowed(self) -> Tolerance | None:
-        """The tolerance on the scene that the plan was made for; None where it is a part of a noise
-        that was not measured."""
+        """The tolerance on the scene that the plan was made for; None if it is a fraction of a
+        noise that was not measured."""
         return self._on_its_scene(self.tolerance, self.tolerance_e)
 
     @property
     def allowed_max(self) -> Tolerance | None:
-        """The tolerance of the worst pixel, where there is one."""
+        """The tolerance of the largest error; None if it was not requested."""
         return self._on_its_scene(self.tolerance_max, self.tolerance_max_e)
 
     def _on_its_scene(self, text: str, electrons: float | None) -> Tolerance | None:
@@ -164,7 +168,7 @@ class Plan:
 
     @property
     def tolerance_inputs(self) -> tuple[ToleranceInput, ToleranceInput | None]:
-        """The tolerances as the user entered them: relative ones as text."""
+        """The tolerances as the user entered them: relative tolerances as text."""
         allowed, most = self.allowed, self.allowed_max
         return (
             self.tolerance if allowed is None or allowed.follows else allowed,
@@ -173,7 +177,7 @@ class Plan:
 
     @property
     def breach(self) -> str | None:
-        """Describe which predicted errors exceed their tolerances; None if none does."""
+        """A text that lists predicted errors above their tolerances; None if there are none."""
         broken_parts = []
         if (self.predicted_e or 0.0) > (self.tolerance_e or 0.0):
             broken_parts.append(
@@ -239,7 +243,7 @@ class Plan:
         return self.cost.rows(kept_ms, self.saturating_lack)
 
     def as_json(self) -> dict[str, Any]:
-        """The plan as a frame file's `meta` has it."""
+        """Return the plan as JSON values, as in a frame file's `meta`."""
         return {
             "tolerance": self.tolerance,
             "tolerance_e": self.tolerance_e,
@@ -268,7 +272,8 @@ class Plan:
 
     @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> Plan:
-        """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
+        """Return the plan of JSON values that `as_json` returned. Raises KeyError, TypeError or
+        ValueError for any other value."""
         names = {"slot_loop": "slot_loop_pixels", "decisions": "effects"}
         plan: Plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
         plan = replace(plan, decisions=_of_this_version(plan.decisions))
@@ -318,7 +323,6 @@ def _table(plan: Plan) -> str:
 
 
 def _errors(plan: Plan) -> list[str]:
-    """Return lines with the predicted errors and the tolerances."""
     tolerance = plan.allowed if plan.tolerance_e is not None else plan.tolerance
     if plan.predicted_e is None:
         return [f"no error was measured; tolerance {tolerance}"]
@@ -342,7 +346,7 @@ def _errors(plan: Plan) -> list[str]:
 
 
 def approximation_lines(plan: Plan) -> list[str]:
-    """Return a line for each approximation of the plan, with its error."""
+    """Return a line for each approximation of the plan, with its error if measured."""
     return [
         f"approximation: {name}" + ("" if error_e is None else f": {error_e:.2g} e")
         for name, error_e in (
@@ -352,14 +356,13 @@ def approximation_lines(plan: Plan) -> list[str]:
 
 
 def _as_json(flat: Decision | Approximation | Cost) -> dict[str, Any]:
-    """Return the fields of a flat record. (`dataclasses.asdict` is slow: a millisecond per
-    plan.)"""
+    """Return the fields of a flat record. (`dataclasses.asdict` takes a millisecond per plan.)"""
     return dict(vars(flat))
 
 
 def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
     """Return decisions on all effects of this version, in order. Effects that an older file does
-    not contain are simulated; ValueError for unknown effects."""
+    not contain are simulated. Raises ValueError for unknown effects."""
     named = {(decision.name, decision.kind): decision for decision in decisions}
     known = [(effect.name, effect.kind) for effect in registered()]
     if len(named) < len(decisions) or not named.keys() <= {*known}:
@@ -373,8 +376,7 @@ def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
 
 
 def _read(kind: Any, value: Any) -> Any:
-    """Convert a JSON value to the type of an annotation; ValueError for other types and for
-    infinite numbers."""
+    """Convert a JSON value to the type `kind`. Raises ValueError for other types and infinity."""
     origin, type_arguments = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)
@@ -390,6 +392,6 @@ def _read(kind: Any, value: Any) -> Any:
         kind in (int, str, bool) and type(value) is kind
     ):
         return value
-    # A whole number may have too many digits to be written out.
+    # An integer may have too many digits to be printed.
     shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"
     raise ValueError(f"{shown} is not a {getattr(kind, '__name__', kind)}")

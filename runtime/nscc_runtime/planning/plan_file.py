@@ -1,4 +1,4 @@
-"""Plan files (`--plan`), and the plan as a table."""
+"""Read and write plan files (`--plan`), and print plans as tables."""
 
 from __future__ import annotations
 
@@ -17,16 +17,17 @@ PLAN_SCHEMA = "nscc-plan-1"
 
 
 def plan_text(plan: Plan, program_sha256: str, sensor: Sensor) -> str:
-    """A plan's file, which says what it was made for."""
+    """Return the JSON text of a plan file, with the digests of its program and sensor."""
     made_for = {"program_sha256": program_sha256, "sensor_sha256": sensor_sha256(sensor)}
     values = {"schema": PLAN_SCHEMA, **made_for, "plan": plan.as_json()}
     return json.dumps(values, indent=2) + "\n"
 
 
 def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
-    """A plan from its file; NS0747 where it is none, NS0748 where it was made for something else
-    (status 2).
-    """
+    """Read a plan file for a given program and sensor.
+
+    Raises Rejected (status 2): NS0747 if the file does not contain a plan of this version, NS0748
+    if the plan was made for another program or sensor."""
     plan, made_for = _read(path)
     is_for = program_sha256, sensor_sha256(sensor)
     for plan_sha256, actual_sha256, kind in zip(
@@ -46,12 +47,12 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
 
 
 def plan_of(path: Path) -> Plan:
-    """Return the plan in a plan's file, or of a frame file; NS0747 for another file."""
+    """Return the plan in a plan file or a frame file. Raises NS0747 for any other file."""
     return _read(path)[0]
 
 
 def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
-    """Return the plan, and the digests of its program and sensor."""
+    """Return the plan, and the SHA-256 digests of its program and sensor."""
     try:
         if path.suffix.lower() == ".npz":
             values = read_frame_arrays(path, lambda _name: False)[1]
@@ -73,7 +74,6 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
 
 
 def _reason(error: Exception) -> str:
-    """Describe why a file is not a plan."""
     words = " ".join(str(error).split())[:120]
     if isinstance(error, OSError):
         return f"it cannot be read: {error.strerror}"
@@ -89,5 +89,5 @@ def _reason(error: Exception) -> str:
 
 
 def plan_table(plan: Plan, report: Audit | None = None) -> str:
-    """Return the plan as a table, followed by the audit."""
+    """Return the plan as a table, followed by the audit if there is one."""
     return str(plan) if report is None else f"{plan}\n{report}"

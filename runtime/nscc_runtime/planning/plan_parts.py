@@ -8,26 +8,25 @@ from typing import Literal
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
-"""Which pixels run through their words one by one; "reference": it simulates all."""
+"""Which pixels run through their words one by one; "reference": the reference simulates all."""
 
 MOST_OTHER_STATES = 0.005
-"""Largest fraction of the pixels of a program that looks that may end in other states than with all
-effects."""
+"""Largest fraction of pixels that may end in other states than with all effects."""
 
 LATER = MappingProxyType({"later": True})
-"""Metadata of fields that older plan files lack."""
+"""Field metadata: older plan files may lack the field."""
 
 
 @dataclass(frozen=True)
 class Decision:
     """The decision on one effect.
 
-    `predicted_rms_e` and `predicted_bias_e`: root mean square and mean, over pixels and buckets, of
-    the change of exposures by the effect. `predicted_if_dropped_e`: the error of the plan without
-    this effect. These are None if they were not measured. `forced`: the user decided.
-    `cost_ms_model`: milliseconds saved by dropping it, from the shipped prices. `other_states`: for
-    a program that looks, the fraction of pixels that end in other states because of the effect.
-    """
+    `kind`: when the effect acts. `decision`: whether it is simulated. `forced`: whether the user
+    decided. `predicted_rms_e`, `predicted_bias_e`: root mean square and mean, over pixels and
+    buckets, of the change of exposures by the effect, in electrons. `predicted_if_dropped_e`: RMS
+    error of the plan without this effect. `cost_ms_model`: milliseconds per frame saved by dropping
+    it, from the shipped prices. `other_states`: fraction of pixels that end in other states because
+    of the effect, for programs that look. Figures that were not measured are None."""
 
     name: str
     kind: str
@@ -43,22 +42,24 @@ class Decision:
 
 @dataclass(frozen=True)
 class Approximation:
-    """An approximation of sums, and its RMS error; None if that was not measured."""
+    """An approximation of sums, by name, and its RMS error in electrons (None: not measured)."""
 
     name: str
     error_e: float | None
 
 
 _LITTLE = 0.005
-"""A fraction that rounds to 0 %."""
+"""A smaller fraction is shown as 0 %."""
 
 
 @dataclass(frozen=True)
 class Cost:
-    """The time of a frame including planning, in milliseconds of one core, from the shipped prices.
+    """The predicted time of a frame including planning, in milliseconds of one core, from the
+    shipped prices.
 
-    `saturating_ms`: the words of pixels near saturation. `all_ms`: the same frame with every
-    effect, including `all_planning_ms` of planning (None in older plan files)."""
+    `saturating_ms`: part of `total_ms` for running the words of pixels near saturation. `all_ms`:
+    time of the same frame with every effect, including `all_planning_ms` of planning (None in older
+    plan files)."""
 
     total_ms: float
     saturating_ms: float
@@ -67,11 +68,11 @@ class Cost:
     all_planning_ms: float | None = field(default=None, metadata=LATER)
 
     def rows(self, effects_ms: float, lack: tuple[str, ...]) -> list[tuple[str, str, float]]:
-        """Return times that belong to no single effect, as (name, description, milliseconds).
+        """Return the times that belong to no single effect, as (name, description, milliseconds).
 
-        Together with `effects_ms` of the kept effects they add up to the total. The remainder may
-        be negative if all pixels run through their words, because several effects share their
-        counts. `lack`: the effects that pixels near saturation lack."""
+        Together with `effects_ms`, the time of the kept effects, they add up to the total. The
+        remainder may be negative if all pixels run through their words, because several effects
+        share photon counts. `lack`: effects that are not simulated for pixels near saturation."""
         rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
         words = "their words one by one" + (f", without {', '.join(lack)}" if lack else "")
         saturating_rows = (
@@ -85,7 +86,7 @@ class Cost:
 
     @property
     def summary(self) -> str:
-        """A sentence about the saved time."""
+        """A sentence that compares the times of the plan and of simulating every effect."""
         text = _saved(self.total_ms, self.all_ms)
         if self.all_planning_ms is not None:
             next_ms, all_ms = self.total_ms - self.planning_ms, self.all_ms - self.all_planning_ms

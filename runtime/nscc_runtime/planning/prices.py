@@ -1,7 +1,7 @@
-"""The time of each kind of simulation: the prices by which plans are chosen.
+"""Predicted times of each kind of simulation, called prices.
 
-Plans are chosen by `SHIPPED`, so that the same input gives the same plan on every machine.
-"""
+Plans are chosen by the prices in `SHIPPED` instead of measured times, so that the same input gives
+the same plan on every machine."""
 
 from __future__ import annotations
 
@@ -19,21 +19,26 @@ from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.method_cache import remembered
 
 Beside = Literal["sums", "all", "nothing"]
-"""The simulation of the other pixels while one pixel runs through its words."""
+"""How the other pixels are simulated while one pixel runs through its words."""
 
 
 @dataclass(frozen=True, eq=False)
 class Prices:
-    """Nanoseconds of one core per pixel.
+    """Times of parts of a simulation, in nanoseconds of one core.
 
-    `slot_of_reference`: the reference, a slot. Of the loop over words: `pixel` to begin one;
-    `word`; `error`, one of a word's small errors; `run`, the charge of one group of slots between
-    two words at one site (a pixel or a neighbour), `given_count` where its count is given; `count`,
-    a group's electrons drawn at a site, and `split`, a halving of them on the way to their part
-    between two words. `summed`: a pixel by sums over slots, and `light` one frame of its light,
-    beside the milliseconds `frame_ms` of any frame. `looked`: a pixel that looks. `sampled`: a
-    pixel of the sample, with and without every effect, and `sampled_light` one frame of its light,
-    beside the milliseconds `plan_ms` of any plan."""
+    `slot_of_reference`: the reference, per pixel and slot.
+
+    Per pixel in the loop over words: `pixel`, to begin a pixel; `word`, each word; `error`, each
+    small error of a word; `run`, the charge of a group of slots between two words at one site (a
+    pixel or a neighbour); `given_count`, the same if the photon count is known already; `count`,
+    drawing the photon count of a group at a site; `split`, each halving of a count to divide it
+    between words.
+
+    Per pixel in other simulations: `summed`, a pixel by sums over slots; `light`, each frame of its
+    light; `looked`, a pixel that looks; `sampled`, a pixel of a planning sample, with and without
+    every effect; `sampled_light`, each frame of its light.
+
+    In milliseconds: `frame_ms`, each frame; `plan_ms`, each plan."""
 
     slot_of_reference: float
     pixel: float
@@ -57,18 +62,20 @@ SHIPPED = Prices(
     count=50.0, split=8.0, summed=4.0, light=0.5, frame_ms=0.6, looked=1200.0, sampled=1000.0,
     sampled_light=20.0, plan_ms=8.0,
 )  # fmt: skip
-"""Measured on a core of an x86 server at about 3 GHz by `nscc effects --cost`; what they add up to
-is right to a factor of about 2."""
+"""Measured on one core of an x86 server at about 3 GHz by `nscc effects --cost`. Predicted times
+are right to a factor of about 2."""
 
 
 _SHARED_SITES = 2.5
-"""Sites per pixel if all pixels are simulated, so that neighbours share counts."""
+"""Number of sites with own counts per pixel if all pixels are simulated, which share counts."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """The work of a pixel in the loop over words, as means over lanes: words that act, boundaries
-    with such words, and groups of slots; and the number of slots of a frame."""
+    """The work of a pixel in the loop over words, as means over codes of pixels.
+
+    `words`: words that act. `boundaries`: boundaries with such words. `groups`: groups of slots.
+    `slots`: number of slots of a frame."""
 
     words: float
     boundaries: float
@@ -77,7 +84,7 @@ class Work:
 
     @classmethod
     def of(cls, program: AnalysedProgram) -> Work:
-        """Return the work of a program, computed once."""
+        """Return the work of a program; the result is cached."""
         return program.recent.of("work", lambda: cls._of(program))
 
     @classmethod
@@ -92,15 +99,16 @@ class Work:
 
     @property
     def reference_ns(self) -> float:
-        """Nanoseconds of a pixel in the reference."""
+        """Nanoseconds per pixel of a frame by the reference."""
         return SHIPPED.slot_of_reference * self.slots
 
     @remembered
     def words_ns(self, kept_effects: Selection, beside: Beside) -> float:
-        """Return the nanoseconds of a pixel through its words with the effects in `kept_effects`.
+        """Return the nanoseconds of a pixel that runs through its words with the effects in
+        `kept_effects`.
 
-        `beside`: "sums" provide its neighbours' counts, "all" pixels run and share them, with
-        "nothing" the pixel draws them itself."""
+        `beside`: how its neighbours' counts are obtained: "sums" provides them, "all" pixels run
+        and share them, or with "nothing" the pixel draws them itself."""
         prices, runs = SHIPPED, self.groups * self.boundaries
         own_ns = prices.pixel + self.words * (
             prices.word + prices.error * len(kept_effects.errors())

@@ -1,10 +1,11 @@
 """Step 1 of planning: draw a weighted sample of the pixels of a scene.
 
-Errors grow with light and with its differences between neighbours, and a few lamps may cause most
-of them. So tiles of 2 x 2 pixels are drawn partly evenly and partly by both (`chances`). Each lies
-in a tile of 4 x 4 pixels that contains its neighbours. Pixels near saturation are a separate
-stratum, and those that only their neighbours' light brings there another. They are drawn one by
-one, ordered by their charge, with the same chances."""
+Errors grow with light and with differences of light between neighbours, and a few lamps may cause
+most of the error. Therefore tiles of 2 x 2 pixels are drawn partly evenly and partly in proportion
+to light and differences (`chances`). Each is the centre of a tile of 4 x 4 pixels that contains its
+neighbours. Two strata are drawn separately, pixel by pixel: pixels near saturation, and pixels that
+only the light of their neighbours brings near saturation. They are ordered by charge and drawn with
+the same chances."""
 
 from __future__ import annotations
 
@@ -22,19 +23,19 @@ Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 
 TILES, _SIDE = 160, 2
-"""Number of tiles to draw, and side of the tile of measured pixels."""
+"""Number of tiles to draw; side of the measured part of a tile, in pixels."""
 _WHOLE = 2048
-"""Largest number of pixels of a scene that is measured completely."""
+"""Scenes of at most this number of pixels are measured completely."""
 _ENOUGH, _MOST_FRAMES = 512, 16
-"""Scenes of fewer pixels are exposed several times, at most `_MOST_FRAMES`."""
+"""Scenes of fewer than `_ENOUGH` pixels are exposed several times, at most `_MOST_FRAMES` times."""
 _OWN, _SPILT, _MORE = 48, 24, 208
-"""Sample sizes near saturation: pixels that are there by their own light, and by that of
-neighbours; and the increase of the former with the fraction of the scene near saturation."""
+"""Sample sizes near saturation: pixels brought there by their own light, pixels brought there by
+neighbours, and the increase of the first if the whole scene is near saturation."""
 _EXTREMES = 8
-"""Number of the brightest, the darkest, and the pixels nearest to a full well that are always
-drawn. """
+"""Near saturation, this number of the brightest pixels, of the darkest pixels, and of the pixels
+nearest to a full well is always drawn."""
 _SURE = 2.0
-"""A pixel with at least this expected number of draws counts as certain."""
+"""A pixel with at least this expected number of draws is certain to be drawn."""
 _GOLDEN = 0.6180339887498949
 
 
@@ -45,17 +46,18 @@ class Sample(WeightedPixels):
     Attributes
     ----------
     corners : int64, shape (tiles, 2)
-        Row and column of the upper left pixel of each tile of `side` x `side` pixels; `side` is 0
-        if the whole scene is measured.
+        Row and column of the upper left pixel of each tile of `side` x `side` pixels.
+    side : int
+        Side of a tile; 0 if the whole scene is measured.
     places : int64, shape (pixels,)
-        Places on the chip: pixels far from saturation, tile by tile, then those near it. A pixel
-        occurs once per exposure.
+        Index of each sampled pixel in the flattened scene: pixels far from saturation, tile by
+        tile, then pixels near saturation. A pixel occurs once per exposure.
     frame : int64, shape (pixels,)
         The number of the exposure, below `frames`.
     inner : int64, shape (far pixels,)
-        Indices of the pixels far from saturation among the pixels of all tiles side by side.
+        Indices of the pixels far from saturation in the array of all tiles side by side.
     drawn_near : int
-        Number of pixels near saturation that represent more than themselves.
+        Number of sampled pixels near saturation whose weight is above 1.
     """
 
     side: int
@@ -73,23 +75,23 @@ class Sample(WeightedPixels):
 
     @property
     def far_pixels(self) -> slice:
-        """Slice of the sampled pixels far from saturation."""
+        """Slice of the sample that contains the pixels far from saturation."""
         return slice(0, self.frames * len(self.inner))
 
     @property
     def near_pixels(self) -> slice:
-        """Slice of the sampled pixels near saturation."""
+        """Slice of the sample that contains the pixels near saturation."""
         return slice(self.frames * len(self.inner), len(self.places))
 
     @cached_property
     def near_part(self) -> float:
-        """Fraction of the scene's pixels that is near saturation."""
+        """Estimated fraction of the scene's pixels that are near saturation."""
         return float(self.weight[self.near_pixels].sum()) / self.scene_pixels
 
     @cached_property
     def one_each(self) -> NDArray[np.intp]:
-        """Index of one sampled pixel of each tile. Its position varies, as codes may repeat with
-        the tile size."""
+        """Index of one sampled pixel of each tile. Its position in the tile varies, because codes
+        may repeat with the tile size."""
         starts = self.cluster_starts
         starts = starts[starts < len(self.inner)]
         counts = np.diff(starts, append=len(self.inner))
@@ -98,7 +100,7 @@ class Sample(WeightedPixels):
 
 
 def near_sampled(near_count: int, scene_pixels: int) -> int:
-    """Return the largest number of pixels near saturation that are sampled."""
+    """Return the largest sample size of `near_count` pixels near saturation."""
     return min(near_count, _OWN + _SPILT + _MORE * near_count // scene_pixels)
 
 
@@ -110,11 +112,11 @@ def sample_of(
     Parameters
     ----------
     total_e : float64, shape (rows, cols)
-        Total charge of each pixel in a frame.
-    near : NearSaturation
+        Total charge of each pixel in a frame, in electrons.
+    near_pixels : NearSaturation
         The pixels near saturation.
     full_well_e : float
-        Full well.
+        Full well, in electrons.
     tiles : int
         Number of tiles to draw.
     """
@@ -138,7 +140,6 @@ def sample_of(
     clusters = int(near_cluster.max(initial=far_cluster.max(initial=-1))) + 1
 
     def again(far: NDArray[Any], near_pixels: NDArray[Any]) -> NDArray[Any]:
-        """Repeat values for each exposure."""
         return np.concatenate([np.tile(far, frames), np.tile(near_pixels, frames)])
 
     frame = np.concatenate(
@@ -161,8 +162,10 @@ def sample_of(
 def _inner_pixels(
     corners: Places, side: int, cols: int, is_near: NDArray[np.bool_]
 ) -> tuple[Places, Places, Places]:
-    """Return the inner pixels of tiles that are not near saturation: their indices among all tiles
-    side by side, their places on the chip, and their tile numbers."""
+    """Return the inner pixels of tiles that are not near saturation.
+
+    Returns their indices in the array of all tiles side by side, their indices in the flattened
+    scene, and their tile numbers."""
     tile, row, col = (
         axis.reshape(-1) for axis in np.mgrid[: len(corners), 1 : side - 1, 1 : side - 1]
     )
@@ -173,8 +176,11 @@ def _inner_pixels(
 
 
 def tile_corners(chance: Values, tile_count: int) -> tuple[Places, Values]:
-    """Draw tiles with the summed `chance` (rows, cols) of their pixels. Return their upper left
-    corners (tiles, 2), and the weight of a pixel in each, up to a factor."""
+    """Draw tiles with probabilities proportional to the sum of `chance` (rows, cols) over their
+    pixels.
+
+    Returns the upper left corners (tiles, 2), and the unnormalised weight of a pixel in each tile.
+    """
     rows, cols = chance.shape
     down, right = -(-rows // _SIDE), -(-cols // _SIDE)
     if rows % _SIDE or cols % _SIDE:
@@ -189,7 +195,8 @@ def tile_corners(chance: Values, tile_count: int) -> tuple[Places, Values]:
 def _near_sample(
     near_pixels: NearSaturation, chance: Values, full_well_e: float
 ) -> tuple[Places, Values]:
-    """Draw places near saturation with `chance` (rows * cols,). Return them and their weights."""
+    """Draw pixels near saturation with the relative probabilities `chance` (rows * cols,). Return
+    their indices in the flattened scene, and their weights."""
     seen_e = near_pixels.most_e[~near_pixels.spilt]
     sure = np.zeros(len(seen_e), np.bool_)
     own_count = _OWN + _MORE * len(near_pixels.places) // len(chance)
@@ -213,7 +220,7 @@ def _near_sample(
 
 
 def _some_of(ordered: Places, chance: Values, count: int) -> tuple[Places, Values]:
-    """Draw at most `count` of the `ordered` places. Return them and their weights."""
+    """Draw at most `count` of the `ordered` pixel indices. Return them and their weights."""
     if len(ordered) <= count:
         return ordered, np.ones(len(ordered))
     drawn, weight = drawn_with_weights(chance[ordered], count)
@@ -221,22 +228,23 @@ def _some_of(ordered: Places, chance: Values, count: int) -> tuple[Places, Value
 
 
 def drawn_with_weights(chance: Values, count: int) -> tuple[NDArray[np.intp], Values]:
-    """Draw places with `drawn_by`. Return the distinct ones, and their weights: 1 for certain
-    draws, otherwise up to a factor."""
+    """Draw indices with `drawn_by`. Return the distinct indices and their weights: 1 for pixels
+    certain to be drawn, otherwise an unnormalised weight."""
     drawn, times = np.unique(drawn_by(chance, count), return_counts=True)
     expected = chance[drawn] * (count / max(float(chance.sum()), 1e-300))
     return drawn, np.where(expected >= _SURE, 1.0, times / np.maximum(expected, 1e-300))
 
 
 def _standing_for(weight: Values, count: int) -> Values:
-    """Scale the weights other than 1 so that all sum to `count`."""
+    """Scale the weights other than 1 so that all weights sum to `count`."""
     sure = weight == 1.0
     drawn_weight = max(float(weight[~sure].sum()), 1e-300)
     return np.where(sure, 1.0, weight * ((count - np.count_nonzero(sure)) / drawn_weight))
 
 
 def drawn_by(chance: Values, count: int) -> NDArray[np.intp]:
-    """Draw `count` places in order, with probabilities proportional to `chance`, deterministically.
+    """Draw `count` indices in ascending order, with probabilities proportional to `chance`,
+    deterministically.
 
     One point is drawn in each of `count` equal strata, by an additive recurrence, so that the
     points do not align with tiles of codes."""
@@ -247,17 +255,21 @@ def drawn_by(chance: Values, count: int) -> NDArray[np.intp]:
 
 
 def contrasts_of(total_e: Values, full_well_e: float) -> tuple[Values, Values]:
-    """Return each pixel's light plus its differences to its neighbours: with light up to a full
-    well, and squared with all light."""
+    """Return the contrast of each pixel (rows, cols): its light plus its absolute differences to
+    its neighbours.
+
+    The first array uses light clipped to the full well; the second uses all light and is squared.
+    """
     return _contrast(np.minimum(total_e, full_well_e)), _contrast(total_e) ** 2
 
 
 def chances(contrasts: tuple[Values, Values], never: Places) -> Values:
-    """Return the chance of each pixel (rows, cols) to be drawn, up to a factor; 0 for `never`.
+    """Return the relative probability (rows, cols) of drawing each pixel; 0 for the indices in
+    `never`.
 
-    Of seven draws four are even, two follow light and its differences between neighbours up to a
-    full well, and one their square: neighbours of lamps may cause most of the mean square error.
-    """
+    Of seven draws, four are even, two are proportional to the contrast of light up to the full
+    well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
+    mean square error."""
     within_well, squares = contrasts
     drawn = np.ones(squares.shape)
     drawn.reshape(-1)[never] = 0.0

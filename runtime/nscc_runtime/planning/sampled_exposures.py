@@ -1,9 +1,8 @@
 """Exposures of sampled pixels of programs with fixed shutters: by sums, by words, by the reference.
 
 Tiles are exposed side by side as a separate array, with the random numbers of their places on the
-chip, so that they have the exposures of the whole frame. Words of single pixels run on the whole
-array.
-"""
+chip. Their exposures therefore equal those of the whole frame. Pixels near saturation run through
+their words on the whole array."""
 
 from __future__ import annotations
 
@@ -37,7 +36,7 @@ _SIDE = 3
 
 @dataclass(frozen=True, eq=False)
 class SampledExposures:
-    """Exposures (buckets, pixels) of the sampled pixels of a scene; results are cached."""
+    """Cached exposures (buckets, pixels) of the sampled pixels of a scene, in electrons."""
 
     program: AnalysedProgram
     light: Light
@@ -47,7 +46,7 @@ class SampledExposures:
 
     @remembered
     def expose(self, execution: Execution, frame: int) -> Values:
-        """Return exposures of all sampled pixels, by sums or by words."""
+        """Return exposures (buckets, pixels) of all sampled pixels by an execution."""
         if execution.path == "words":
             return self.by_words(execution.kept_effects, slice(None), frame)
         far_exposure_e = self.by_sums(
@@ -65,7 +64,7 @@ class SampledExposures:
     def by_sums(
         self, kept_effects: Selection, requested_effects: Selection, region: str, frame: int
     ) -> Values:
-        """Return exposures by sums of the sampled pixels "far" from saturation or "near" it."""
+        """Return exposures by sums of sampled pixels in `region` "far" or "near" (saturation)."""
         inner = self._arrays[region][2]
         if not len(inner):
             return np.empty((len(self.program.container.buckets), 0))
@@ -83,7 +82,8 @@ class SampledExposures:
         frame: int = 0,
         known_counts: Sequence[KnownCounts] | None = None,
     ) -> Values:
-        """Return exposures by words of the `chosen` sampled pixels."""
+        """Return exposures by words of the `chosen` sampled pixels. `known_counts`: neighbours'
+        counts for each repeated exposure; None to draw them."""
         wired, places = self.program.wired(effects, self.device_seed), self.sample.places[chosen]
         exposed = np.empty((len(self.program.container.buckets), len(places)))
         for turn, number in enumerate(self._numbers(frame)):
@@ -109,13 +109,13 @@ class SampledExposures:
         return np.concatenate(exposures, axis=1)
 
     def _numbers(self, frame: int) -> range:
-        """Return the numbers of the simulated frames that replace frame `frame`."""
+        """Return the frame numbers of the repeated exposures that stand for frame `frame`."""
         frames = self.sample.frames
         return range(frame * frames, (frame + 1) * frames)
 
     def _near_by_words(self, execution: Execution, frame: int) -> Values:
-        """Return exposures by words of pixels near saturation, with neighbours' counts from sums if
-        these agree."""
+        """Return exposures by words of pixels near saturation. Neighbours' counts are taken from
+        sums if these have the same counts."""
         known_counts = None
         if counts_agree(execution) and len(self.sample.places[self.sample.near_pixels]):
             summed = self._summed(execution.kept_effects, execution.requested_effects, "near")
@@ -128,8 +128,8 @@ class SampledExposures:
 
     @cached_property
     def _arrays(self) -> dict[str, tuple[PixelArray, Light, NDArray[np.int64]]]:
-        """For pixels "far" from saturation and "near" it: the array of tiles, its light, and the
-        indices of the sampled pixels."""
+        """For each region, "far" from saturation and "near" it: the array of tiles, its light, and
+        the indices of the sampled pixels in this array."""
         sample, whole_array, shape = self.sample, self.program.array, self.light.shape
         near_places = sample.places[sample.near_pixels]
         near_places = near_places[sample.frame[sample.near_pixels] == 0]
@@ -157,8 +157,8 @@ class SampledExposures:
         return SummedScene(chip, light, 1, self._sums)
 
     def _away(self, summed: SummedScene, frame: int) -> Values:
-        """Return the deviations of a frame's counts from their means; sets of effects with the same
-        rates share them."""
+        """Return the deviations of a frame's photon counts from their means, cached for all sets of
+        effects with the same rates."""
         kept_effects = summed.chip.kept_effects
         part_types = Counted, Echo, Response, Moving
         key = summed.chip.array, frame, frozenset[str]().union(*map(kept_effects.names, part_types))

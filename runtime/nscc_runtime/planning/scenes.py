@@ -1,4 +1,4 @@
-"""A program on a scene, as a run and planning need it: planned, exposed and audited."""
+"""Implementations of `PlannedScene` for programs with fixed shutters and for pixels that look."""
 
 from __future__ import annotations
 
@@ -48,24 +48,22 @@ from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
 
 _SURELY = 0.4
-"""Where nothing is measured, the variance of counts that sums leave out may make this part of the
-tolerance: they approximate other things, too."""
+"""If nothing is measured, the variance of counts that sums neglect may make up this fraction of the
+tolerance, because sums have other approximation errors, too."""
 
 
 @dataclass(frozen=True, eq=False)
 class FixedShutters(PlannedScene):
-    """A program whose shutters are fixed."""
+    """A program with fixed shutters on a scene, to be planned, exposed and audited."""
 
     @property
     def loop(self) -> Loop[Any]:
-        """See `PlannedScene`."""
         return run_pixels
 
     def ready(self) -> None:
-        """See `PlannedScene`."""
-        if not run_pixels.is_compiled():  # at once, so that one run waits for all of them
+        if not run_pixels.is_compiled():  # now, so that only one run waits for the compilation
             run_pixels.load()
-        self.program  # noqa: B018  # made when it is asked for
+        self.program  # noqa: B018  # computes the cached property
 
     @cached_property
     def program(self) -> AnalysedProgram:
@@ -73,7 +71,6 @@ class FixedShutters(PlannedScene):
         return analysed(self.container, self.sensor)
 
     def signal_e(self) -> float:
-        """See `PlannedScene`."""
         check_size(self.container, self.light)
         none = selected("none")
         chip = chip_of(self.program, self.device_seed, none, none)
@@ -82,7 +79,6 @@ class FixedShutters(PlannedScene):
 
     @remembered
     def trial(self, forced_off: Names) -> SummedTrial:
-        """The scene, to be measured by sums."""
         check_size(self.container, self.light)
         threads = threads_of(self.threads)
         return SummedTrial(forced_off, self.program, self.light, self.device_seed, threads)
@@ -90,9 +86,8 @@ class FixedShutters(PlannedScene):
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
         """Return the next trial if weighted sums are not accurate enough; None if there is none.
 
-        It runs all pixels word by word, or uses the reference if only the reference supports an
-        effect or if it is faster.
-        """
+        The next trial runs all pixels word by word. If only the reference supports an effect, or if
+        the reference is faster, it uses the reference."""
         if not isinstance(trial, SummedTrial) or isinstance(trial, WordTrial):
             return None
         values = trial.forced_off, self.program, self.light, self.device_seed, trial.threads
@@ -107,16 +102,17 @@ class FixedShutters(PlannedScene):
         return work.reference_ns < work.words_ns(everything(), "all")
 
     def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
-        """See `PlannedScene`: sums, unless they may approximate too much for a tolerance that is
-        known."""
+        """Return "sums", or a slower path if sums may be too inaccurate, and the reason."""
         if tolerance is None or self.approximates(tolerance.electrons, None):
             return "sums", ""
         return ("reference" if self._reference_is_faster else "words"), APPROXIMATE
 
     def approximates(self, tolerance_e: float | None, noise_part: float | None) -> bool:
-        """Whether what sums approximate is small beside a tolerance, or a part of the noise, for
-        sure: the variance of counts by which slots of a group have other weights than their
-        mean."""
+        """Return whether the error of sums is certainly small beside a tolerance or a fraction of
+        the noise.
+
+        The error is the variance of counts due to slots of a group whose weights differ from the
+        mean weight of the group."""
         uneven, square = self.program.uneven_seconds(self.program.full)
         if tolerance_e is None:
             noise_fraction = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
@@ -129,11 +125,9 @@ class FixedShutters(PlannedScene):
 
     @property
     def open_part(self) -> NDArray[np.float32]:
-        """See `PlannedScene`."""
         return self.program.open_part
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
-        """See `PlannedScene`."""
         return self._executed(plan).frames(seed, count)
 
     def _executed(self, plan: Plan) -> ExecutedScene:
@@ -143,7 +137,6 @@ class FixedShutters(PlannedScene):
         )  # fmt: skip
 
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
-        """See `PlannedScene`."""
         planned = self._executed(plan)
         reference = Reference.of(self.container, self.sensor, everything())
         scene, threads = scene_of(self.container, self.light), threads_of(self.threads)
@@ -162,44 +155,38 @@ class FixedShutters(PlannedScene):
 
 @dataclass(frozen=True, eq=False)
 class LookingPixels(PlannedScene):
-    """A program whose pixels look at the light: its words approximate nothing."""
+    """A program whose pixels look, on a scene. Execution by words approximates nothing."""
 
     @property
     def loop(self) -> Loop[Any]:
-        """See `PlannedScene`."""
         return run_paths
 
     def ready(self) -> None:
-        """See `PlannedScene`."""
-        self._program  # noqa: B018  # made when it is asked for
+        self._program  # noqa: B018  # computes the cached property
 
     @cached_property
     def _program(self) -> LookingProgram:
         return looking_program_of(self.container, self.sensor)
 
     def signal_e(self) -> float:
-        """See `PlannedScene`."""
         [frame] = self._frames(selected("none"), 0, 1)
         return mean_signal_e(frame.exposure_e, self.sensor)
 
     @remembered
     def trial(self, forced_off: Names) -> LookTrial:
-        """The scene, to be measured."""
         return LookTrial(forced_off, self._program, self.light)
 
     def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
-        """See `PlannedScene`."""
         lacking = self._program.lacks(everything())
         return ("reference", lacking[0]) if lacking else ("words", LOOKS)
 
     def serves(self, plan: Plan) -> bool:
-        """See `PlannedScene`: all that the plan leaves out is left out of a sample of this scene at
-        once."""
+        """Return whether the plan keeps its tolerance on a sample of this scene with all its
+        dropped effects dropped at once."""
         dropped = everything().on - plan.kept.on
         return not dropped or still_fits(self.trial(NONE), plan, dropped)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
-        """See `PlannedScene`."""
         return self._frames(plan.kept, seed, count)
 
     def _frames(self, effects: Selection, seed: int, count: int) -> Iterable[Frame]:
@@ -209,7 +196,8 @@ class LookingPixels(PlannedScene):
         )  # fmt: skip
 
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
-        """See `PlannedScene`: every frame begins with the kept states that the reference left."""
+        """Compare up to `count` frames with the reference. Every frame begins with the kept states
+        of the previous frame of the reference."""
         container = self.container
         scene, seeds = scene_of(container, self.light), (seed, self.device_seed)
         reference = LookingReference(container, self.sensor, everything()).expose
@@ -246,8 +234,10 @@ def planning_of(
     threads: int | None = None,
     torch_device: str | None = None,
 ) -> PlannedScene:
-    """A program on a scene, to be planned, exposed and audited. Pixels that look are exposed on the
-    processor, whatever device of torch is named."""
+    """Return a program on a scene, to be planned, exposed and audited.
+
+    Programs whose pixels look are always exposed on the processor; `torch_device` is ignored.
+    Raises Rejected for programs with images or planes."""
     refuse_pictures(container, "there is no plan of this program", "simulate all its effects")
     if container.machine is None:
         return FixedShutters(container, sensor, light, device_seed, threads, torch_device)

@@ -39,14 +39,14 @@ from nscc_runtime.planning.trial import NONE, NOTHING, Move, Names, Setting, Tri
 Values = NDArray[np.float64]
 
 _FRAMES = 4
-"""Number of frames of pixels near saturation if all saturating effects are dropped."""
+"""Frames of pixels near saturation to expose if all saturating effects are dropped."""
 _UNSEEN = 3.0
 """A set of pixels with this expected number of draws is missed by one sample in twenty."""
 
 
 @dataclass(frozen=True, eq=False)
 class SummedTrial(Trial):
-    """A program with fixed shutters on a scene."""
+    """The measurement of effects on a scene by weighted sums, for a program with fixed shutters."""
 
     program: AnalysedProgram
     light: Light
@@ -57,22 +57,20 @@ class SummedTrial(Trial):
 
     @property
     def sensor(self) -> Sensor:
-        """The sensor."""
         return self.program.sensor
 
     @property
     def pixels(self) -> int:
-        """Number of pixels of the scene."""
         return self.program.array.lanes.size
 
     @cached_property
     def near_pixels(self) -> NearSaturation:
-        """The pixels near saturation with every effect."""
+        """The pixels that are near saturation if every effect is simulated."""
         return near_saturation(self.program, self.light, self.device_seed, everything())
 
     @cached_property
     def running(self) -> int:
-        """Number of pixels of the scene that run through their words."""
+        """Number of pixels that run through their words, because they are near saturation."""
         requested_effects = self.requested_effects
         return len(
             near_saturation(self.program, self.light, self.device_seed, requested_effects).places
@@ -80,7 +78,6 @@ class SummedTrial(Trial):
 
     @cached_property
     def sample(self) -> Sample:
-        """The measured pixels."""
         total_e = (self.light.motion or self.light).sum_e
         dark = everything().require_part(CountedDark)  # a few pixels may have most of it
         current = self.program.array.device(self.sensor, self.device_seed).fixed(dark.per_s)
@@ -89,19 +86,17 @@ class SummedTrial(Trial):
 
     @cached_property
     def exposures(self) -> SampledExposures:
-        """The exposures of the sampled pixels."""
         return SampledExposures(
             self.program, self.light, self.sample, self.device_seed, self.threads
         )
 
     @cached_property
     def saturation(self) -> Names:
-        """The requested effects that saturate."""
+        """Names of the requested effects that saturate."""
         return self.requested_effects.names(Saturates)
 
     @cached_property
     def absent(self) -> Names:
-        """Effects that certainly change nothing on this scene."""
         names = {e.name for e in registered() if e.reference.keys() == {"compare"}}
         if self.light.motion is None:
             names |= everything().names(Moving)
@@ -113,12 +108,12 @@ class SummedTrial(Trial):
 
     @property
     def alike(self) -> bool:
-        """See `Trial`: true unless pixels are near saturation."""
+        """Whether an effect that changes no sampled pixel changes no pixel at all: true if no pixel
+        is near saturation."""
         return not self.running
 
     @cached_property
     def _fast_effects(self) -> Selection:
-        """Every effect that sums and words support."""
         return everything().without(*self.slow)
 
     @cached_property
@@ -127,19 +122,19 @@ class SummedTrial(Trial):
         return self.requested_effects.without(*self.slow)
 
     def executes(self, setting: Setting) -> Path:
-        """See `Trial`."""
         return self.execution(setting).path
 
     @remembered
     def execution(self, setting: Setting) -> Execution:
-        """Return the execution of a setting."""
+        """Return the execution that simulates frames of a setting."""
         kept_effects = self._requested_fast_effects.without(*setting.dropped)
         near_effects = self._requested_fast_effects.without(*setting.near_dropped)
         return Execution("sums", kept_effects, near_effects, self.requested_effects, setting.exact)
 
     @cached_property
     def _lacked_e(self) -> Values:
-        """Change of exposures by dropping the effects that only the reference supports."""
+        """Change of exposures (buckets, pixels) in electrons by dropping the effects that only the
+        reference supports."""
         if not self.slow - self.absent:
             return np.zeros(self._shape)
         by = self.exposures
@@ -148,7 +143,9 @@ class SummedTrial(Trial):
     # -- What is measured ---------------------------------------------------------------------
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """See `Trial`: by sums far from saturation; effects that saturate, by words near it."""
+        """Return the error of dropping one effect: measured by sums far from saturation, and by
+        words near saturation. Pixels near saturation are measured for effects that saturate, or on
+        request."""
         by, name = self.exposures, effect.name
         if name in self.slow:
             return ExposureErrors.of(
@@ -171,7 +168,6 @@ class SummedTrial(Trial):
 
     @remembered
     def _near_by_words(self, effects: Selection, frame: int = 0) -> Values:
-        """Return exposures by words of pixels near saturation."""
         return self.exposures.by_words(effects, self.sample.near_pixels, frame)
 
     @property
@@ -179,7 +175,7 @@ class SummedTrial(Trial):
         return len(self.program.container.buckets), len(self.sample.places)
 
     def approximated(self) -> Difference | None:
-        """See `Trial`: from one pixel in each tile, far from saturation."""
+        """Return the error of sums relative to words with every effect, far from saturation."""
         one_per_tile, sample = self.sample.one_each, self.sample
         by_sums = self.exposures.by_sums(self._fast_effects, everything(), "far", 0)[
             :, one_per_tile
@@ -194,7 +190,8 @@ class SummedTrial(Trial):
         )
 
     def forced(self) -> ExposureErrors:
-        """See `Trial`; by the reference if only it supports one of the effects."""
+        """Return the error of the effects that the user forced off; by the reference if only the
+        reference supports one of them."""
         by, nothing = self.exposures, np.zeros(self._shape)
         if not self.forced_off:
             return ExposureErrors.of(nothing, nothing)
@@ -205,8 +202,11 @@ class SummedTrial(Trial):
         return self.together(Setting(NONE, exact=True))
 
     def together(self, setting: Setting) -> ExposureErrors:
-        """See `Trial`: compared with sums far from saturation, with the truth near it. If all
-        saturating effects are dropped, noise dominates the error: several frames are outputs."""
+        """Return the error of a setting, relative to sums far from saturation and relative to words
+        near it.
+
+        If all saturating effects are dropped, noise dominates the error; several frames are then
+        exposed as additional outputs."""
         execution = self.execution(setting)
         by = self.exposures
         near_pixels = self.sample.near_pixels
@@ -227,7 +227,7 @@ class SummedTrial(Trial):
 
     @remembered
     def square_e2(self, names: Names) -> float:
-        """See `Trial`: the error of dropping all effects that saturate."""
+        """Return the mean square error of dropping all saturating effects, in square electrons."""
         exposed, truth = np.zeros(self._shape), np.zeros(self._shape)
         kept_effects = self._requested_fast_effects.without(*names)
         exposed[:, self.sample.near_pixels] = self.exposures.by_sums(
@@ -237,8 +237,10 @@ class SummedTrial(Trial):
         return Difference(ExposureErrors.of(exposed, truth), self.sample).likely_e2(0.0)
 
     def unseen_e2(self, setting: Setting) -> float:
-        """See `Trial`: pixels near saturation that differ from all sampled ones may be so few that
-        none was drawn. Each is assumed to lose as much as a pixel whose PIX is just full."""
+        """Return an allowance for pixels near saturation that are too few to be drawn, in square
+        electrons.
+
+        Each of these pixels is assumed to lose as much as a pixel whose PIX is just full."""
         sample, lacking = self.sample, setting.near_dropped
         if not lacking or not sample.drawn_near:
             return 0.0
@@ -259,14 +261,15 @@ class SummedTrial(Trial):
         )
 
     def noise_e(self) -> float:
-        """See `Trial`: from two frames."""
+        """Return the RMS standard deviation over two frames with every effect, in electrons."""
         full_execution = self._unforced.execution(NOTHING)
         exposures = [self._unforced.exposures.expose(full_execution, frame) for frame in range(2)]
         variance = np.nan_to_num(np.var(exposures, axis=0, ddof=1))
         return float(np.sqrt(self._unforced.sample.mean(variance).mean()))
 
     def noise_ratio(self, setting: Setting) -> float | None:
-        """See `Trial`: from the difference of two frames, with the same random numbers."""
+        """Return the noise of a setting divided by the noise with every effect, from the difference
+        of two frames; None if there is no noise."""
         steps_e2 = []
         for trial, trial_setting in ((self, setting), (self._unforced, NOTHING)):
             execution = trial.execution(trial_setting)
@@ -277,13 +280,12 @@ class SummedTrial(Trial):
 
     @cached_property
     def _unforced(self) -> SummedTrial:
-        """The same trial with no effect forced off."""
         return replace(self, forced_off=NONE) if self.forced_off else self
 
     # -- What may be left out -----------------------------------------------------------------
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """See `Trial`: single effects that sums support, and all saturating effects together."""
+        """Return a move for each effect that sums support, and one for all saturating effects."""
         free, all_effects = free - self.absent - self.slow, everything()
         lit = all_effects.names(LitLevel)
         moves = []
@@ -303,7 +305,7 @@ class SummedTrial(Trial):
 
     @remembered
     def too_large(self, tolerance_e: float) -> Names:
-        """See `Trial`: counts and noise of words, by their variance far from saturation."""
+        """Return effects whose noise far from saturation certainly exceeds the tolerance."""
         if self.forced_off:
             return NONE
         program, lanes = self.program, self.program.lanes
@@ -323,8 +325,8 @@ class SummedTrial(Trial):
         return frozenset(name for name, e2 in square_e2.items() if e2.max() > tolerance_e**2)
 
     def settings(self, dropped: Names) -> Sequence[Setting]:
-        """See `Trial`: pixels near saturation also lack the dropped effects that cost them time, or
-        these except crosstalk, or none."""
+        """Return settings that drop these effects, cheapest first. Near saturation they drop those
+        of `dropped` that cost time there, or these without crosstalk, or nothing."""
         all_effects = everything()
         slow_words = all_effects.names(SlowWords) | all_effects.names(LitLevel)
         costly = (
@@ -339,7 +341,6 @@ class SummedTrial(Trial):
         return [Setting(dropped, near_dropped) for near_dropped in dict.fromkeys(options)]
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """See `Trial`: pixels near saturation run through their words."""
         if not self.running or not self.execution(setting).kept_effects.names(Saturates):
             return ()
         return (f"{self.running} pixels may saturate",)
@@ -348,17 +349,16 @@ class SummedTrial(Trial):
 
     @cached_property
     def work(self) -> Work:
-        """The work of a pixel in the loop over words."""
         return Work.of(self.program)
 
     @property
     def passes(self) -> int:
-        """Number of frames of light that are added up, over all buckets."""
+        """Number of sums of a pixel in a frame: frames of light times buckets."""
         return len(self.light.frames) * len(self.program.container.buckets)
 
     @remembered
     def saved_ns(self, name: str) -> float:
-        """See `Trial`; pixels near saturation are included."""
+        """Return the nanoseconds per pixel, also near saturation, saved by dropping an effect."""
         if name in self.absent:
             return 0.0
         if name in self.saturation:
@@ -371,7 +371,7 @@ class SummedTrial(Trial):
 
     @remembered
     def _near_ns(self, setting: Setting) -> float:
-        """Return the time of pixels near saturation in nanoseconds per pixel of the frame."""
+        """Return the time of pixels near saturation, in nanoseconds per pixel of the frame."""
         if not self.running:
             return 0.0
         execution = self.execution(setting)
@@ -380,7 +380,6 @@ class SummedTrial(Trial):
         return each_ns * self.running / self.pixels
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """See `Trial`."""
         kept_effects = self.execution(setting).kept_effects
         near_ns = self._near_ns(setting) if kept_effects.names(Saturates) else 0.0
         effects_ns = sum(
@@ -392,7 +391,6 @@ class SummedTrial(Trial):
         return SHIPPED.summed + light_ns + effects_ns + near_ns, near_ns
 
     def planning_ms(self) -> float:
-        """See `Trial`: words of the sampled pixels, and sums of the tiles without each effect."""
         near_count = near_sampled(self.running, self.pixels)
         measured = min(TILES + 4 * near_count, self.pixels)
         words_ns = self.work.words_ns(self._fast_effects, "nothing") * measured

@@ -1,4 +1,4 @@
-"""The largest errors of a frame, estimated from a sample of its pixels."""
+"""Estimate the largest errors of a frame from a sample of its pixels."""
 
 from __future__ import annotations
 
@@ -10,28 +10,27 @@ from numpy.typing import NDArray
 Values = NDArray[np.float64]
 
 ONE_IN = 1000
-"""One pixel in this number exceeds the 99.9 % quantile."""
+"""One pixel in this number has an error above the 99.9 % quantile."""
 FRAMES = 100
-"""The largest error is exceeded in one frame of this number."""
+"""In one frame of this number, some pixel exceeds the estimated largest error."""
 _TAIL = 10
 """Number of errors from which one tail parameter is estimated."""
 
 
 @dataclass(frozen=True)
 class Worst:
-    """The 99.9 % quantile of the errors and the largest error of the worst bucket, in electrons."""
+    """The 99.9 % quantile and the maximum of the error in the worst bucket, in electrons."""
 
     p999_e: float
     max_e: float
 
 
 def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
-    """Estimate the largest errors from `errors` (buckets, sampled pixels).
+    """Estimate the largest errors of a frame from `errors` (buckets, sampled pixels).
 
-    `weights` (sampled pixels,): the fraction of the `pixels` of a frame that each represents. The
-    tail beyond the sample is exponential: losses near saturation are large for a few pixels, so a
-    normal tail is too short.
-    """
+    `weights` (sampled pixels,): the fraction of the `pixels` of a frame that each sampled pixel
+    represents. An exponential tail is fitted beyond the sample: losses near saturation are large
+    for a few pixels, so a normal tail is too short."""
     sizes = np.abs(errors)
     rare = min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(sizes)))
     p999_e, max_e = (
@@ -42,7 +41,8 @@ def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
 
 
 def _exceeded_by(share: float, sizes: Values, weights: Values) -> float:
-    """Return the size that a fraction `share` of the frame exceeds, extrapolated if necessary."""
+    """Return the size that a fraction `share` of the frame exceeds, extrapolated beyond the sample
+    if necessary; 0 if a small sample contains no such size."""
     order = np.argsort(-sizes, kind="stable")
     falling, upto, count = sizes[order], np.cumsum(weights[order]), len(sizes)
     if count < 2 * _TAIL or upto[0] <= share:

@@ -1,4 +1,4 @@
-"""Tolerances: electrons, codes of the ADC, or a fraction of the scene's signal or noise."""
+"""Tolerances in electrons, in codes of the ADC, or as a fraction of the scene's signal or noise."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nscc_runtime.effects.parts import Codes, Well
 from nscc_runtime.effects.sensor import Sensor
 
 LEAST_E = 1e-9
-"""Electrons; the promise is checked with sums of float64 numbers, which tell no less apart."""
+"""Smallest tolerance in electrons: smaller differences of float64 sums are rounding errors."""
 
 DEFAULT = "0.15noise"
 """The default tolerance. An error of 0.15 times the noise increases the standard deviation by 1.1
@@ -31,11 +31,10 @@ _TOLERANCE = re.compile(
 
 @dataclass(frozen=True)
 class Tolerance:
-    """A tolerance as entered by the user, and in electrons before the ADC.
+    """A tolerance as the user entered it (`text`), and in electrons before the ADC.
 
-    `signal_e` or `noise_e`: the mean signal or noise of the scene that a relative tolerance refers
-    to; both None for an absolute tolerance.
-    """
+    `signal_e`, `noise_e`: the mean signal or the noise of the scene that a relative tolerance
+    refers to, in electrons; both are None for an absolute tolerance."""
 
     text: str
     electrons: float
@@ -54,7 +53,7 @@ class Tolerance:
 
     @property
     def noise_part(self) -> float | None:
-        """The tolerance as a fraction of the noise; None for other tolerances."""
+        """The tolerance as a fraction of the noise; None if it was not entered in this form."""
         return None if self.noise_e is None else self.electrons / self.noise_e
 
     @property
@@ -76,7 +75,7 @@ ToleranceInput = str | float | Tolerance
 
 
 class ToleranceScene(Protocol):
-    """A scene that relative tolerances refer to: its mean signal, and the noise of a frame."""
+    """A scene that relative tolerances refer to, with its mean signal and noise in electrons."""
 
     def signal_e(self) -> float: ...
 
@@ -91,10 +90,10 @@ def tolerance_of(
 ) -> Tolerance:
     """Convert `5e`, `0.1lsb`, `1%` of the scene's signal, `0.1noise`, or a number of electrons.
 
-    The signal or noise of the scene is only computed for a relative tolerance. Raises
-    Rejected (NS0746, status 2), which names the `option`, for anything else, for electrons beyond
-    LEAST_E..MOST_E, and for a part of no signal.
-    """
+    The signal or noise of the scene is computed only for a relative tolerance. Raises Rejected
+    (NS0746, status 2) for any other text, for values outside LEAST_E to MOST_E electrons, and for a
+    percentage of a scene without signal. `option` is the command-line option that the message
+    names."""
     if isinstance(requested, Tolerance):
         return requested
     if not isinstance(requested, str):
@@ -129,13 +128,13 @@ def tolerance_of(
 
 
 def noise_part(text: str) -> float | None:
-    """Return the fraction of the noise that a text like `0.1noise` contains; None for others."""
+    """Return the fraction in a text like `0.1noise`; None for any other text."""
     match = _TOLERANCE.fullmatch(text.lower())
     return float(match[1]) if match is not None and match[2] == "noise" else None
 
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPTION) -> None:
-    """Raise Rejected (NS0746) for a tolerance that is invalid on every scene."""
+    """Raise Rejected (NS0746) if the tolerance is invalid on every scene."""
 
     class Bright:
         """A scene with signal and noise above 0."""
@@ -149,16 +148,15 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPT
 
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
-    """Return the mean size of exposures without effects, each clipped to the full well, in
-    electrons. NaN is ignored."""
+    """Return the mean absolute exposure in electrons, each clipped to the full well; NaN is
+    ignored. `exposure_e`: exposures without effects, any shape. Returns 0 if all are NaN."""
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
     most_e = everything().require_part(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0
 
 
 def with_readout_e(noise_e: float, sensor: Sensor) -> float:
-    """Return the noise of exposures combined with that of the converter and of rounding to
-    codes."""
+    """Return noise of exposures combined with that of converter and rounding, in electrons."""
     all_effects = everything()
     code_e = all_effects.require_part(Codes).electrons(sensor)
     return math.hypot(noise_e, all_effects.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))

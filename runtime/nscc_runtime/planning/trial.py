@@ -20,8 +20,8 @@ NONE: Names = frozenset()
 
 @dataclass(frozen=True)
 class Setting:
-    """Which effects an execution leaves out: `dropped` ones, and those of them that pixels near
-    saturation lack as well; `exact`: see `nscc_runtime.execution.frames.Execution`."""
+    """The effects that an execution leaves out. `dropped`: for all pixels, except that pixels near
+    saturation only lack `near_dropped`. `exact`: see `nscc_runtime.execution.frames.Execution`."""
 
     dropped: Names
     near_dropped: Names = NONE
@@ -33,9 +33,10 @@ NOTHING = Setting(NONE)
 
 @dataclass(frozen=True)
 class Move:
-    """Effects that can only be dropped together. `saved_ns`: nanoseconds saved per pixel of a
-    frame. `field`: the effect whose measured error it causes; None if `Trial.square_e2` computes
-    it."""
+    """Effects that can only be dropped together.
+
+    `names`: the effects. `saved_ns`: nanoseconds saved per pixel of a frame. `field`: the effect
+    whose measured error stands for the move; None if `Trial.square_e2` computes the error."""
 
     names: Names
     saved_ns: float
@@ -44,22 +45,22 @@ class Move:
 
 @dataclass(frozen=True, eq=False)
 class Trial(ABC):
-    """A scene on which settings are measured, on a sample of its pixels.
+    """Measurements of settings on a sample of the pixels of a scene.
 
-    The truth is the exposure by the reference with every effect.
-    """
+    Errors are relative to the exposure by the reference with every effect. `forced_off`: names of
+    the effects that the user switched off."""
 
     forced_off: Names
 
     looks: ClassVar[bool] = False
     """Whether the program has states."""
     approximations: ClassVar[Sequence[str]] = ()
-    """The approximations, compared with the reference with the same effects."""
+    """Descriptions of the approximations relative to the reference with the same effects."""
 
     @property
     @abstractmethod
     def sensor(self) -> Sensor:
-        """The sensor."""
+        """The sensor that is simulated."""
 
     @property
     @abstractmethod
@@ -74,7 +75,7 @@ class Trial(ABC):
     @property
     @abstractmethod
     def absent(self) -> Names:
-        """Effects of the exposure that certainly change nothing on this scene."""
+        """Names of the effects of the exposure that certainly change nothing on this scene."""
 
     @cached_property
     def requested_effects(self) -> Selection:
@@ -83,12 +84,12 @@ class Trial(ABC):
 
     @cached_property
     def slow(self) -> Names:
-        """The effects that only the reference supports."""
+        """Names of the effects that only the reference supports."""
         return frozenset(e.name for e in registered() if isinstance(e.words, CannotHave))
 
     @abstractmethod
     def executes(self, setting: Setting) -> Path:
-        """Return the path that executes frames of a setting."""
+        """Return the path that executes frames of a setting: sums, words or the reference."""
 
     @property
     def alike(self) -> bool:
@@ -97,19 +98,21 @@ class Trial(ABC):
 
     @abstractmethod
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
-        """What leaving out one effect changes, every other wanted effect being there;
-        `near_saturation`: in pixels near saturation, too, where that saves time."""
+        """Return the error of dropping one effect while every other requested effect is simulated.
+
+        `near_saturation`: also measure pixels near saturation, if dropping the effect there saves
+        time."""
 
     @abstractmethod
     def together(self, setting: Setting) -> ExposureErrors:
         """Return the error of exposures under a setting."""
 
     def forced(self) -> ExposureErrors:
-        """Return the error of the effects that the user forced off."""
+        """Return the error of dropping only the effects that the user forced off."""
         return self.together(Setting(NONE, exact=True))
 
     def approximated(self) -> Difference | None:
-        """Return the error of the approximations with every effect; None if there are none."""
+        """Return the error of the approximations with every effect; None without approximations."""
         return None
 
     @abstractmethod
@@ -117,50 +120,49 @@ class Trial(ABC):
         """Return the moves that drop some of the `free` effects and save time."""
 
     def too_large(self, tolerance_e: float) -> Names:
-        """Return effects whose error certainly exceeds a tolerance."""
+        """Return the names of effects whose error certainly exceeds a tolerance in electrons."""
         return NONE
 
     def square_e2(self, names: Names) -> float:
-        """Return the mean square error of a move without a field."""
+        """Return the mean square error, in square electrons, of a move whose `field` is None."""
         raise ValueError(f"the effects {', '.join(sorted(names))} have fields")
 
     def settings(self, dropped: Names) -> Sequence[Setting]:
-        """Return the settings that drop these effects; those that save most come first."""
+        """Return settings that drop these effects, cheapest first."""
         return [Setting(dropped)]
 
     def unseen_e2(self, setting: Setting) -> float:
-        """Return an allowance for the mean square error of rare pixels that the sample misses."""
+        """Return an allowance in square electrons for rare pixels that the sample lacks."""
         return 0.0
 
     @abstractmethod
     def noise_e(self) -> float:
         """Return the standard deviation over frames with every effect, as a root mean square over
-        pixels and buckets."""
+        pixels and buckets, in electrons."""
 
     def noise_ratio(self, setting: Setting) -> float | None:
-        """Return the noise of a setting divided by that with every effect; None if it was not
-        measured, or there is no noise."""
+        """Return the noise of a setting divided by the noise with every effect; None if it was not
+        measured, or if there is no noise."""
         return None
 
     @abstractmethod
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Return the reasons why pixels run through their words, or why the reference runs."""
+        """Return reasons why pixels need words, or all need the reference; empty for sums alone."""
 
     @abstractmethod
     def saved_ns(self, name: str) -> float:
-        """Return the nanoseconds per pixel saved by dropping an effect."""
+        """Return the nanoseconds per pixel saved by dropping the effect `name`."""
 
     @abstractmethod
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """Return the nanoseconds per pixel of a frame, and the part due to pixels near
-        saturation."""
+        """Return the nanoseconds per pixel of a frame, and those due to pixels near saturation."""
 
     @abstractmethod
     def planning_ms(self) -> float:
-        """Return the milliseconds of measuring this scene."""
+        """Return the predicted milliseconds for measuring effects on this scene."""
 
 
 def slow_reason(effect: Effect) -> str:
-    """Return the reason why an effect requires the reference."""
+    """Return the reason why an effect can only be simulated by the reference."""
     assert isinstance(effect.words, CannotHave)
     return f"{effect.name}: only the reference has it ({effect.words.reason})"

@@ -1,4 +1,4 @@
-"""The reference emulator: words and sensor effects, slot by slot, in float64."""
+"""The reference simulation: words and sensor effects, slot by slot, in float64."""
 
 from __future__ import annotations
 

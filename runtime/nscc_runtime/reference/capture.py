@@ -1,10 +1,9 @@
 """The reference: the words of a program executed slot by slot in float64, with sensor effects.
 
-A frame starts with arbitrary values in PIX and the analog registers, fixed by the device seed. The
-charge of slot n falls on PIX between boundaries n and n + 1. PIX counts from its reset level, which
-is the zero of the scale. Everything random is keyed (`nscc_runtime.noise`), so neither the chunks
-of rows nor the other effects change a draw.
-"""
+A frame starts with arbitrary values in PIX and the analog registers, determined by the device seed.
+The charge of slot n reaches PIX between boundaries n and n + 1. PIX counts relative to its reset
+level. All random numbers are keyed (`nscc_runtime.noise`), so a draw depends neither on the other
+effects nor on how the array is cut into rows."""
 
 from __future__ import annotations
 
@@ -42,9 +41,10 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """A program made ready: its words, its groups of slots, and `draws`, how small errors (by
-    where they are made, as `nscc_runtime.effects.parts.Errors` has it) reach its exposures.
-    """
+    """A program prepared for simulation with the given effects.
+
+    `words`: its analog words. `groups`: its groups of slots. `draws`: the weights of small errors
+    in its exposures, by kind (`nscc_runtime.effects.parts.Errors.at`) and draw number."""
 
     container: Container
     sensor: Sensor
@@ -55,16 +55,16 @@ class Reference:
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
-        """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
+        """Prepare a program. Raises Rejected if its words open no shutters (NS0442) or fail."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
         fresh = analog_words(container)
         opened = backward(container, fresh).open()
         bits = np.int64(1) << np.arange(len(container.buckets), dtype=np.int64)
-        # After decay other lanes may act; the draws stay those of the words as they were meant.
+        # Decay may change where words act; draws stay those of the words without decay.
         kept_us = retention_us(effects, sensor)
         words = fresh if kept_us == inf else analog_words(container, kept_us)
-        # The sensor's gain and leakage, on or off: no effect changes the draws of another.
+        # The sensor's gain and leakage even if off: no effect changes the draws of another.
         gain, leak = everything().require_part(WordGain), everything().require_part(Leak)
         model = WeightModel(gain.gain(sensor), 1.0 / leak.tau_s(sensor))
         weights = backward(container, fresh, model)
@@ -78,7 +78,7 @@ class Reference:
         self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0,
         threads: int | None = None,
     ) -> Exposure:  # fmt: skip
-        """Frame number `frame` of a scene; `threads`, None for all processors, change no bit."""
+        """Return the exposure of frame `frame`, equal for all `threads` (None: all processors)."""
         rows = range(scene.light.shape[0])
         return self.expose_rows(scene, rows, seed, device_seed, frame, threads)
 
@@ -86,7 +86,7 @@ class Reference:
         self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0,
         threads: int | None = None,
     ) -> Exposure:  # fmt: skip
-        """Consecutive rows of a frame, bit for bit as the whole frame has them."""
+        """Return the exposure of consecutive rows, identical to these rows of the whole frame."""
         seeds = seed, device_seed
 
         def fall(part_rows: range) -> Fallen:
@@ -118,12 +118,12 @@ def expose(
     frame: int = 0,
     threads: int | None = None,
 ) -> Exposure:
-    """Run `container`'s words over `light` with `effects` of `sensor`, slot by slot, in float64.
+    """Run the words of `container` over `light` with the `effects` of `sensor`, slot by slot, in
+    float64.
 
-    `frame` numbers the repeats of a scene. `threads`, by default as many as there are processors,
-    change no bit. Raises Rejected as `nscc_runtime.emulator.expose` does, and NS0442 for words that
-    open no shutters.
-    """
+    `frame`: number of the repeat of the scene. `threads`: None for all processors; results do not
+    depend on it. Raises Rejected like `nscc_runtime.emulator.expose`, and NS0442 for words that
+    open no shutters."""
     check(container, light)
     scene = scene_of(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
@@ -140,10 +140,8 @@ def frames(
     count: int = 1,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """Frames 0 .. `count` - 1 of `light`, as `nscc_runtime.reference.expose` exposes them.
-
-    What can be refused is refused before the first frame.
-    """
+    """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`. Raises
+    Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     reference = Reference.of(container, sensor, effects)
     scene = scene_of(container, light)
@@ -156,12 +154,12 @@ def frames(
 
 
 def scene_of(container: Container, light: Light) -> Scene:
-    """The light of a frame and of the one before it, the same, in the slots of a program."""
+    """Return the light of a frame and of an equal previous frame, in a program's slots."""
     return Scene(light, light, container.slot_s)
 
 
 def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]:
-    """The weights of small errors, by where they are made and under the numbers of their draws."""
+    """Return the weights of small errors by kind ("reads", "resets" or "words") and draw number."""
     most = most_destinations(target)
     words = weights.errors.renamed(lambda name: name[0] * most + name[1])
     return {"reads": weights.reads, "resets": weights.resets, "words": words}
@@ -169,7 +167,7 @@ def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]
 
 @dataclass(eq=False, kw_only=True)
 class _FixedShutterPixels(WordPixels):
-    """Some pixels of fixed shutters."""
+    """Some pixels of a program with fixed shutters, during one frame."""
 
     program: Reference
     lanes: NDArray[np.intp]
@@ -188,7 +186,7 @@ class _FixedShutterPixels(WordPixels):
         return self.noise[name].draw(number)
 
     def run(self, charge: Values) -> Marked:
-        """A frame of `charge` (N, pixels)."""
+        """Return exposures and saturation marks for `charge` (N, pixels) in electrons."""
         slots = self.container.slots
         words = iter(self.program.words)
         word = next(words, None)

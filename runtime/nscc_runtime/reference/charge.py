@@ -1,4 +1,5 @@
-"""The charge that falls on the pixels in every slot: light and dark, counted, exchanged."""
+"""The charge that reaches the pixels in every slot: light and dark charge, counted, with
+crosstalk."""
 
 from __future__ import annotations
 
@@ -22,19 +23,18 @@ Charge = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Groups:
-    """The groups of slots: slots that are open in the same buckets.
+    """Groups of slots: slots that are open in the same buckets.
 
-    `of_slot` int64 (lanes, N): bit b is set where the slot is open in bucket b. `lane` intp
-    (rows, cols): the lane of every pixel. `places` int64 (rows * cols,): where each lies on the
-    chip, by default one after the other.
-    """
+    `of_slot` int64 (lanes, N): bit b is set if the slot is open in bucket b. `lane` intp (rows,
+    cols): the lane (code number) of each pixel. `places` int64 (rows * cols,): the place of each
+    pixel on the chip; None for all pixels in order."""
 
     of_slot: NDArray[np.int64]
     lane: NDArray[np.intp]
     places: NDArray[np.int64] | None = None
 
     def places_of(self, rows: range) -> NDArray[np.int64]:
-        """The places of the pixels of some rows."""
+        """Return the places of the pixels of some rows."""
         cols = self.lane.shape[1]
         if self.places is not None:
             return self.places[rows.start * cols : rows.stop * cols]
@@ -42,16 +42,17 @@ class Groups:
 
 
 class Fallen(NamedTuple):
-    """What has fallen on some rows: `charge` float64 (N, rows, cols) electrons on PIX in each slot,
-    `light` (N, rows, cols) those of the scene alone; `valid` (rows, cols): where they are numbers.
-    """
+    """The charge of some rows.
+
+    `charge` float64 (N, rows, cols): electrons that reach PIX in each slot. `light` (N, rows,
+    cols): the electrons of the scene alone. `valid` (rows, cols): where all values are numbers."""
 
     charge: Charge
     light: Charge
     valid: NDArray[np.bool_]
 
     def rows(self, rows: slice) -> Fallen:
-        """On some of the rows."""
+        """Return the charge of a slice of these rows."""
         return Fallen(self.charge[:, rows], self.light[:, rows], self.valid[rows])
 
 
@@ -64,12 +65,10 @@ def charge_of_rows(
     frame: int,
     rows: range,
 ) -> Fallen:
-    """The charge that falls on consecutive rows.
+    """Return the charge of consecutive rows.
 
-    `groups` None: every slot is counted by itself. `seeds` are those of the frames' noise and of
-    the device. What the pixels get does not depend
-    on how the array is cut into rows.
-    """
+    `groups`: None to draw the counts of each slot separately. `seeds`: noise seed, device seed. The
+    charge of a pixel does not depend on how the array is cut into rows."""
     height, cols = scene.light.shape
     halo = bool(effects.at("neighbours"))
     begin, end = max(rows.start - halo, 0), min(rows.stop + halo, height)
@@ -95,7 +94,7 @@ def charge_of_rows(
 
 @dataclass(eq=False, kw_only=True)
 class _Slots(Slots):
-    """`valid` (pixels,) is cleared where a rate is no number."""
+    """The slots of some rows. `valid` (pixels,) becomes False where a rate is NaN."""
 
     rows: slice
     of_slot: NDArray[np.int64] | None
@@ -125,7 +124,7 @@ class _Slots(Slots):
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
-        """Rates below 0 count as 0, above `RATE_CAP` as that."""
+        """Return Poisson counts of `rates`, clipped to 0 .. `RATE_CAP`."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
         self.valid &= ~np.isnan(rates).any(axis=0)
         named = self.seed, stream, source, self.frame

@@ -1,4 +1,4 @@
-"""What digital words do to the registers of pixels, or of lanes that stand for many of them."""
+"""Execute digital words on the registers of pixels or of lanes."""
 
 from __future__ import annotations
 
@@ -13,16 +13,15 @@ from nscc.chips.target import Target
 from nscc.operations import Op, Phase, WordEffect
 
 Bits = NDArray[np.int8]
-"""0, 1 or UNKNOWN."""
+"""One-bit values: 0, 1 or UNKNOWN."""
 UNKNOWN = np.int8(2)
 
 
 class Digital:
-    """The `bits` (pixels,) of registers while words run, SELECT and the bus among them.
+    """The one-bit registers of pixels while words run, including SELECT and the bus.
 
-    A register reads 0 where no word wrote it for more than `retention_us`; what the mask keeps a
-    word from is not written.
-    """
+    `bits`: values (pixels,) by register. A register reads 0 if no word wrote it for more than
+    `retention_us`. Where the mask register disables a write, the register keeps its value."""
 
     def __init__(
         self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
@@ -36,22 +35,22 @@ class Digital:
 
     @property
     def pixels(self) -> int:
-        """How many there are by now."""
+        """Current number of pixels."""
         return len(self.bits["FLAG"])
 
     def read(self, name: str) -> Bits:
-        """A register, 0 where it has decayed."""
+        """Return the value of a register (pixels,); 0 where it has decayed."""
         if self.retention_us == inf:
             return self.bits[name]
         is_retained = self.now_us - self.written_us[name] <= self.retention_us
         return np.where(is_retained, self.bits[name], np.int8(0))
 
     def write(self, name: str, value: NDArray[Any]) -> None:
-        """A register is set."""
+        """Set a register in all pixels."""
         self.bits[name], self.written_us[name] = value.astype(np.int8), self.now_us
 
     def run(self, op: Op) -> None:
-        """One word that neither is analog nor compares."""
+        """Execute a word that is neither analog nor a comparison."""
         match op.operation.effect:
             case WordEffect.FLAG_ALL:
                 self.write("FLAG", np.ones_like(self.bits["FLAG"]))
@@ -68,7 +67,7 @@ class Digital:
             self.bits["bus"] = inverted if row.inverted else any_source
         if row.phase is Phase.READ:
             return
-        # What guards the masked register is the mask as it was before this word.
+        # The mask as it was before this word guards the masked register.
         guard = None if self.mask is None else self.read(self.mask)
         for name in op.destinations:
             if name == self.masked and guard is not None:
@@ -93,14 +92,14 @@ class Digital:
         return any_bit
 
     def choose(self, pixels: NDArray[np.intp]) -> None:
-        """Go on with these pixels."""
+        """Replace the pixels by the pixels with these indices."""
         self.bits = {name: values[pixels] for name, values in self.bits.items()}
         for name, values in self.written_us.items():
             if isinstance(values, np.ndarray):
                 self.written_us[name] = values[pixels]
 
     def merge(self) -> NDArray[np.intp]:
-        """Make one pixel of all that are alike; which one each has become."""
+        """Merge pixels with equal bits. Return for each old pixel the index of its new pixel."""
         times = [
             written_us
             for written_us in self.written_us.values()

@@ -1,9 +1,8 @@
-"""The time between the boundaries of a frame at which words run.
+"""Intervals between the boundaries of a frame at which words run.
 
-Between them nothing happens but that charge falls, registers leak and PIX may fill: the charge of
-such an interval is counted as one, which changes no distribution. While the words of its boundary
-run, so much of it falls as the light of its first slot is of its light.
-"""
+Between these boundaries charge is collected, registers leak and PIX may saturate, so the charge of
+an interval is counted at once, which changes no distribution. While the words of a boundary run,
+the fraction of the interval's charge that is collected follows from the light of its first slot."""
 
 from __future__ import annotations
 
@@ -23,14 +22,14 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Intervals:
-    """`starts` are their first slots; `slot_us` (N,) how long the slots are."""
+    """The intervals of a frame. `starts`: their first slots. `slot_us` (N,): slot lengths."""
 
     starts: tuple[int, ...]
     slot_us: Values
 
     @classmethod
     def of(cls, container: Container, every_slot: bool) -> Intervals:
-        """Those of a program; with `every_slot` each slot is one, as exact exposures have it."""
+        """Return a program's intervals; with `every_slot` one per slot, as exact exposures need."""
         at = {0, *(launch.instant for launch in container.launches)}
         slots = container.slots
         starts = range(slots) if every_slot else sorted(n for n in at if n < slots)
@@ -41,22 +40,23 @@ class Intervals:
 
     @property
     def us(self) -> Values:
-        """How long each lasts."""
+        """Length of each interval in microseconds."""
         return np.add.reduceat(self.slot_us, self.starts)
 
     def joined(self, scene: Scene) -> Scene:
-        """A scene in intervals instead of slots."""
+        """Return a scene whose light is given in intervals instead of slots."""
         light = scene.light.joined(self.starts)
         same = scene.previous is scene.light
         previous = light if same else scene.previous.joined(self.starts)
         return Scene(light, previous, self.us * 1e-6)
 
     def paced(self, scene: Scene, effects: Selection) -> Callable[[slice, Values], Values]:
-        """Of some rows and their light in the intervals: what part of an interval's light falls in
-        a microsecond while words run, (intervals + 1, pixels), or (.., 1) where all pixels have the
-        same. The last is for the words after the last slot: the light goes on as in that slot.
-        Nothing where words take no time.
-        """
+        """Return a function of a slice of rows and their light (intervals, rows, cols).
+
+        The function returns the fraction of an interval's light that is collected per microsecond
+        while words run, shape (intervals + 1, pixels), or (intervals + 1, 1) if all pixels have the
+        same. The last row is for the words after the last slot, as if the light of that slot
+        continued. All fractions are 0 if words take no time."""
         for choose in effects.at("scene"):
             scene = choose(scene)
         light = scene.light
@@ -66,7 +66,7 @@ class Intervals:
         if not effects.at("time"):
             return lambda _rows, _light: np.zeros((len(first), 1))
         if len(light.frames) == 1 and len(light.weight) == light.slots:
-            # A still: the light of slots is their weight of the one picture.
+            # A still: the light of a slot is its weight times the only picture.
             slot_light = light.weight[first][:, None]
             interval_light = np.add.reduceat(light.weight, self.starts)[interval][:, None]
             return lambda _rows, _light: _light_share_per_us(
@@ -85,8 +85,8 @@ class Intervals:
 def _light_share_per_us(
     slot_light: NDArray[Any], interval_light: NDArray[Any], slot_us: Values, us: Values
 ) -> Values:
-    """The fraction of an interval's light that falls in one microsecond of its first slot; without
-    light, the fraction of its time."""
+    """Return the fraction of an interval's light that is collected in one microsecond of its first
+    slot; without light, the fraction of its time."""
     even = np.broadcast_to(slot_us / us, interval_light.shape).copy()
     return np.asarray(
         np.divide(slot_light, interval_light, out=even, where=interval_light > 0) / slot_us

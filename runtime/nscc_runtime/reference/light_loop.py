@@ -13,7 +13,7 @@ _BLOCK = 1024
 
 @record
 class LitSizes:
-    """How much there is of everything; the pixels are those from `first` on."""
+    """Sizes for `add_light`. `pixels` pixels from number `first` on are computed."""
 
     slots: int
     pixels: int
@@ -30,7 +30,7 @@ def add_light(
     weight: Annotated[Floats, "shares"],
     out: Written[Annotated[Floats, "slots pixels"]],
 ) -> None:
-    """out[n, p] := the electrons of slot n, rounded to float32."""
+    """Set out[n, p] to the electrons of slot n at pixel p, rounded to float32."""
     pixels = sizes.pixels
     for begin in range(0, pixels, _BLOCK):
         stop = min(begin + _BLOCK, pixels)

@@ -1,14 +1,11 @@
-"""Programs that look, word by word: every pixel has its own bits, because they hang on its light.
+"""The reference for programs that look: every pixel has its own bits, which depend on its light.
 
-As `nscc_runtime.reference.capture`, in float64 with the effects that are on; `where` compares what
-pixels hold, IN is what a launch sets, and what a word does in a pixel is decided by the FLAG that
-the pixel has at that moment. Random numbers are keyed by the word, not by the sum of words: no plan
-has to meet them. A frame starts with arbitrary bits in registers that carry neither code nor a kept
-state.
-
-Slots between two boundaries with words are one interval (`nscc_runtime.reference.intervals`).
-Without effects every slot is added by itself, as the exposure is defined.
-"""
+It is like `nscc_runtime.reference.capture`, in float64 with the given effects. A comparison reads
+register contents, a launch sets IN, and FLAG decides whether a word acts in a pixel. Random numbers
+are keyed by word. A frame starts with arbitrary bits in registers that contain neither codes nor
+kept states. Slots between two boundaries with words are one interval
+(`nscc_runtime.reference.intervals`). Without effects every slot is added separately, as the
+exposure is defined."""
 
 from __future__ import annotations
 
@@ -41,19 +38,15 @@ Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
 
 WORD_DRAWS = 1
-"""The source, in the keys, of what is drawn word by word."""
+"""Source number, in random keys, of draws for single words."""
 _FIRST_BIT = 256
-"""The group of the first digital register among the streams of START; analog ones stand before."""
+"""Group number, in the stream START, of the first digital register, after analog ones."""
 
 
 @dataclass(frozen=True, eq=False)
 class LookingReference:
-    """A container whose pixels compare, made ready. Raises Rejected for words that cannot run.
-    `threads`, None for all processors, change no bit.
-
-    Without a machine (what a loader has of a program) `before` is of no use: what registers hold
-    when the frame starts are the container's own planes.
-    """
+    """A program whose pixels look, prepared for simulation with the given effects. Raises Rejected
+    for words that cannot run. Results do not depend on `threads` (None: all processors)."""
 
     container: Container
     sensor: Sensor
@@ -63,16 +56,17 @@ class LookingReference:
     def __post_init__(self) -> None:
         if self.container.pixel_codes is None:
             raise ValueError("a container without pixels")
-        self.words  # noqa: B018  # made when it is asked for: what can be refused is refused
+        self.words  # noqa: B018  # computes the cached property: words are checked now
 
     @cached_property
     def words(self) -> tuple[RunningWord, ...]:
-        """Every word of a frame."""
+        """All words of a frame."""
         return tuple(running_words(self.container))
 
     @cached_property
     def intervals(self) -> Intervals:
-        """What is simulated as one."""
+        """The intervals of the frame: each slot if there is no noise, else runs of slots without
+        words."""
         return Intervals.of(self.container, every_slot=self.effects.noiseless)
 
     def expose(
@@ -83,11 +77,12 @@ class LookingReference:
         frame: int,
         rows: range | None = None,
     ) -> Executed:
-        """Frame number `frame`, or consecutive rows of it: bit for bit as the whole frame has them.
+        """Return the exposure of frame number `frame`, or of consecutive rows of it, and its state
+        registers.
 
-        `loaded`: the digital registers (rows, cols) with which it starts (`Container.planes`, then
-        `next_planes`). `seeds` are those of the frames' noise and of the device.
-        """
+        `loaded`: the digital registers (rows, cols) at the start (`Container.planes`, then
+        `next_planes`). `seeds`: noise seed, device seed. Rows are identical to these rows of the
+        whole frame."""
         container, cols = self.container, scene.light.shape[1]
         rows = range(scene.light.shape[0]) if rows is None else rows
         pace = self.intervals.paced(scene, self.effects)
@@ -123,7 +118,7 @@ class LookingReference:
 def executed(
     container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
 ) -> Executed:
-    """One frame without effects, of a container that a loader has checked."""
+    """Return one frame without effects of a container that its loader has checked."""
     check_size(container, light)
     reference = LookingReference(
         container, sensor or default_sensor(converter_of(container)), selected("none")
@@ -133,7 +128,7 @@ def executed(
 
 @dataclass(eq=False, kw_only=True)
 class _LookingPixels(WordPixels):
-    """Some pixels that look; `pace` is what `nscc_runtime.reference.intervals` has made."""
+    """Some pixels that look, during one frame; `pace` is the result of `Intervals.paced`."""
 
     program: LookingReference
     code: Mapping[str, Bits]
@@ -154,7 +149,7 @@ class _LookingPixels(WordPixels):
         return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
     def run(self, charge: Values) -> Marked:
-        """A frame of `charge` (intervals, pixels)."""
+        """Return exposures and saturation marks for `charge` (intervals, pixels) in electrons."""
         slots, intervals = self.container.slots, self.program.intervals
         words = iter(self.program.words)
         word = next(words, None)
@@ -173,7 +168,7 @@ class _LookingPixels(WordPixels):
         return self.read_out()
 
     def _until(self, word: RunningWord, charge: Values, number: int) -> None:
-        """The light that falls while words run, up to the end of this one."""
+        """Add the light that is collected while words run, up to the end of this word."""
         for ends_us in self.at("time"):
             now_us = ends_us(word)
             if word.boundary < self.container.slots:
@@ -199,7 +194,7 @@ class _LookingPixels(WordPixels):
                 self.digital.run(word.op)
 
     def _compared_total(self, word: RunningWord) -> Values:
-        """What a comparison with 0 sees."""
+        """Return the value that a comparison tests for being above 0."""
         total = self.total(word)
         for compare in self.at("compare"):
             total = compare(self, total, word)

@@ -1,9 +1,8 @@
 """Noise of many words whose sum in each exposure is one keyed draw.
 
-With e_i the unit normal errors of the words and Q the orthonormal weights of the buckets,
-e = x + Q (z - Q^T x): x are keyed by word, z by bucket. The e_i are independent unit normal
-numbers, and Q^T e = z whatever the words: a plan that adds the sum alone draws only z.
-"""
+Let e be the standard normal errors of the words, and Q the orthonormal weights of the buckets. Then
+e = x + Q (z - Q^T x), where x is drawn for each word and z for each bucket. The errors e are
+independent, and Q^T e = z for any words: a plan that needs only the sum draws only z."""
 
 from __future__ import annotations
 
@@ -17,16 +16,14 @@ from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.weights import Weights
 
 SUM, PART = 0, 1
-"""Sources in the keys: z of a bucket, x of a word."""
+"""Source numbers in random keys: the draw z of a bucket (SUM), the draw x of a word (PART)."""
 
 
 @dataclass
 class SpreadNoise:
-    """The errors of one effect in one frame at some pixels.
-
-    `weights` are orthonormal, by the number of the draw; `lanes` and `pixels` (P,): the lane and
-    the place on the array of every pixel.
-    """
+    """The normal errors of one effect in one frame at some pixels. Their weighted sum in each
+    bucket is one draw. `weights`: orthonormal weights by draw number. `lanes`, `pixels` (P,): the
+    lane and the place of each pixel."""
 
     seed: int
     stream: int
@@ -38,7 +35,7 @@ class SpreadNoise:
     _missing: list[NDArray[np.float64]] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Finds z - Q^T x, in each bucket."""
+        """Compute the part of each bucket's draw that the words' draws leave (z - Q^T x)."""
         self._missing = [
             normals(self._key(SUM, bucket), self.pixels) for bucket in range(self.buckets)
         ]
@@ -49,7 +46,7 @@ class SpreadNoise:
                 missing -= lane_weights[:, bucket] * word_draw
 
     def draw(self, number: int) -> NDArray[np.float64]:
-        """The unit normal error (P,) of draw `number`."""
+        """Return the standard normal error (P,) of draw `number`."""
         error = normals(self._key(PART, number), self.pixels)
         weight = self.weights.get(number)
         if weight is not None:

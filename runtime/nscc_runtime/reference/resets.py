@@ -1,4 +1,4 @@
-"""The level that a reset leaves on PIX, and what words at its boundary find beside it."""
+"""The level of PIX after a reset, and the values that words at the same boundary read from PIX."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ Values = NDArray[np.float64]
 
 
 class Resets:
-    """Of some pixels; arrays are (pixels,). Boundaries are named by any number that grows."""
+    """The reset levels of some pixels; arrays are (pixels,). Boundaries are rising numbers."""
 
     def __init__(self, effects: Selection, pixels: int) -> None:
         self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
         self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
 
     def reset(self, pixels: Pixels, acting: Bits, word: Word, boundary: float) -> None:
-        """PIX is reset there."""
+        """Set the reset level of the pixels in `acting`."""
         level = np.zeros_like(self._level_e)
         for change in self._leaving:
             level = change(pixels, level, word)
@@ -28,15 +28,17 @@ class Resets:
         self._last = np.where(acting, boundary, self._last)
 
     def unseen(self, boundary: float) -> Bits:
-        """Where words do not see what PIX holds: no effect lets light into the level."""
+        """Return a mask of pixels where words do not read the charge of PIX: PIX was reset at this
+        boundary, and no effect lets light into the level."""
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
     def lit(self, boundary: float) -> Bits:
-        """Where words see the level of a reset with the light that fell since."""
+        """Return a mask of pixels where words read the reset level plus the light since the
+        reset."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
     def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
-        """What a word finds on PIX, which holds this charge."""
+        """Return the value that a word reads from PIX when PIX contains `charge`."""
         charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
         for lit in self._letting_in:
             charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)

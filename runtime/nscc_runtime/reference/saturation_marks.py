@@ -1,4 +1,4 @@
-"""What cut the pixels' values off while their words run (`nscc_runtime.effects.marks`)."""
+"""Record which effects saturated a pixel while its words run (`nscc_runtime.effects.marks`)."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ ADDED, SUBTRACTED, LEVEL = 1, 2, 4
 
 
 class Marks:
-    """Of some pixels, by register and PIX: `full`, whether what it holds has a full PIX ADDED or
-    SUBTRACTED, or that of a LEVEL, and `lost`, electrons that registers lost on its way. Arrays are
-    (pixels,).
+    """Saturation marks of some pixels, by register and PIX; arrays are (pixels,).
+
+    `full`: bits that tell whether the content includes a full PIX with positive sign (ADDED), with
+    negative sign (SUBTRACTED), or in a reset level (LEVEL). `lost`: electrons that registers lost.
     """
 
     def __init__(
@@ -33,11 +34,11 @@ class Marks:
         self.lost = {name: np.zeros(pixels) for name in registers}
 
     def fill(self, full: NDArray[np.bool_]) -> None:
-        """PIX is full there."""
+        """Mark PIX as full where the mask is True."""
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
     def fallen(self, pixels: Pixels, charge: Values) -> Values:
-        """What PIX holds of its charge: it is full where that is less."""
+        """Return the charge of PIX after saturation; mark PIX as full where charge is lost."""
         for effect, clip in self.effects.acting("well"):
             charge_before, charge = charge, clip(pixels, charge)
             if "well" in effect.marks:
@@ -45,7 +46,7 @@ class Marks:
         return charge
 
     def clip_register(self, pixels: Pixels, value: Values, lost_e: Values) -> tuple[Values, Values]:
-        """What a register holds of a value with which so much was lost, and what is then."""
+        """Return a register's value after saturation, and the electrons lost including `lost_e`."""
         for effect, clip in self.effects.acting("registers"):
             value_before, value = value, clip(pixels, value)
             if "registers" in effect.marks:
@@ -53,14 +54,16 @@ class Marks:
         return value, lost_e
 
     def empty(self, acting: NDArray[np.bool_]) -> None:
-        """PIX is reset there."""
+        """Clear the marks of PIX where it is reset."""
         self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
 
     def gathered(
         self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
     ) -> tuple[Full, Values]:
-        """What the result of a bus word has of its sources', but where it does not see what PIX
-        holds; `lit`: where it reads the level of a reset."""
+        """Return the marks and lost electrons that a bus word's result inherits from its sources.
+
+        `unseen`: where the word does not read the charge of PIX. `lit`: where it reads a reset
+        level with light."""
         full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
             source_full = self.full[name]
@@ -74,12 +77,12 @@ class Marks:
         return inverted(full), lost_e / op.operation.divisor
 
     def write(self, name: str, acting: NDArray[np.bool_], full: Full, lost_e: Values) -> None:
-        """A register holds that there."""
+        """Set the marks and lost electrons of a register where `acting`."""
         self.full[name] = np.where(acting, full, self.full[name])
         self.lost[name] = np.where(acting, lost_e, self.lost[name])
 
     def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
-        """The bits of `saturated_by` (pixels,) of a register's readout."""
+        """Return the bits of `saturated_by` (pixels,) of a register's readout."""
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
         bits = np.zeros_like(full)
         for at, is_marked in (
@@ -96,6 +99,6 @@ class Marks:
 
 
 def inverted(full: Full) -> Full:
-    """What is added of the negative was subtracted."""
+    """Return the marks of the negated value: ADDED and SUBTRACTED are exchanged."""
     exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
     return np.asarray(exchanged | full & LEVEL, np.uint8)

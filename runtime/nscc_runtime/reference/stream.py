@@ -1,10 +1,9 @@
-"""Chips without logic, plane by plane: the light of each pixel goes where its bit sends it.
+"""The reference for chips without logic: each pixel's bit selects the tap that collects its light.
 
-In float64 with the effects that are on. Taps are emptied when a frame starts, which leaves them off
-by the noise of a reset; they collect the charge of their slots, may fill, leak, and are read once,
-each through its gain. Words there are none, so effects of words, registers and comparisons do
-nothing. Where light waits for planes to load, that is the chip's dead time.
-"""
+In float64 with the given effects. Taps are emptied at the start of a frame, with reset noise. They
+collect the charge of their slots, may saturate, leak, and are read once with their gain. Such chips
+run no words, so effects of words, registers and comparisons have no influence. If light is not
+collected while planes are loaded, this is the chip's dead time."""
 
 from __future__ import annotations
 
@@ -34,11 +33,11 @@ _ACTING = {
     "scene", "light", "response", "count", "charge", "neighbours", "well", "resets", "reads",
     "hold", "readout", "converter", "codes",
 }  # fmt: skip
-"""The stages of a frame that such a chip has; where light waits for planes, `time` as well."""
+"""The stages of a frame on such a chip; also `time` if light is not collected while planes load."""
 
 
 def absent_effects(container: Container, effects: Selection) -> Mapping[str, str]:
-    """Those of `effects` that this chip cannot have, with the reason."""
+    """Return the names of those `effects` that this chip cannot have, each with the reason."""
     stages = _ACTING if container.target.pipelined else _ACTING | {"time"}
     return {
         effect.name: f"the pixels of {container.target.name} run no words"
@@ -58,7 +57,8 @@ def stream_frames(
     count: int = 1,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """Frames 0 .. `count` - 1 of `light`. What can be refused is refused before the first one."""
+    """Yield frames 0 to `count` - 1 of `light` with converter codes. Raises Rejected, before the
+    first frame, for programs and light that cannot run."""
     check(container, light)
     scene = scene_of(container, light)
     seeds = seed, device_seed
@@ -78,8 +78,10 @@ def expose_stream(
     frame: int,
     threads: int | None = None,
 ) -> Exposure:
-    """Frame number `frame` of a scene; `seeds` are those of the frames' noise and of the device.
-    `threads`, None for all processors, change no bit."""
+    """Return the exposure of frame number `frame` of a scene.
+
+    `seeds`: noise seed, device seed. Results do not depend on `threads` (None: all processors).
+    Raises ValueError for a container without planes."""
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
         raise ValueError("a container without planes")
@@ -102,7 +104,7 @@ def expose_stream(
 
 @dataclass(frozen=True)
 class _Step:
-    """What stands for a word where effects number them: of a tap, or of a slot's loading."""
+    """A stand-in for a word in effects: a tap, or the loading of a slot's planes."""
 
     number: int
     after_us: float = 0.0
@@ -122,7 +124,7 @@ class _Taps(Pixels):
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 
     def run(self, charge: Values) -> Marked:
-        """A frame of `charge` (N, pixels)."""
+        """Return exposures and saturation marks for `charge` (N, pixels) in electrons."""
         container, target = self.container, self.container.target
         shape = len(container.buckets), len(self.places)
         tap_charge, marked = np.zeros(shape), np.zeros(shape, np.uint8)
@@ -138,7 +140,7 @@ class _Taps(Pixels):
         return self._read_out(tap_charge), marked
 
     def _lit(self, slot: int, slot_us: float) -> float:
-        """The part of a slot in which light is collected."""
+        """Return the fraction of a slot in which light is collected."""
         target = self.container.target
         if target.pipelined:
             return 1.0
@@ -146,7 +148,7 @@ class _Taps(Pixels):
         return 1.0 - float(sum(waits_us)) / slot_us
 
     def _clip_tap(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
-        """What a tap holds, and the bits of what it has lost to."""
+        """Return the charge of a tap after saturation, and its saturation marks."""
         marked = np.zeros(len(charge), np.uint8)
         for effect, holds in self.effects.acting("well"):
             charge_before, charge = charge, holds(self, charge)

@@ -1,9 +1,8 @@
-"""The analog words of a program, and in which codes each acts: digital words replayed over codes.
+"""The analog words of a program and the codes in which each acts, found by replaying digital words.
 
-A lane is a row of the container's encoding: all pixels with that code run the same words. What a
-pixel leaves open (registers that nobody wrote, SELECT) reads 0 here; the proof is where a program
-that hangs on it is found.
-"""
+A lane is a row of the container's encoding: all pixels with that code run the same words. Undefined
+bits (registers that no word wrote, SELECT) read 0 here; the compiler's proof finds programs that
+depend on them."""
 
 from __future__ import annotations
 
@@ -30,7 +29,7 @@ _ANALOG = WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.FLAG_ANALOG
 
 
 def opens_no_shutters(problem: str) -> Rejected:
-    """NS0442, for what the reference cannot simulate effects of."""
+    """Return the error NS0442 for programs whose sensor effects the reference cannot simulate."""
     return rejected(
         "NS0442",
         f"{problem}, and sensor effects are defined by shutters",
@@ -41,11 +40,10 @@ def opens_no_shutters(problem: str) -> Rejected:
 
 @dataclass(frozen=True, eq=False)
 class RunningWord:
-    """A word executed at `boundary`, ending `after_us` after it.
+    """A word executed at `boundary`, ending `after_us` microseconds after it.
 
-    `number` counts the analog words of a frame: bus, reset and compare words. `in_e`: what IN holds
-    meanwhile, in electrons.
-    """
+    `number`: number among the analog words of a frame (bus, reset and compare words). `in_e`: value
+    of IN in electrons."""
 
     number: int
     boundary: int
@@ -55,40 +53,38 @@ class RunningWord:
 
     @property
     def resets(self) -> bool:
-        """Whether it resets PIX."""
+        """Whether the word resets PIX."""
         return self.op.operation.effect is WordEffect.RESET_PIX
 
     @property
     def compares(self) -> bool:
-        """Whether it is a `where`."""
+        """Whether the word compares (`where`)."""
         return self.op.operation.effect is WordEffect.FLAG_ANALOG
 
     @property
     def sources(self) -> tuple[str, ...]:
-        """The analog registers, PIX and IN that it reads."""
+        """Names of the analog registers, PIX and IN that the word reads."""
         return () if self.resets else self.op.sources
 
     @property
     def destinations(self) -> tuple[str, ...]:
-        """The analog registers that it writes."""
+        """Names of the analog registers that the word writes."""
         return () if self.resets or self.compares else self.op.destinations
 
 
 @dataclass(frozen=True, eq=False)
 class AnalogWord(RunningWord):
-    """A bus or reset word, and where it acts: `lanes` bool (lanes,)."""
+    """A bus or reset word, and the mask `lanes` (lanes,) of the lanes in which it acts."""
 
     lanes: Bits
 
     @classmethod
     def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
-        """A word that acts there."""
         return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
 
 
 def running_words(container: Container) -> Iterator[RunningWord]:
-    """Every word of a frame in the order of execution. Raises Rejected as
-    `nscc.words.legality.decoded` does."""
+    """Yield every word of a frame in execution order. Raises like `nscc.words.legality.decoded`."""
     kernels, target, number = decoded(container), container.target, 0
     boundary, after_us, in_e = -1, 0.0, 0.0
     for launch in sorted(container.launches, key=lambda launch: launch.instant):
@@ -104,17 +100,15 @@ def running_words(container: Container) -> Iterator[RunningWord]:
 
 
 def retention_us(effects: Selection, sensor: Sensor) -> float:
-    """For how long digital registers keep their values, in microseconds; infinite where no effect
-    takes them away."""
+    """Return how long digital registers keep values, in microseconds; infinite without decay."""
     return min([kept_us(sensor) for kept_us in effects.at("digital")], default=inf)
 
 
 def analog_words(container: Container, retention_us: float = inf) -> tuple[AnalogWord, ...]:
-    """Every bus and reset word of a frame in the order of execution.
+    """Return every bus and reset word of a frame in the order of execution.
 
-    A digital register reads 0 when no word wrote it for more than `retention_us`. Raises Rejected
-    as `nscc.words.legality.decoded` does, and NS0442 if FLAG depends on the light.
-    """
+    A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected
+    like `nscc.words.legality.decoded`, and NS0442 if FLAG depends on the light."""
     target, encoding = container.target, container.encoding
     nothing = np.zeros(len(encoding), np.bool_)
     column = {name: i for i, name in enumerate(target.digital_registers)}

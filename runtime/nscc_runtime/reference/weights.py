@@ -1,9 +1,8 @@
-"""How much of each slot's charge, and of each word's noise, reaches the exposures: the words run
-backwards over the lanes.
+"""Weights of each slot's charge and of each word's noise in the exposures, computed by running the
+words backwards over the lanes.
 
-Words are linear, so an exposure is a weighted sum of the charge of the slots and of every error on
-the way, as long as nothing saturates.
-"""
+Words are linear, so without saturation an exposure is a weighted sum of the charge of slots and of
+all errors."""
 
 from __future__ import annotations
 
@@ -27,17 +26,16 @@ Name = TypeVar("Name", int, tuple[int, int])
 
 
 class ByName(Mapping[Name, Weights], Generic[Name]):
-    """Weights (lanes, buckets) by name, those that are not all 0.
+    """Weights (lanes, buckets) by name. Names whose weights are all 0 are missing.
 
-    Of long frames most words act in one lane of thousands: what is not 0 is held, and the array is
-    made when it is asked for. Not to be written to.
-    """
+    In long frames most words act in one lane of thousands. Only nonzero rows are stored, and arrays
+    are built on access; they must not be modified."""
 
     def __init__(self) -> None:
         self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
-        """Add one, or nothing where it is 0."""
+        """Store the weights of a name, unless all are 0."""
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
         if 2 * len(lanes) > len(weight):
             self._held[name] = len(weight), None, weight
@@ -45,7 +43,7 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
             self._held[name] = len(weight), lanes, weight[lanes]
 
     def renamed(self, name: Callable[[Name], int]) -> ByName[int]:
-        """The same under other names."""
+        """Return the same weights under other names."""
         renamed: ByName[int] = ByName()
         renamed._held = {name(key): entry for key, entry in self._held.items()}
         return renamed
@@ -67,10 +65,11 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 
 @dataclass(frozen=True)
 class WeightModel:
-    """What weights depend on: the gain of a word, the rate at which registers leak, whether light
-    falls while words run, whether digital registers fade, and whether the level of a reset is read
-    with the light that fell since.
-    """
+    """The parameters on which weights depend.
+
+    `gain`: gain of a word. `leak_per_s`: leakage rate of registers. `dead_time`: whether light is
+    collected while words run. `decay`: whether digital registers decay. `lit_level`: whether a
+    reset level is read with the light collected since."""
 
     gain: float = 1.0
     leak_per_s: float = 0.0
@@ -80,7 +79,7 @@ class WeightModel:
 
     @classmethod
     def of(cls, effects: Selection, sensor: Sensor) -> WeightModel:
-        """Of some effects, at the mean leakage."""
+        """Return the model for some effects, at the mean leakage."""
         gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
             gain.gain(sensor) if gain else 1.0,
@@ -95,11 +94,10 @@ class WeightModel:
 class Backward:
     """Weights in the exposures; each array ends in (lanes, buckets).
 
-    `slots` (N, ..): of each slot's charge. `reads`, `resets`, `errors` map the number of an
-    analog word, for errors with the index of the destination, to the weight of the noise that
-    PIX has when the word reads it, that PIX keeps after a reset, and that is added to the result
-    (by the sign rule of the effect `analog`).
-    """
+    `slots` (N, ..): weights of each slot's charge. The others map the number of an analog word to
+    the weight of its error: `reads`, the noise of reading PIX; `resets`, the noise that PIX keeps
+    after a reset; `errors`, the error added to the result, keyed by word number and destination
+    index (signed by `error_sign`)."""
 
     slots: Weights
     reads: ByName[int]
@@ -107,20 +105,19 @@ class Backward:
     errors: ByName[tuple[int, int]]
 
     def squared(self, at: Literal["reads", "resets", "words"]) -> Weights:
-        """The sum (lanes, buckets) of the squared weights of all errors at reads or resets of PIX,
-        or at words: the variance of independent errors of variance 1."""
+        """Return the sum (lanes, buckets) of squared weights of all errors of a kind: the variance
+        of the exposures if each error has variance 1."""
         weights = {"reads": self.reads, "resets": self.resets, "words": self.errors}[at]
         total = np.zeros(self.slots.shape[1:])
         return sum((weight**2 for weight in weights.values()), total)  # type: ignore[attr-defined]
 
     @property
     def error_sum(self) -> Weights:
-        """The sum (lanes, buckets) of the signed weights of all words: what an error of 1 that all
-        words share adds."""
+        """Sum (lanes, buckets) of the weights of all words: the effect of an error 1 in each."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> NDArray[np.bool_]:
-        """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
+        """Return the shutters (N, lanes, buckets). Raises NS0442 for weights other than 0 or 1."""
         is_open = self.slots > 0.5
         if not np.allclose(self.slots, is_open, rtol=0, atol=1e-9):
             raise opens_no_shutters(
@@ -133,13 +130,12 @@ class Backward:
 def backward(
     container: Container, words: Sequence[AnalogWord], model: WeightModel = WeightModel()
 ) -> Backward:
-    """The weights of `words`, each of which multiplies its result with the model's gain; `decay`
-    is in the words already. Lanes are those of the words.
+    """Return the weights of `words` in the exposures, for the lanes of the words.
 
-    Analog registers lose their value at the rate `leak_per_s`. With `dead_time` a slot's charge
-    falls on PIX while the words of its boundary run, at an even rate; with `lit_level` also those
-    find it that read PIX after its reset at the same boundary.
-    """
+    Each word multiplies its result by the model's gain, and analog registers leak at the rate
+    `leak_per_s`. With `dead_time`, a slot's charge reaches PIX at a constant rate while the words
+    of its boundary run. With `lit_level`, words that read PIX after its reset at the same boundary
+    also read this charge. Decay must already be contained in the words."""
     gain, leak_per_s, dead_time = model.gain, model.leak_per_s, model.dead_time
     if container.target.streamed:
         return _of_taps(container, leak_per_s, dead_time)
@@ -184,8 +180,8 @@ def backward(
 
 
 def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backward:
-    """The same of a chip without logic: its taps are reset and read once. Reads are errors of the
-    converter's side, behind the gain."""
+    """Return the weights for a chip without logic, whose taps are reset and read once. Read errors
+    are added after the gain."""
     target, shutters = container.target, container.table.shutters
     gains = np.array([readout.gain for readout in container.readouts])
     slot_us = np.array(container.slot_us)
@@ -203,7 +199,7 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
 
 
 def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
-    """Where (words, lanes, 1) PIX was reset before each word of a boundary."""
+    """Return a mask (words, lanes, 1): PIX was reset before the word at the same boundary."""
     is_fresh = np.zeros((len(executed), lanes), np.bool_)
     for index, word in enumerate(executed[:-1]):
         is_fresh[index + 1] = is_fresh[index] | (word.lanes & word.resets)
@@ -211,7 +207,7 @@ def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:
-    """When the words of a boundary end, in parts of the slot whose light falls meanwhile."""
+    """Return the end of each word of a boundary as a fraction of the slot."""
     ends = [word.after_us / slot_us for word in executed]
     return ends if after_the_last else [min(end, 1.0) for end in ends]
 
@@ -223,7 +219,7 @@ def _through(
     gain: float,
     result: Backward,
 ) -> None:
-    """Take the weights from after a word to before it; keeps those of its noise."""
+    """Propagate the weights from after a word to before it, and store the weights of its noise."""
     acts = word.lanes[:, None]
     if word.resets:
         result.resets.keep(word.number, weight["PIX"] * acts)
@@ -243,24 +239,21 @@ def _through(
 
 
 def error_sign(destination: str, container: Container) -> float:
-    """Errors are added after undoing the inversion, and the scratch register holds inverted
-    values: -1 there, 1 elsewhere.
-    """
+    """Return the sign of errors written to a register: -1 for the scratch register, which contains
+    inverted values, otherwise 1."""
     return -1.0 if destination == container.target.analog_scratch else 1.0
 
 
 def orthonormal(weights: ByName[int]) -> ByName[int]:
-    """The same with orthonormal columns in each lane, over the names, bucket after bucket.
-
-    A bucket whose weights are a combination of those before it (or none) becomes zeros.
-    """
+    """Return the weights with orthonormal columns in each lane, by Gram-Schmidt over the buckets in
+    order. A bucket whose weights depend linearly on earlier buckets becomes 0."""
     if not weights:
         return weights
     names = list(weights)
     q = np.array([weights[name] for name in names])
     scale = np.sqrt((q * q).sum(axis=0))
     for b in range(q.shape[2]):
-        for _ in range(2):  # the second time takes away what rounding left
+        for _ in range(2):  # the second pass removes rounding errors
             for a in range(b):
                 q[:, :, b] -= q[:, :, a] * (q[:, :, a] * q[:, :, b]).sum(axis=0)
         size = np.sqrt((q[:, :, b] ** 2).sum(axis=0))
@@ -268,6 +261,6 @@ def orthonormal(weights: ByName[int]) -> ByName[int]:
         q[:, :, b] *= np.divide(1.0, size, out=np.zeros_like(size), where=independent)
     result: ByName[int] = ByName()
     for name, weight in zip(names, q, strict=True):
-        # A copy: what is held must not hold all the others.
+        # A copy, so that the stored slice does not keep the whole array alive.
         result.keep(name, weight.copy())
     return result

@@ -1,4 +1,4 @@
-"""What analog words do to some pixels, in float64 with the effects that are on."""
+"""Execute analog words on some pixels, in float64 with the given effects."""
 
 from __future__ import annotations
 
@@ -29,27 +29,26 @@ from nscc_runtime.reference.weights import error_sign
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
 Marked = tuple[Values, NDArray[np.uint8]]
-"""Exposures (buckets, pixels), and what cut them off (`nscc_runtime.effects.marks`)."""
+"""Exposures (buckets, pixels) in electrons, and saturation marks (`nscc_runtime.effects.marks`)."""
 
 CELLS = 1 << 21
-"""Most slots x pixels in work at once: some ten arrays of that size are alive then."""
+"""Largest number of slots x pixels that are processed at once, in about ten arrays of that size."""
 START = 0
-"""The stream of what registers hold when a frame starts; effects have streams from 1."""
+"""Random stream of register contents at the start of a frame; effects have streams from 1."""
 
 
 def readout_waits_s(container: Container) -> NDArray[np.float64]:
-    """How long values of buckets (buckets,) wait for their readouts, one after the other."""
+    """Return the waiting time of each bucket in seconds: readouts happen one after the other."""
     order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
     readout_us = container.target.readout_us
     return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
 
 
 def most_destinations(target: Target) -> int:
-    """By how much the numbers of the draws of two words differ: at least what a word writes.
+    """Return the difference between the draw numbers of consecutive words.
 
-    Draws of errors are numbered word by word, destination by destination; by a power of two, so
-    that few words of a target's own change the draws of the others.
-    """
+    Draws of errors are numbered by word and destination. The result is a power of two of at least
+    the largest number of destinations, so that a target's own words rarely change other draws."""
     rows = (*OPERATIONS, *target.words)
     most = max(row.destinations[1] or 0 for row in rows if row.effect is WordEffect.BUS)
     return 1 << (most - 1).bit_length()
@@ -62,8 +61,10 @@ def in_rows(
     shape: tuple[int, int, int],
     threads: int | None,
 ) -> Exposure:
-    """Consecutive rows of a frame, strip by strip: `run` makes exposures of a strip of what `fall`
-    lets fall on it. `shape`: buckets, cols, and the slots or intervals that are in work at once."""
+    """Return the exposure of consecutive rows of a frame, computed in strips of rows.
+
+    `fall` returns the charge of a strip, and `run` its exposures. `shape`: buckets, cols, and the
+    number of slots or intervals that are processed at once."""
     buckets, cols, slots = shape
     exposure = np.empty((buckets, len(rows), cols))
     saturated_by = np.empty(exposure.shape, np.uint8)
@@ -89,14 +90,14 @@ def converted_frames(
     seeds: tuple[int, int],
     count: int,
 ) -> Iterator[Frame]:
-    """Frames 0 .. `count` - 1, read out; `seeds` are those of their noise and of the device."""
+    """Yield frames 0 to `count` - 1 with converter codes; `seeds`: noise seed, device seed."""
     for number in range(count):
         yield converted(expose(number), container.target, sensor, effects, seeds, number)
 
 
 @dataclass(eq=False, kw_only=True)
 class WordPixels(Pixels):
-    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+    """The contents of some pixels while the words of one frame run. All arrays are (pixels,)."""
 
     container: Container
     effects: Selection
@@ -105,14 +106,14 @@ class WordPixels(Pixels):
         self.begin()
         names = ("PIX", *self.target.analog_registers)
         start = {name: self.arbitrary(i) for i, name in enumerate(names)}
-        # Well inside the range, so that a program that reads what it has not written is far off.
+        # Values well inside the range, so that reading an unwritten register causes a large error.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.resets = Resets(self.effects, len(self.places))
         self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
 
     def begin(self) -> None:
-        """Looks up what does not depend on pixels."""
+        """Look up everything that does not depend on pixels, such as the effects of each stage."""
         self.at, self.target = self.effects.at, self.container.target
         self.most = most_destinations(self.target)
         self.errors_at = {
@@ -120,12 +121,12 @@ class WordPixels(Pixels):
         }
 
     def arbitrary(self, group: int) -> Values:
-        """Uniform numbers, fixed by the device, of which a register's first value is made."""
+        """Return uniform numbers, fixed by the device, for the initial values of a register."""
         return uniforms(key(self.device_seed, START, group=group), self.places)
 
     @abstractmethod
     def draw(self, name: str, number: int) -> Values:
-        """The unit normal error of an effect in a draw of its words."""
+        """Return the standard normal error (pixels,) of an effect in draw `number` of its words."""
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         number = word.number
@@ -134,23 +135,23 @@ class WordPixels(Pixels):
         return self.draw(name, number)
 
     def fall(self, charge: Values) -> None:
-        """Charge falls on PIX."""
+        """Add charge to PIX."""
         self.charge = self.marks.fallen(self, self.charge + charge)
 
     def hold(self, seconds: float) -> None:
-        """Registers hold their values for so long."""
+        """Let registers leak for a time in seconds."""
         for decay in self.at("hold"):
             remaining = decay(self, seconds)
             self.register = {name: value * remaining for name, value in self.register.items()}
 
     def reset(self, word: RunningWord, acting: Bits) -> None:
-        """PIX is emptied there."""
+        """Reset PIX in the pixels of the mask `acting`."""
         self.charge = np.where(acting, 0.0, self.charge)
         self.marks.empty(acting)
         self.resets.reset(self, acting, word, word.boundary)
 
     def total(self, word: RunningWord) -> Values:
-        """The sum of a word's sources."""
+        """Return the sum of a word's sources."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name == "IN":
@@ -165,11 +166,11 @@ class WordPixels(Pixels):
         return total
 
     def source(self, name: str) -> Values:
-        """What a word reads of an analog register."""
+        """Return the value that a word reads from an analog register."""
         return self.register[name]
 
     def bus(self, word: RunningWord, acting: Bits) -> None:
-        """The destinations of a word get the sum of its sources there."""
+        """Write -(sum of a word's sources) / divisor to its destinations where `acting`."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
         full, lost_e = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):
@@ -181,10 +182,10 @@ class WordPixels(Pixels):
             self.marks.write(name, acting, full, lost_in_register_e)
 
     def read_out(self) -> Marked:
-        """The exposures of the frame, and what cut them off."""
+        """Return the exposures of the frame and their saturation marks."""
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
-        stays = self.container.pictures is not None  # images are made of it before readout
+        stays = self.container.pictures is not None  # images are computed before readout
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
             for decay in () if stays else self.at("hold"):

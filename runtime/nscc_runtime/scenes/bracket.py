@@ -1,4 +1,5 @@
-"""A bracket of photos, each of another exposure, merged to linear light of a high range."""
+"""Merge a bracket, photos of one scene with different exposures, to linear light of high dynamic
+range."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 
 
 def parse_times(text: str) -> tuple[float, ...]:
-    """Parse exposure times in seconds, `1/250,1/60,0.066`; NS0777 for other texts."""
+    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts."""
     try:
         times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
@@ -34,7 +35,8 @@ def parse_times(text: str) -> tuple[float, ...]:
 
 
 def bracket_files(spec: str) -> list[Path]:
-    """Return the photos of a folder, or of a pattern such as `b/*.jpg`, in order."""
+    """Return the photos of a folder, or of a pattern such as `b/*.jpg`, in order. Raises Rejected
+    (NS0777) for fewer than two photos."""
     path = Path(spec)
     files = files_of(path, skip=True) if path.is_dir() else [Path(p) for p in sorted(glob(spec))]
     if len(files) < 2:
@@ -44,19 +46,19 @@ def bracket_files(spec: str) -> list[Path]:
 
 
 def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDArray[np.float32]:
-    """Merge photos to linear light, by the method of Debevec and Malik (SIGGRAPH 1997) with a known
-    camera response: the curve that the file names, or that of its format.
+    """Merge photos to linear light by the method of Debevec and Malik (SIGGRAPH 1997).
 
-    Light is the exponential of a weighted mean of log light; samples near black and near white have
-    the smallest weights. One photo is held in memory at a time.
+    The camera response is known: the curve that the file names, or the curve of its format. Light
+    is the exponential of a weighted mean of log light; samples near black and near white have the
+    smallest weights. One photo is held in memory at a time.
 
     Parameters
     ----------
     files : sequence of Path
         Photos of one size with integer samples, 8 or 16 bits each.
     times : sequence of float, optional
-        Exposure times in seconds; without them those of the photos' EXIF, each times its ISO speed
-        over the square of its f-number.
+        Exposure times in seconds. None for those of the photos' EXIF, each times its ISO speed over
+        the square of its f-number.
 
     Returns
     -------
@@ -67,7 +69,7 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
     ------
     Rejected
         NS0777 for photos without exposure times, with samples of another type, or all of one time;
-        as `read_folder`.
+        and the errors of `read_folder`.
     """
     reads(*files)
     exposures = [*times] if times is not None else [_exif_exposure(path) for path in files]
@@ -91,8 +93,8 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
         weights, weighted = weights + weight, weighted + weight * logarithm
         shortest = logarithm if log_exposure == min(log_exposures) else shortest
         longest = logarithm if log_exposure == max(log_exposures) else longest
-    # All samples are black or white: the light is at least that of white in the shortest exposure,
-    # or at most that of black in the longest.
+    # If all samples are black or white, the light is at least white in the shortest exposure, or at
+    # most black in the longest exposure.
     bound = np.where(shortest >= -min(log_exposures), shortest, longest)
     merged = np.exp(np.where(weights > 0, weighted / np.maximum(weights, 1e-9), bound))
     return merged if merged.shape[-1] == 3 else merged[..., 0]
@@ -106,8 +108,7 @@ def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
-    """Return the logarithm of linear light, 0 for white; black counts as half the
-    smallest sample."""
+    """Return the logarithm of linear light, 0 for white; black is half the smallest sample."""
     samples = np.arange(np.iinfo(photo.dtype).max + 1)
     light = linear(samples.astype(photo.dtype), transfer)
     light[0] = light[1] / 2
@@ -115,8 +116,8 @@ def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
 
 
 def _exif_exposure(path: Path) -> float:
-    """Return the exposure time, times ISO speed over the square of the f-number if these
-    are noted."""
+    """Return exposure time times ISO speed over squared f-number; values missing in the EXIF count
+    1."""
     from PIL import Image
 
     try:

@@ -25,9 +25,11 @@ def load_builtin(
     cols: int,
     exposure: ExposureLevel | None = None,
 ) -> Light:
-    """Return the light of `builtin:NAME`; NS0731 for an unknown name or an invalid argument.
-    Without `exposure`, hdr and motion have 30000 electrons at percentile 99; flat has its own
-    number of electrons over the frame, divided by slot length."""
+    """Return the light of `builtin:NAME`.
+
+    Without `exposure`, hdr and motion have 30000 electrons at percentile 99, and flat has its own
+    number of electrons over the frame, divided by slot length. Raises Rejected (NS0731) for an
+    unknown name or an invalid argument."""
     _, name, *arguments = spec.split(":")
     least, most = {"flat": (1, 1), "motion": (0, 1)}.get(name, (0, 0))
     if name not in NAMES or not least <= len(arguments) <= most:

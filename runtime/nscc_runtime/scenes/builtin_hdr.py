@@ -1,4 +1,4 @@
-"""`builtin:hdr`: a lake at sunset, five decades from the woods on the bank to the sun."""
+"""The scene `builtin:hdr`: a lake at sunset, five decades from the woods on the bank to the sun."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ _SUN = (0.66, 0.37)
 """Position of the sun, in fractions of width and height."""
 _SUN_LEVEL = 6000.0
 _DARKEST = 0.03
-"""Luminance of the deepest shadow; pictures of any size range from it to `_SUN_LEVEL`."""
+"""Luminance of the deepest shadow. Pictures of any size range from it to `_SUN_LEVEL`."""
 _SHORE = 0.63
 _TREES = ((0.045, 0.36), (0.125, 0.47), (0.2, 0.57), (0.93, 0.5), (0.985, 0.42))
-"""Stem and tip of each pine, in fractions of width and height."""
+"""Position of the stem and of the tip of each pine, in fractions of width and height."""
 
 
 def landscape(rows: int, cols: int) -> NDArray[np.float32]:

@@ -1,4 +1,5 @@
-"""`builtin:motion`: a ball, a wheel, a train and a spark cross the picture within one frame."""
+"""The scene `builtin:motion`: a ball, a wheel, a train and a spark cross the picture within one
+frame."""
 
 from __future__ import annotations
 
@@ -18,7 +19,7 @@ Picture = NDArray[np.float32]
 Point = tuple[float, float]
 
 _FEWEST, _MOST = 64, 256
-"""Minimum and maximum pictures of the clip: fewer would jump, more would need a gigabyte."""
+"""Numbers of pictures of the clip: fewer would jump, more would need a gigabyte."""
 
 
 def motion(
@@ -29,12 +30,11 @@ def motion(
     name: str,
     share: float = 1.0,
 ) -> Light:
-    """Return the clip in the slots of a frame; it lasts as long as the frame.
+    """Return the light of the clip in the slots of a frame. The clip lasts as long as the frame.
 
-    `share` is the fraction of the motion that is shown, around its middle, correspondingly slower.
+    `share`: the fraction of the motion that is shown, around its middle, correspondingly slower.
     The clip has 64 to 256 pictures: a multiple of the number of slots if that is below 256, so that
-    equal slots hold whole pictures. Slots integrate them as piecewise constant.
-    """
+    equal slots contain whole pictures. Slots integrate them as piecewise constant."""
     slots = len(slot_us)
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]
@@ -45,8 +45,7 @@ def motion(
 
 
 def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.float32]:
-    """Return `count` pictures (count, rows, cols) of the middle `share` of the clip, relative
-    luminance up to 8."""
+    """Return `count` pictures of the middle `share` of the clip, in relative luminance up to 8."""
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
@@ -64,7 +63,7 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.f
 
 
 def _wall(x: Field, y: Field) -> Picture:
-    """Bricks in side light."""
+    """Return a brick wall lit from one side."""
     course = np.floor(y * 16.0)
     along = x[None, :] * 7.0 + 0.5 * (course % 2)[:, None]
     brick = np.floor(along)

@@ -1,4 +1,4 @@
-"""Scenes as clips: .gif by Pillow, other formats by PyAV."""
+"""Read clips: .gif by Pillow, other formats by PyAV."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
 
 
 def open_clip(path: Path) -> Pages:
-    """Open the frames of a clip, (R, C, 3) red, green, blue; NS0732 if no frame can be decoded. A
-    truncated file yields the frames before its end, with a note. The number of frames of a .gif is
-    unknown."""
+    """Open the frames of a clip, (R, C, 3) red, green, blue.
+
+    A truncated file yields the frames before its end, with a note. The number of frames of a .gif
+    is unknown and given as 0. Raises Rejected (NS0732) if no frame can be decoded."""
     if path.suffix.lower() == ".gif":
         return Pages(0, lambda: _read_gif(path))
     try:
@@ -38,7 +39,7 @@ def open_clip(path: Path) -> Pages:
 
 
 def read_clip(path: Path) -> Iterator[NDArray[Any]]:
-    """Yield the frames of a clip; as `open_clip`."""
+    """Yield the frames of a clip like `open_clip`."""
     return open_clip(path).read()
 
 

@@ -11,7 +11,7 @@ Transfer = Literal["linear", "srgb", "pq", "hlg"]
 TRANSFERS: tuple[Transfer, ...] = get_args(Transfer)
 CURVES = {"linear": "no curve", "srgb": "the sRGB curve", "pq": "the PQ curve (SMPTE ST 2084)",
           "hlg": "the HLG curve (ITU-R BT.2100)"}  # fmt: skip
-"""Names of the transfer curves in messages."""
+"""Descriptions of the transfer curves in messages."""
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 """Weights of linear red, green and blue (Rec. 709 primaries)."""
@@ -27,12 +27,11 @@ def white_of(dtype: np.dtype[Any]) -> float:
 def linear(
     values: NDArray[Any], transfer: Transfer, white: float | None = None
 ) -> NDArray[np.float64]:
-    """Convert stored samples to linear light, float64.
+    """Convert stored samples to linear light, float64; white becomes 1.
 
-    Samples are fractions of `white` (default: `white_of` their type). The curves are those of IEC
-    61966-2-1 (`srgb`), SMPTE ST 2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene);
-    white becomes 1. sRGB is continued beyond 0..1 by its own formulas.
-    """
+    Samples are fractions of `white` (None: `white_of` their type). The curves are those of IEC
+    61966-2-1 (`srgb`), SMPTE ST 2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene). sRGB
+    is continued beyond 0..1 by its own formulas."""
     scale = white or white_of(values.dtype)
     if values.dtype.kind in "ui" and transfer != "linear" and values.dtype.itemsize == 1:
         table = _INVERSES[transfer](np.arange(256, dtype=np.float64) / scale)
@@ -45,7 +44,7 @@ def linear(
 
 
 def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Invert the PQ curve: 0 to 0, 1 to 1, which is 10 000 cd/m2."""
+    """Convert PQ signals (0..1) to linear light (0..1, where 1 is 10 000 cd/m2)."""
     m1, m2 = 2610 / 16384, 2523 / 4096 * 128
     c1, c2, c3 = 3424 / 4096, 2413 / 4096 * 32, 2392 / 4096 * 32
     power = np.clip(values, 0, 1) ** (1 / m2)
@@ -53,7 +52,7 @@ def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Invert the HLG curve: from signal to the light of the scene, 0 to 0, 1 to 1."""
+    """Convert HLG signals to the linear light of the scene; 0 stays 0, 1 stays 1."""
     a, b, c = 0.17883277, 0.28466892, 0.55991073
     signal = np.maximum(values, 0)
     bright = (np.exp((np.maximum(signal, 0.5) - c) / a) + b) / 12
@@ -61,7 +60,8 @@ def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Invert the sRGB curve: 0 to 0, 1 to 1; below 0.04045 (and below 0) a straight line."""
+    """Convert sRGB signals to linear light; 0 stays 0, 1 stays 1. Below 0.04045, also below 0, the
+    curve is a straight line."""
     curve = ((np.maximum(values, 0.04045) + 0.055) / 1.055) ** 2.4
     return np.where(values <= 0.04045, values / 12.92, curve)
 
@@ -70,8 +70,7 @@ _INVERSES = {"srgb": srgb_to_linear, "pq": pq_to_linear, "hlg": hlg_to_linear}
 
 
 def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the luminance (rows, cols) of linear colours (rows, cols, 3) in the order red, green,
-    blue."""
+    """Return the luminance (rows, cols) of linear red, green, blue (rows, cols, 3)."""
     red, green, blue = LUMINANCE
     return red * rgb[..., 0] + green * rgb[..., 1] + blue * rgb[..., 2]
 
@@ -79,7 +78,7 @@ def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
 def grey(
     stored: NDArray[Any], transfer: Transfer, channel: int | None, white: float | None = None
 ) -> NDArray[np.float64]:
-    """Return the luminance (rows, cols) of a stored picture, or the light of one of its colours."""
+    """Return the luminance (rows, cols) of a stored picture, or of its colour `channel`."""
     if stored.ndim == 3 and channel is not None:
         stored = stored[..., channel]
     light = np.empty(stored.shape[:2])

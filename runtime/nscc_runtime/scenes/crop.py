@@ -1,4 +1,4 @@
-"""The part of a picture that falls on the array."""
+"""Select the part of a picture that is exposed on the array."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 
 @dataclass(frozen=True)
 class Window:
-    """The size of the array, and the position of its top left corner in pictures; None
-    centres it."""
+    """The array's size, and the (row, column) of its top left corner in pictures (None:
+    centred)."""
 
     rows: int
     cols: int
     corner: tuple[int, int] | None = None
 
     def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
-        """Return row and column of the top left corner in a picture of a size; NS0734 if the window
-        does not fit. If margins of a centred window cannot be equal, the smaller one is above and
-        to the left."""
+        """Return row and column of the top left corner in a picture of size `have`.
+
+        If the margins of a centred window cannot be equal, the smaller ones are above and to the
+        left. Raises Rejected (NS0734) if the window does not fit."""
         need = (self.rows, self.cols)
         if have[0] < need[0] or have[1] < need[1]:
             raise rejected(
@@ -48,7 +49,7 @@ class Window:
 
 
 def parse_crop(text: str) -> tuple[int, int]:
-    """Parse `R,C` as two whole numbers; NS0739 for other texts."""
+    """Parse `R,C` as two whole numbers. Raises Rejected (NS0739) for other texts."""
     numbers = text.split(",")
     if len(numbers) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in numbers):
         return int(numbers[0]), int(numbers[1])

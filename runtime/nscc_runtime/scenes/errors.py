@@ -16,8 +16,7 @@ Path_or_name = Path | str
 
 
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
-    """Return the error (NS0732) for a file that cannot be decoded; `reason` is the text of its
-    reader."""
+    """Return the error NS0732 for an undecodable file; `reason` is the text of its reader."""
     words = " ".join(str(reason).split())[:200]
     ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
@@ -30,17 +29,17 @@ def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) ->
 
 
 def unsupported(name: Path_or_name, reason: str, help_text: str) -> Rejected:
-    """Return the error (NS0732) for an intact file of a kind that is not decoded."""
+    """Return the error NS0732 for an intact file of a kind that is not decoded."""
     return rejected("NS0732", f"cannot use '{name}': {reason}", helps=(help_text,))
 
 
 def size(shape: Sequence[int]) -> str:
-    """Return `256 x 256` for (256, 256)."""
+    """Return a size as text: `256 x 256` for (256, 256)."""
     return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
 
 
 def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
-    """Return the warning (NS0740) for `count` pixels of a picture slightly below 0."""
+    """Return the warning NS0740 for `count` pixels of a picture slightly below 0."""
     return Diagnostic(
         "NS0740",
         f"{count} of {total} pixels of '{name}' were negative and were set to 0",
@@ -55,15 +54,15 @@ _NOT_LIGHT = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": 
 
 
 class Census:
-    """Counts invalid light values, block by block, and remembers the first place of each kind."""
+    """Counts invalid light values, block by block, and stores the first place of each kind."""
 
     def __init__(self) -> None:
         self.counts = dict.fromkeys(_NOT_LIGHT, 0)
         self.first: dict[str, tuple[tuple[int, ...], float]] = {}
 
     def look(self, block: NDArray[Any], start: int = 0) -> None:
-        """Add the values of `block`, whose first axis begins at `start` (a plain 2-D block at 0).
-        Values above float32's range count as infinite."""
+        """Count the invalid values of `block`, whose first axis begins at `start` (a 2-D block at
+        0). Values above float32's range count as infinite."""
         if block.size == 0:
             return
         top = np.float64(np.finfo(np.float32).max)
@@ -84,8 +83,7 @@ class Census:
                 self.first[kind] = (row + start, *place), float(block[(row, *place)])
 
     def reject(self, name: Path_or_name, corner: tuple[int, int] = (0, 0)) -> None:
-        """Raise NS0736 if any value was invalid; `corner` is the position of the values in the
-        file."""
+        """Raise NS0736 if any value was invalid. `corner`: position of the values in the file."""
         kinds = [kind for kind, count in self.counts.items() if count]
         if not kinds:
             return
@@ -109,7 +107,7 @@ class Census:
 def refuse_no_light(
     values: NDArray[Any], name: Path_or_name, corner: tuple[int, int] = (0, 0)
 ) -> None:
-    """Raise NS0736 if any value, from `corner` of the file on, is not light."""
+    """Raise NS0736 if any value is not light. `corner`: position of the values in the file."""
     census = Census()
     census.look(values)
     census.reject(name, corner)

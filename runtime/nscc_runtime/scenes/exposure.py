@@ -1,4 +1,4 @@
-"""`--exposure E[@P]`: the electrons of a scene without units."""
+"""Parse and apply `--exposure E[@P]`: the electrons of a scene without units."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ DEFAULT_PERCENTILE = 99.0
 
 @dataclass(frozen=True)
 class ExposureLevel:
-    """An exposure: `electrons` over the frame at percentile `percentile` of the all-open sum."""
+    """An exposure: `electrons` over the frame for the pixel at `percentile` of all light."""
 
     electrons: float
     percentile: float = DEFAULT_PERCENTILE
 
 
 BUILTIN = ExposureLevel(30000.0)
-"""The default of builtin scenes: the full well of PIX at percentile 99."""
+"""The default of builtin scenes: a full well of PIX at percentile 99."""
 
 
 def parse_exposure(exposure: str | float) -> ExposureLevel:
-    """Parse `E` or `E@P`, electrons above 0 and a percentile in 0..100; NS0738 for other texts."""
+    """Parse `E` or `E@P`: electrons above 0, percentile in 0..100. Raises NS0738 for other text."""
     text = str(exposure)
     electrons, at, percentile = text.partition("@")
     try:
@@ -48,7 +48,7 @@ def parse_exposure(exposure: str | float) -> ExposureLevel:
 
 
 def checked_white(white: float | None) -> float | None:
-    """Return a white level; NS0739 unless it is a number above 0."""
+    """Return the white level if it is None or above 0. Raises Rejected (NS0739) otherwise."""
     if white is None or 0 < white < math.inf:
         return white
     raise rejected(
@@ -60,7 +60,7 @@ def checked_white(white: float | None) -> float | None:
 
 
 def needed(name: Path_or_name) -> ExposureLevel:
-    """Raise NS0737 for a scene without a unit and without an exposure."""
+    """Raise Rejected (NS0737) for a scene without a unit and without an exposure."""
     raise rejected(
         "NS0737",
         f"--exposure is missing: the scene '{name}' has no scale in electrons",
@@ -74,8 +74,9 @@ def needed(name: Path_or_name) -> ExposureLevel:
 
 def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_name) -> float:
     """Return the factor from `open_sum` (rows, cols), in the scene's unit, to electrons.
-    Percentiles between two pixels are interpolated linearly. NS0738 if the scene is dark there, or
-    if its electrons exceed float32."""
+
+    Percentiles between two pixels are interpolated linearly. Raises Rejected (NS0738) if the scene
+    is dark at the percentile, or if its electrons exceed float32."""
     level = float(np.percentile(open_sum, exposure.percentile))
     if level <= 0.0:
         lit = int(np.count_nonzero(open_sum > 0))

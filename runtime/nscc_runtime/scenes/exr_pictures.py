@@ -1,4 +1,5 @@
-"""OpenEXR files: parts, layers, display windows, luminance with chroma, subsampled channels."""
+"""Read OpenEXR files: parts, layers, display windows, luminance with chroma, subsampled
+channels."""
 
 from __future__ import annotations
 
@@ -14,7 +15,7 @@ from nscc_runtime.scenes.pages import Note, Pages, UnsupportedPicture
 
 _COLOURS = ("R", "G", "B")
 _REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
-"""x and y of red, green, blue and white: the default primaries."""
+"""The default primaries: x and y of red, green, blue and white."""
 _LAYERS_SHOWN = 6
 
 
@@ -24,7 +25,7 @@ def exr_pages(path: Path) -> Pages:
     Raises
     ------
     UnsupportedPicture
-        No part holds colours or luminance, or a part holds several layers that do.
+        If no part contains colours or luminance, or if a part contains several layers with them.
     """
     import OpenEXR
 
@@ -58,8 +59,8 @@ def exr_pages(path: Path) -> Pages:
 
 
 def _picture_layer(channels: Mapping[str, Any]) -> str | None:
-    """Return the prefix of the channels with the picture of a part, '' or 'NAME.'; None without
-    one."""
+    """Return the prefix of the channels with the picture of a part, '' or 'NAME.'; None if there is
+    no picture. Raises UnsupportedPicture if several layers contain pictures."""
     prefixes = {name.rpartition(".")[0] for name in channels}
     layers = [f"{prefix}." if prefix else "" for prefix in sorted(prefixes)]
     usable = [
@@ -121,7 +122,7 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
 
 
 def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDArray[Any]:
-    """Return the picture in its display window: padded with black, or cut."""
+    """Return the picture in its display window: padded with black, or cropped."""
     (data_left, data_top), _ = header["dataWindow"]
     (shown_left, shown_top), (shown_right, shown_bottom) = header["displayWindow"]
     rows, cols = int(shown_bottom) - int(shown_top) + 1, int(shown_right) - int(shown_left) + 1

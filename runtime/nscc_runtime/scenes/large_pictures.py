@@ -1,4 +1,4 @@
-"""Panoramas of 8 bits a sample: decoded once, copied and reduced in bands of rows."""
+"""Large pictures of 8 bits per sample: decoded once, copied and reduced in bands of rows."""
 
 from __future__ import annotations
 
@@ -19,16 +19,17 @@ _BAND_ROWS = 256
 
 
 def large_pages(path: Path) -> Pages | None:
-    """Open a single picture of 8 bits a sample that has more than `MOST_PIXELS`.
+    """Open a single picture of 8 bits per sample that has more than `MOST_PIXELS`.
 
-    Pillow keeps 4 bytes a pixel while a picture is decoded. Rows are copied in bands, so a picture
-    of `MOST_LARGE_PIXELS` takes 1.4 GB at most, or 1.6 GB if its EXIF orientation turns it.
+    Pillow needs 4 bytes per pixel while it decodes a picture. Rows are copied in bands, so a
+    picture of `MOST_LARGE_PIXELS` needs at most 1.4 GB, or 1.6 GB if its EXIF orientation rotates
+    it.
 
     Returns
     -------
     Pages or None
         None for smaller pictures, deeper samples, files of several pictures, and pictures that
-        Pillow does not identify: the reader of their format opens or refuses those.
+        Pillow does not identify: the reader of their format opens or refuses them.
     """
     from PIL import Image, UnidentifiedImageError
 
@@ -69,8 +70,9 @@ def reduced(bands: Iterator[NDArray[np.float64]], rows: int, size: tuple[int, in
     Parameters
     ----------
     bands : iterator of array
-        Light, each (band rows, cols); `rows` rows together.
+        Light, each (band rows, cols).
     rows : int
+        Number of rows of all bands together.
     size : tuple of int
         Rows and columns of the result, at most those of the picture.
 
@@ -78,7 +80,7 @@ def reduced(bands: Iterator[NDArray[np.float64]], rows: int, size: tuple[int, in
     -------
     array
         Light of shape `size`, float64: the mean over the area that each new pixel covers. A pixel
-        on the border of two areas counts for both, by its share.
+        on the border of two areas counts for both, in proportion to its overlap.
     """
     import cv2
 

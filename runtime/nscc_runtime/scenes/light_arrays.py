@@ -1,6 +1,7 @@
-"""Scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat. An .npz or
-.npy array is checked by its header before its data is read, and read block by block into float32,
-so that a clip needs little more memory than its float32 size."""
+"""Read scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
+
+An .npz or .npy array is checked by its header before its data is read. It is read block by block
+into float32, so a clip needs little more memory than its float32 size."""
 
 from __future__ import annotations
 
@@ -24,11 +25,11 @@ KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
 Check = Callable[[tuple[int, ...]], None]
-"""Raises Rejected for a shape of light that does not fit the program and the array."""
+"""A function that raises Rejected for a shape of light that does not fit the program."""
 
 
 def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
-    """Raise NS0733 unless the type is of real numbers."""
+    """Raise Rejected (NS0733) unless the type is of real numbers."""
     if dtype.kind in "uif":
         return
     kinds = {"b": "true/false", "c": "complex", "O": "pickled objects", "U": "text", "S": "text"}
@@ -41,8 +42,8 @@ def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
 
 
 def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
-    """Raise NS0733 to NS0735 for a `light` array that does not fit a program of `slots` slots and
-    an array (rows, cols)."""
+    """Raise Rejected (NS0733 to NS0735) for a `light` array that does not fit. It must fit a
+    program with `slots` slots and an array of size `need` (rows, cols)."""
     _refuse_other_axes(name, shape, slots, need)
     if len(shape) not in (2, 3):
         raise rejected(
@@ -76,7 +77,7 @@ def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, 
 def _refuse_other_axes(
     name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]
 ) -> None:
-    """Raise NS0733 for light with the axes of other tools: time or colour last."""
+    """Raise Rejected (NS0733) for light with the axes of other tools: time or colour last."""
     count = shape[-1] if len(shape) in (3, 4) else 0
     if shape[-3:-1] != need or tuple(shape[-2:]) == need:
         return
@@ -102,9 +103,10 @@ def _refuse_other_axes(
 
 
 def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
-    """Read the array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows,
-    cols). NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers, the
-    errors of `check` for the shape, NS0736 for values that are not light."""
+    """Read the array `light` of an .npz or .npy file: float32, (T, rows, cols) or (rows, cols).
+
+    Raises Rejected: NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers,
+    NS0736 for values that are not light, and the errors of `check` for the shape."""
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
@@ -122,7 +124,7 @@ def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray
 
 
 def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
-    """Return the error (NS0733) for a file without the array of a scene."""
+    """Return the error NS0733 for a file without the array of a scene."""
     shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
     further = f" and {len(have) - 12} more" if len(have) > 12 else ""
     names = " or ".join(f"'{key}'" for key in keys)
@@ -181,14 +183,14 @@ def _gather(
 
 
 def clip_white(clip: NDArray[Any]) -> float | None:
-    """Return the white of a clip in a .mat file: 255 for floats that exceed 1, as in the benchmark;
-    None for the default of the type."""
+    """Return the white level of a clip in a .mat file: 255 for floats that exceed 1, as in the
+    benchmark; None for the default of the type."""
     return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
 
 
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
-    """Read the scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as
-    stored). `light` has precedence."""
+    """Read the scene in a .mat file: ("light", float32 array) or ("orig", array (rows, cols, T) as
+    stored). `light` has precedence. Raises Rejected like `read_light`."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
         names = mat_names(path)

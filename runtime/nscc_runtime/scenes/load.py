@@ -1,4 +1,4 @@
-"""`--scene`: load the light on the array from a name."""
+"""Load the light on the array from a scene's name (`--scene`)."""
 
 from __future__ import annotations
 
@@ -75,25 +75,24 @@ class _Request:
     progress: Progress = unseen
 
     def check_light(self, shape: tuple[int, ...]) -> None:
-        """Raise NS0733 to NS0735 for `light` arrays of a shape that does not fit the program."""
+        """Raise NS0733 to NS0735 if a `light` array of this shape does not fit the program."""
         light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
-        """Raise NS0737 for a scene without a unit and without an exposure."""
+        """Raise Rejected (NS0737) for a scene without a unit and without an exposure."""
         if self.factor is None and self.exposure is None:
             exposure.needed(self.name)
 
     def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
-        """Return the factor from the scene's unit to electrons: the given one, or that of the
-        exposure."""
+        """Return the factor from the scene's unit to electrons: given, or from the exposure."""
         if self.factor is not None:
             return self.factor
-        assert self.exposure is not None  # checked, or given
+        assert self.exposure is not None  # `check_exposure` was called
         return exposure.scale(placement.cut(open_sum), self.exposure, self.name)
 
     @property
     def on_array(self) -> Placement:
-        """The placement of a scene made for the array."""
+        """The placement of a scene that has the size of the array."""
         size = (self.window.rows, self.window.cols)
         return Placement("crop", size, size, size)
 
@@ -107,14 +106,14 @@ class _Request:
 
 
 def load_scene(spec: str, **settings: Any) -> Light:
-    """Load a scene cropped to one array; `settings` and errors are those of `laid_scene`."""
+    """Load a scene cropped to one array. `settings` and errors are those of `laid_scene`."""
     return laid_scene(spec, **settings).light
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedLight:
-    """Light on the arrays of `placement`. `colour`: the source is in colour. `notes` describe how
-    the file was read, where the user may expect something else."""
+    """Light on the arrays of `placement`. `colour`: whether the source is in colour. `notes`:
+    sentences about how the file was read, if the user may expect something else."""
 
     light: Light
     placement: Placement
@@ -163,8 +162,9 @@ def light_of_array(
     values: NDArray[Any], *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
 ) -> Light:
     """Return the light of an array: electrons per slot (N, rows, cols), or per second (rows, cols).
-    float32 arrays are not copied, and must not be written to while the light is in use. Raises
-    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit, or are not light."""
+
+    float32 arrays are not copied, and must not be modified while the light is in use. Raises
+    Rejected (status 2, NS0733 to NS0736) for arrays that do not fit or that are not light."""
     request = _Request(name, Window(rows, cols), slot_us)
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
@@ -222,8 +222,7 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
 
 
 def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False) -> PlacedLight:
-    """Return the still or clip of a file, with the file's notes; `usual` is the curve of its
-    format."""
+    """Return the still or clip of a file, with the file's notes. `usual`: its format's curve."""
     for text, help_text in pages.notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
     transfer = request.transfer or pages.transfer or usual
@@ -236,7 +235,7 @@ def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
-    """Raise NS0739 if one of these options is given."""
+    """Raise Rejected (NS0739) if one of these options is set."""
     for name in names:
         if getattr(request, name) != getattr(_Request, name):
             option = "--still" if name == "single" else f"--{name}"
@@ -249,7 +248,7 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
 
 
 def _array(request: _Request, path: Path) -> PlacedLight:
-    """Return light in electrons, or a .mat clip."""
+    """Return the light of an array file: electrons, or a .mat clip."""
     if path.suffix.lower() == ".mat":
         key, values = light_arrays.read_mat(path, request.check_light)
         if key == light_arrays.MAT_CLIP_KEY:
@@ -303,8 +302,8 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
-    """Return the light of a clip: a frame per slot, or as `--fps` distributes them; or one frame as
-    a still."""
+    """Return a clip's light: one frame per slot, or by `--fps`; with `single` one frame as a
+    still."""
     if request.single:
         return _still(
             request, partial(timing.only_frame, request.name, stored, request.first), transfer
@@ -343,8 +342,7 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
 def _say_changes(
     request: _Request, stored: NDArray[Any], transfer: Transfer, placement: Placement
 ) -> bool:
-    """Return whether the picture is in colour, and emit notes on changes of its size, colours and
-    light."""
+    """Return whether the picture is in colour, and send notes on its changes to `warn`."""
     colour = in_colour(stored)
     if request.channel is None:
         for note in changes(placement, colour, request.name):
@@ -360,8 +358,8 @@ def _say_changes(
 def _light(
     request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
 ) -> tuple[NDArray[np.float32], Placement]:
-    """Return a stored picture as light on the arrays, and its placement; NS0736 for values that are
-    not light."""
+    """Return a stored picture as light on the arrays, and its placement. Raises Rejected (NS0736)
+    for values that are not light."""
     placement = placement_of(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
     window = None
     if placement.fit == "crop":

@@ -1,5 +1,6 @@
-"""Arrays in files of MATLAB: version 5 by scipy, version 7.3, which is HDF5, by h5py. Their size is
-checked before they are unpacked."""
+"""Read arrays in MATLAB files: version 5 by scipy, version 7.3 (HDF5) by h5py.
+
+The size of arrays is checked before they are unpacked."""
 
 from __future__ import annotations
 
@@ -34,8 +35,8 @@ def is_hdf5(path: Path) -> bool:
 
 
 def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
-    """Return the shapes of the variables in a .mat file of any version, () for those that are not
-    arrays. Raises the exceptions of scipy and h5py for a damaged file."""
+    """Return the shapes of the variables in a .mat file of any version; () for variables that are
+    not arrays. Raises the exceptions of scipy and h5py for a damaged file."""
     if is_hdf5(path):
         import h5py
 
@@ -57,8 +58,8 @@ def mat_names(path: Path) -> list[str]:
 
 
 def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read an array by name, with axes in MATLAB's order; ValueError if it is not an array.
-    InvalidArrays where it takes more than `most_bytes`."""
+    """Read an array by name, with axes in MATLAB's order. Raises ValueError if it is not an array,
+    and InvalidArrays if it needs more than `most_bytes`."""
     arrays = mat_arrays(path, [name], most_bytes)
     if name not in arrays:
         raise ValueError(f"'{name}' is not an array")
@@ -68,7 +69,9 @@ def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[An
 def mat_arrays(
     path: Path, names: Sequence[str] | None = None, most_bytes: int = MOST_BYTES
 ) -> dict[str, NDArray[Any]]:
-    """Read the named arrays of a .mat file of any version, or all; other variables are skipped.
+    """Read the named arrays of a .mat file of any version (None: all arrays); other variables are
+    skipped.
+
     Raises InvalidArrays for more than `most_bytes`, and the exceptions of scipy and h5py for a
     damaged file."""
     if is_hdf5(path):
@@ -93,8 +96,8 @@ def mat_arrays(
 
 
 def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
-    """Unpack the compressed elements of a version 5 file block by block, and yield their sizes. The
-    size that an element states may be wrong."""
+    """Unpack the compressed elements of a version 5 file block by block, and yield the block sizes.
+    The size in the header of an element may be wrong."""
     head = file.read(_HEADER_BYTES)
     orders = {b"IM": "<", b"MI": ">"}
     if head[-2:] not in orders:
@@ -132,14 +135,14 @@ def _of_hdf5(
 
 
 def _stated_bytes(stored: Any) -> int:
-    """Return the bytes of the array, or of its largest chunk if larger."""
+    """Return the number of bytes of the array, or of its largest chunk if larger."""
     shapes = (stored.shape or (), stored.chunks or ())
     return max(prod(map(int, shape)) for shape in shapes) * int(stored.dtype.itemsize)
 
 
 def _check_chunks(stored: Any) -> None:
-    """Raise InvalidArrays for a deflated chunk that unpacks to more than a chunk. HDF5 would
-    allocate all memory that it needs."""
+    """Raise InvalidArrays for a compressed chunk that unpacks to more than a chunk, because HDF5
+    would allocate all the memory."""
     if stored.chunks is None or stored.compression != "gzip":
         return
     most = prod(stored.chunks) * stored.dtype.itemsize

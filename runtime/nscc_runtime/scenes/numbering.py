@@ -1,4 +1,4 @@
-"""Missing frames of a folder: unread files, and gaps in the numbering."""
+"""Find missing frames of a folder: unread files, and gaps in the numbering."""
 
 from __future__ import annotations
 
@@ -15,12 +15,11 @@ _MOST_DIGITS = 18
 
 
 def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
-    """Return a sentence for each kind of missing frames of a clip.
+    """Return a sentence for each kind of missing frames of a clip; empty if no frame is missing.
 
-    `pictures` are the names of the files that are read, in order, and `names` those of all files in
-    the folder. A file counts as an unread frame if its ending is that of a picture, or if its
-    number belongs to the numbering and no picture has this number.
-    """
+    `pictures`: names of the files that are read, in order. `names`: names of all files in the
+    folder. A file counts as an unread frame if its ending is that of a picture, or if its number
+    belongs to the numbering and no picture has this number."""
     stems = {Path(name).stem for name in pictures}
     split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
     place = _counting_part(split_names)
@@ -44,7 +43,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
 
 
 def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) -> Diagnostic:
-    """Return NS0776: an error, or a warning if missing frames are `skipped` on request."""
+    """Return NS0776 for a folder: an error, or a warning if missing frames are `skipped`."""
     helps = ("convert or remove the files, or add --skip to expose the remaining frames",)
     return Diagnostic(
         "NS0776",
@@ -56,7 +55,7 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
 
 
 def _counting_part(split_names: Sequence[list[str]]) -> int | None:
-    """Return which part of the names is the frame number, if they differ in one number only."""
+    """Return which part of the split names counts; None if not exactly one number differs."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [
@@ -73,7 +72,7 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
 
 
 def _counts(name: str, like: list[str], place: int) -> bool:
-    """Return whether a file is named like the frames, apart from its number."""
+    """Return whether a file name equals the names of frames except for its number."""
     split_name = re.split(r"(\d+)", Path(name).stem)
     return len(split_name) == len(like) and all(
         split_name[k] == like[k] for k in range(len(like)) if k != place
@@ -86,8 +85,8 @@ def _is_picture(name: str) -> bool:
 
 
 def _gaps(numbers: Sequence[int]) -> str:
-    """Return the numbers missing from a sequence of constant step, as text. "" without gaps, or if
-    the numbers are not such a sequence (for example times)."""
+    """Return the numbers missing from a sequence of constant step, as text; empty without gaps, or
+    if the numbers are not such a sequence (for example times)."""
     steps = [b - a for a, b in pairwise(numbers)]
     step = min(steps, default=0)
     usual = step > 0 and 2 * steps.count(step) >= len(steps)

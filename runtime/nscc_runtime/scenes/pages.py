@@ -1,4 +1,4 @@
-"""The pictures of a file, and its own description of them."""
+"""The pictures of a file, with the properties that the file states."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from nscc_runtime.scenes.colour import Transfer
 
 Note = tuple[str, str]
-"""A sentence on a file, without its name, and a remedy."""
+"""A sentence about a file, without its name, and a remedy."""
 
 
 @dataclass(frozen=True)
 class Pages:
-    """The `count` pictures of a file, decoded one after the other by `read`, each (R, C) grey or
-    (R, C, 3) red, green, blue as stored. `transfer` is the transfer curve that the file names, or
-    None; `notes` describe unexpected choices of the reader."""
+    """The `count` pictures of a file. `read` decodes them one after the other, each (R, C) grey or
+    (R, C, 3) red, green, blue as stored. `transfer`: the transfer curve that the file names, or
+    None. `notes`: unexpected choices of the reader."""
 
     count: int
     read: Callable[[], Iterator[NDArray[Any]]]

@@ -1,6 +1,8 @@
-"""Scenes as pictures: single files and folders of them. OpenEXR reads .exr; Pillow .jpg and .webp,
-because it detects truncated files, and .avif; rawpy the raw files of cameras; OpenCV the rest,
-because it keeps 16 bits per sample and reads Radiance and PFM."""
+"""Read scenes as pictures: single files and folders of them.
+
+OpenEXR reads .exr. Pillow reads .jpg and .webp, because it detects truncated files, and .avif.
+rawpy reads raw files of cameras. OpenCV reads the rest, because it keeps 16 bits per sample and
+reads Radiance and PFM."""
 
 from __future__ import annotations
 
@@ -34,25 +36,22 @@ PICTURES = LINEAR + DISPLAY
 
 
 def default_transfer(path: Path) -> Transfer:
-    """Return the default curve: linear for formats of linear light, sRGB for formats made for
-    displays."""
+    """Return the default curve: linear for formats of linear light, sRGB for display formats."""
     return "linear" if path.suffix.lower() in LINEAR else "srgb"
 
 
 def transfer_of(path: Path) -> Transfer:
-    """Return the transfer curve that a picture's file names, or that of its format."""
+    """Return the transfer curve that a picture file names, or else the default of its format."""
     named = png_head(path).transfer if path.suffix.lower() == ".png" else None
     return named or default_transfer(path)
 
 
 def open_pages(path: Path, large: bool = False) -> Pages:
-    """Open the pictures in a file: one, or several, which are a clip.
+    """Open the picture in a file, or its several pictures, which are a clip.
 
     Alpha is dropped; the rotation noted in a photograph is applied. `large` admits single pictures
-    of 8 bits per sample with up to `MOST_LARGE_PIXELS`.
-
-    Raises Rejected (NS0732) for a file that is damaged, or of a kind that is not decoded.
-    """
+    of 8 bits per sample with up to `MOST_LARGE_PIXELS`. Raises Rejected (NS0732) for a damaged
+    file, or a file of a kind that is not decoded."""
     reads(path)
     with _readable(path):
         pages = large_pages(path) if large else None
@@ -74,12 +73,12 @@ def open_pages(path: Path, large: bool = False) -> Pages:
 
 
 def read_picture(path: Path) -> NDArray[Any]:
-    """Read the one picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
+    """Read the only picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
 
     Raises
     ------
     Rejected
-        As `open_pages`, and NS0732 for a file of several pictures.
+        Like `open_pages`, and NS0732 for a file of several pictures.
     """
     pages = open_pages(path)
     if pages.count != 1:
@@ -92,7 +91,7 @@ def read_picture(path: Path) -> NDArray[Any]:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Turn exceptions of readers into NS0732, with the reader's text or the reason."""
+    """Convert exceptions of readers to NS0732, with the reader's text or the reason."""
     try:
         with quiet():
             yield
@@ -119,7 +118,7 @@ def _opencv_pages(path: Path) -> Pages:
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """Decode a file's bytes by OpenCV; ValueError if it cannot."""
+    """Decode a file's bytes by OpenCV. Raises ValueError if OpenCV cannot decode them."""
     import cv2
 
     if data.size == 0:
@@ -162,8 +161,7 @@ def _heif_pages(path: Path) -> Pages:
 
 
 def _png_pages(path: Path) -> Pages:
-    """Open a .png: a picture by OpenCV, which keeps 16 bits, or the frames of an animation by
-    Pillow."""
+    """Open a .png: pictures by OpenCV, which keeps 16 bits, animations by Pillow."""
     head = png_head(path)
     pages = _pillow_pages(path) if head.animated else _opencv_pages(path)
     return replace(pages, transfer=head.transfer, notes=head.notes)
@@ -189,14 +187,14 @@ def files_of(
 ) -> list[Path]:
     """Return the pictures of a folder in natural order (2 before 10).
 
-    Hidden files, and files that belong to no sequence of frames, are passed over. With `skip`,
-    `warn` is told of frames that are missing.
+    Hidden files, and files that belong to no sequence of frames, are ignored. With `skip`, `warn`
+    is called with a message about missing frames.
 
     Raises
     ------
     Rejected
-        NS0735 for a folder without pictures, NS0739 for one of linear and of display pictures,
-        NS0776 where frames are missing: files that are not read, or gaps in the numbering.
+        NS0735 for a folder without pictures, NS0739 for a folder of linear and display pictures,
+        NS0776 if frames are missing: files that are not read, or gaps in the numbering.
     """
     try:
         names = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
@@ -244,8 +242,8 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Iterator[NDArray[Any]]:
-    """Yield the frames of a folder as stored; NS0734 if one differs in size from the first. With
-    `skip`, damaged files are reported to `warn` (NS0776) and left out."""
+    """Yield the frames of a folder as stored. With `skip`, damaged files are reported to `warn`
+    (NS0776) and left out. Raises Rejected (NS0734) if one differs in size from the first."""
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
         for path in pictures:
@@ -261,7 +259,7 @@ def read_folder(
 
 
 def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
-    """Yield the pictures of a clip, given with their names; NS0734 if one differs in size."""
+    """Yield the pictures of a clip, given with names. Raises NS0734 if one differs in size."""
     first: tuple[int, int] | None = None
     for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])
@@ -278,9 +276,10 @@ def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Suppress the output of decoding libraries about damaged files. They write to the process's
-    standard error below Python, so the file descriptor is replaced. OpenCV and its FFmpeg read
-    their own switches at first use."""
+    """Suppress the output of decoding libraries about damaged files.
+
+    They write to the process's standard error below Python, so the file descriptor is replaced.
+    OpenCV and its FFmpeg read their own switches at first use."""
     import io
     import os
     import sys

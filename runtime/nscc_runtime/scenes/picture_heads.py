@@ -1,4 +1,4 @@
-"""Headers of PNG and Radiance files."""
+"""Read the headers of PNG and Radiance files."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ TRANSFERS: dict[int, Transfer] = {
     **dict.fromkeys((1, 6, 13, 14, 15), "srgb"), 8: "linear", 16: "pq", 18: "hlg",
 }  # fmt: skip
 """Transfer curves by their number in ITU-T H.273. Displays show the camera curves of BT.709 and
-BT.2020 nearly as sRGB."""
+BT.2020 nearly like sRGB."""
 _LINEAR_GAMMA, _SRGB_GAMMA = 100_000, 45_455
 _GAMMA_SLACK = 500
 
 
 @dataclass(frozen=True)
 class PngHead:
-    """The header of a PNG file: whether it is an animation, its transfer curve if named,
-    and notes."""
+    """The header of a PNG file. `animated`: whether it has several frames. `transfer`: None if the
+    file names no transfer curve."""
 
     animated: bool
     transfer: Transfer | None
@@ -51,7 +51,7 @@ def png_head(path: Path) -> PngHead:
 
 
 def _png_transfer(chunks: dict[bytes, bytes]) -> tuple[Transfer | None, tuple[Note, ...]]:
-    """Return the curve of cICP, sRGB or gAMA, in this order of precedence."""
+    """Return the curve of cICP, sRGB or gAMA, in this order (None without any), and notes."""
     help_text = "--transfer selects another curve"
     if len(chunks.get(b"cICP", b"")) == 4:
         number = chunks[b"cICP"][1]
@@ -75,9 +75,10 @@ _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILI
 def read_radiance(
     path: Path, data: NDArray[np.uint8], decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
 ) -> NDArray[Any]:
-    """Read the picture of a Radiance file in any of its eight orientations. `decode` takes the
-    bytes of a file whose rows run from top to bottom and left to right. UnsupportedPicture for
-    colours other than red, green, blue."""
+    """Read the picture of a Radiance file in any of its eight orientations.
+
+    `decode` decodes the bytes of a file whose rows run from top to bottom and left to right. Raises
+    UnsupportedPicture for colours other than red, green, blue."""
     head, blank, body = data.tobytes().partition(b"\n\n")
     line, newline, samples = body.partition(b"\n")
     if b"FORMAT=32-bit_rle_xyze" in head:

@@ -17,9 +17,9 @@ from nscc_runtime.scenes.large_pictures import reduced
 from nscc_runtime.scenes.light_arrays import check_type
 
 _STRIP = 256
-"""Rows of a picture that are converted at a time, to limit memory in double precision."""
+"""Number of rows that are converted at a time, to limit memory in double precision."""
 _TINY_NEGATIVE = 1e-3
-"""Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
+"""Samples below 0 by at most this fraction of the peak (filter ringing) are set to 0."""
 
 
 def picture_light(
@@ -42,18 +42,18 @@ def picture_light(
     transfer : {"linear", "srgb", "pq", "hlg"}
         The transfer curve of the samples.
     name : str
-        What messages call the picture.
+        Name of the picture in messages.
     channel : int, optional
-        0 to 2 for red, green or blue; the luminance without it.
+        0 to 2 for red, green or blue; None for the luminance.
     white : float, optional
-        The sample that is white (default: `white_of` the type).
+        The sample value of white; None for `white_of` the type.
     window : tuple of slice, optional
-        Rows and columns that are wanted. Others may hold anything.
+        Rows and columns to convert. Other pixels may have any value.
     size : tuple of int, optional
         Rows and columns that the caller reduces the light to. A picture of more than `MOST_PIXELS`
-        is returned in this size, because its light takes 8 bytes a pixel.
+        is returned in this size, because its light needs 8 bytes per pixel.
     warn : callable, optional
-        Is told of samples slightly below 0, which count as 0 (NS0740).
+        Called with a warning (NS0740) about samples slightly below 0, which are set to 0.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def picture_light(
     """
     check_type(name, "picture", stored.dtype)
     rows, cols = window or (slice(0, len(stored)), slice(0, stored.shape[1]))
-    with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
+    with np.errstate(invalid="ignore", over="ignore"):  # the census reports invalid values
         floats = stored.dtype.kind == "f"
         peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
         region = stored[rows, cols]

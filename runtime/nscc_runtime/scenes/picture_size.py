@@ -12,13 +12,13 @@ from typing import Any
 from nscc.diagnostics.rejection import rejected
 
 MOST_PIXELS = 1 << 26
-"""Most pixels of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
+"""Largest number of pixels of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
 
 MOST_LARGE_PIXELS = 3 * MOST_PIXELS
-"""Most pixels of a scene that is one picture of 8 bits per sample: 201 million."""
+"""Largest number of pixels of a scene that is one picture of 8 bits per sample: 201 million."""
 
 _MOST_SAMPLES = 4
-"""Most samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS."""
+"""Largest number of samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS."""
 
 _HEADER_BYTES = 1 << 16
 _WINDOWS = ("dataWindow", "displayWindow")
@@ -28,15 +28,14 @@ _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 
 
 def refuse_huge(path: Path) -> None:
-    """Raise NS0734 for a picture file whose header states more than MOST_PIXELS; other
-    errors pass."""
+    """Raise NS0734 if the header states more than MOST_PIXELS; invalid headers are ignored."""
     size = _stated_size(path)
     if size is not None:
         refuse_size(path, *size)
 
 
 def refuse_size(path: Path, rows: int, cols: int) -> None:
-    """Raise NS0734 for a picture or a frame of more than MOST_PIXELS."""
+    """Raise Rejected (NS0734) for a picture or a frame of more than MOST_PIXELS."""
     if rows * cols > MOST_PIXELS:
         raise rejected(
             "NS0734",
@@ -66,13 +65,13 @@ def _stated_size(path: Path) -> tuple[int, int] | None:
     try:
         with without_pillow_limit(), Image.open(path) as image:  # only the header is read
             return image.height, image.width
-    except Exception:  # Pillow's plugins raise what they like; the reader says what is wrong
+    except Exception:  # Pillow's plugins raise any exception; the reader reports it
         return None
 
 
 @contextmanager
 def without_pillow_limit() -> Iterator[None]:
-    """Switch off Pillow's limit on pixels: this module states the limits of this project."""
+    """Switch off Pillow's limit on pixels in a with block: this module defines the limits."""
     from PIL import Image
 
     pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
@@ -83,8 +82,10 @@ def without_pillow_limit() -> Iterator[None]:
 
 
 def _exr_size(path: Path) -> tuple[int, int] | None:
-    """Return the size of the largest window of an OpenEXR file's parts. NS0734 for too many samples
-    in all parts, which are decoded together."""
+    """Return the size (rows, cols) of the largest window of an OpenEXR file's parts; None if it
+    cannot be read.
+
+    Raises Rejected (NS0734) for too many samples in all parts, which are decoded together."""
     import OpenEXR
 
     try:

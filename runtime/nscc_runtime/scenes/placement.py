@@ -1,6 +1,8 @@
-"""Place pictures of any size on arrays: cropped, scaled, or in pieces. With `scale` and `tiles` the
-frame has the size of the picture, which lies in the top left corner of as many arrays as needed,
-side by side. The remaining pixels see its mirror image, and are cut off afterwards."""
+"""Place pictures of any size on arrays: cropped, scaled, or in pieces.
+
+With `scale` and `tiles` the frame has the size of the picture, which lies in the top left corner of
+as many arrays as needed, side by side. The remaining pixels see its mirror image, and are cut off
+afterwards."""
 
 from __future__ import annotations
 
@@ -22,13 +24,13 @@ Fit = Literal["crop", "scale", "tiles"]
 FITS: tuple[Fit, ...] = get_args(Fit)
 
 MOST_PIXELS = 1 << 26
-"""Most pixels of a picture in pieces: a frame takes some 30 bytes per pixel."""
+"""Largest number of pixels of a picture in pieces: a frame needs about 30 bytes per pixel."""
 
 
 @dataclass(frozen=True)
 class Placement:
-    """The placement of a picture: `picture` (R, C) as stored, `size` (rows, cols) as exposed, on
-    `arrays` (down, across) of `array` (rows, cols) each."""
+    """The placement of a picture. `picture` (R, C): size as stored. `size` (rows, cols): size as
+    exposed. `array` (rows, cols): size of each array."""
 
     fit: Fit
     picture: tuple[int, int]
@@ -46,7 +48,7 @@ class Placement:
         return self.size == self.array
 
     def cut(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Return the part (.., rows, cols) of values on all arrays that is the picture."""
+        """Return the part of values (.., rows, cols) on all arrays that belongs to the picture."""
         return values[..., : self.size[0], : self.size[1]]
 
     def pieces(self, light: Light) -> list[Light]:
@@ -87,7 +89,7 @@ class Placement:
 def placement_of(
     fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
 ) -> Placement:
-    """Return the placement of a picture (R, C); NS0734 for too many pieces."""
+    """Return the placement of a picture (R, C). Raises Rejected (NS0734) for too many pieces."""
     array = (window.rows, window.cols)
     if fit == "crop":
         return Placement(fit, picture, array, array)
@@ -118,7 +120,8 @@ def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float
 
 
 def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
-    """Resize by means over the area of each new pixel, or enlarge by linear interpolation."""
+    """Return light at a new size: means over the area of each new pixel, or linear
+    interpolation."""
     import cv2
 
     smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]
@@ -127,7 +130,7 @@ def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[n
 
 
 def in_colour(stored: NDArray[Any]) -> bool:
-    """Return whether a stored picture has colours that differ anywhere."""
+    """Return whether a stored picture has a pixel that is not grey."""
     return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
 
 
@@ -158,12 +161,12 @@ def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
 
 
 def no_colours(name: str) -> Diagnostic:
-    """Return the note (NS0773) on a grey scene that is to be exposed in colours."""
+    """Return the note NS0773 on a grey scene that is to be exposed in colours."""
     return picture_note(f"'{name}' has no colours, so it is exposed once", "leave --color out")
 
 
 def taken_for_srgb(name: str) -> Diagnostic:
-    """Return the note (NS0773) on floating-point samples in a format made for screens."""
+    """Return the note NS0773 on floating-point samples in a display format."""
     return picture_note(
         f"the numbers of '{name}' are treated as sRGB, with white at 1",
         "--transfer linear treats them as linear light",
@@ -171,14 +174,13 @@ def taken_for_srgb(name: str) -> Diagnostic:
 
 
 def few_bits(stored: NDArray[Any]) -> bool:
-    """Return whether samples of more than 8 bits use at most a quarter of their range: 14 bits of
-    16."""
+    """Return whether 16-bit or deeper samples use at most a quarter of their range."""
     deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
     return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
 
 
 def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
-    """Return the note (NS0773) on curve and white level of a first picture with `few_bits`."""
+    """Return the note NS0773 on curve and white level of a first picture with `few_bits`."""
     return picture_note(
         f"the samples of '{name}' are converted with {CURVES[transfer]} and white at "
         f"{white_of(stored.dtype):g}; the largest is {stored.max():g}",

@@ -1,4 +1,4 @@
-"""Raw files of cameras, by rawpy: linear light in the camera's colours."""
+"""Read raw files of cameras by rawpy: linear light in the camera's colours."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NOTE = (
 
 def raw_pages(path: Path) -> Pages:
     """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
-    colour balance, no brightening. ImportError without rawpy."""
+    colour balance and no brightening are applied. Raises ImportError without rawpy."""
     import rawpy
 
     def read() -> Iterator[NDArray[Any]]:

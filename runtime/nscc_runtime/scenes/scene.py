@@ -1,4 +1,4 @@
-"""A scene before it is loaded, for programs of any slots."""
+"""A scene before it is loaded, for programs with any slots."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nscc_runtime.scenes.placement import Fit, no_colours
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene, with the options that `nscc run` has for it; None stands for an option not given.
+    """A scene, with the scene options of `nscc run`; None for an option that is not set.
 
     Parameters
     ----------
@@ -29,29 +29,29 @@ class Scene:
     exposure : str or float, optional
         Electrons over the frame for percentile 99 of the scene, or text `E@P` with a percentile.
     transfer : {"linear", "srgb", "pq", "hlg"}, optional
-        The transfer curve of the samples, instead of that of the file.
+        The transfer curve of the samples, instead of the curve of the file.
     fps : float, optional
-        Frames a second of a clip; without it a frame a slot.
+        Frames per second of a clip; None for one frame per slot.
     crop : str, optional
-        Row and column of the part that is exposed, `R,C`.
+        Row and column of the top left corner of the part that is exposed, `R,C`.
     frames_are : {"integrals", "samples"}
         Whether a frame of a clip is the light of its whole time, or of one moment.
     fit : {"crop", "scale", "tiles"}
-        How a picture of another size comes onto the array.
+        How a picture of another size is placed on the array.
     color : bool
         Expose red, green and blue one after the other.
     first : int
-        The frame that a clip begins with.
+        Number of the frame that a clip begins with.
     single : bool
         Expose one frame of a clip as a still.
     white : float, optional
-        The sample that is white.
+        The sample value of white.
     skip : bool
         Leave out frames that are missing from a folder.
     bracket : bool
         Merge the photos of a folder or pattern, which differ in exposure.
     times : str, optional
-        Exposure times of the photos in seconds, `1/250,1/60`, instead of those of the EXIF.
+        Exposure times of the photos in seconds, `1/250,1/60`, instead of the times in their EXIF.
     """
 
     name: str
@@ -76,8 +76,7 @@ class Scene:
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
     ) -> Light:
-        """Return the light on one array, of a scene that is neither on several arrays nor in
-        colours."""
+        """Return the light on one array. The scene must not need several arrays or colours."""
         return self.laid(slot_us, target, warn, progress)[0].light
 
     def laid(
@@ -87,8 +86,10 @@ class Scene:
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
     ) -> tuple[PlacedLight, ...]:
-        """Return the light in slots of these lengths on the array of `target`. It is the luminance,
-        or red, green and blue at the exposure of the luminance. Raises as `laid_scene`."""
+        """Return the light in slots of these lengths on the array of `target`.
+
+        It is the luminance, or three lights (red, green and blue) at the exposure of the luminance.
+        Raises Rejected like `laid_scene`."""
 
         options = vars(self) | {
             "exposure": None if self.exposure is None else parse_exposure(self.exposure),

@@ -1,6 +1,7 @@
-"""Components of procedural pictures. They use only sums, products, quotients and square roots,
-which every machine rounds alike, unlike sines and powers of libraries, so that builtin scenes are
-bit-identical everywhere."""
+"""Components of procedural pictures.
+
+They use only sums, products, quotients and square roots, which every machine rounds alike, unlike
+sines and powers of libraries, so that builtin scenes are bit-identical everywhere."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ Field = NDArray[np.float64]
 
 
 def smooth(low: float, high: float, values: Field) -> Field:
-    """0 below `low`, 1 above `high`, a cubic in between."""
+    """Return 0 below `low`, 1 above `high`, and a cubic in between."""
     t = np.clip((values - low) / (high - low), 0.0, 1.0)
     result: Field = t * t * (3.0 - 2.0 * t)
     return result
@@ -27,8 +28,8 @@ def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
 
 
 def noise(x: Field, y: Field, seed: int) -> Field:
-    """Return a smooth random field in [0, 1) with grain size 1. x and y are the coordinates of
-    columns (cols,) and of rows (rows,): the field is (rows, cols)."""
+    """Return a smooth random field (rows, cols) in [0, 1) with grain size 1. x (cols,) and y
+    (rows,) are the coordinates of columns and rows."""
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     first_col, first_row = int(column.min()), int(row.min())
     across = np.arange(first_col, int(column.max()) + 2, dtype=np.int64)
@@ -44,8 +45,7 @@ def noise(x: Field, y: Field, seed: int) -> Field:
 
 
 def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
-    """Return noise in [0, 1) with detail at `octaves` scales, each half as large and half as
-    strong."""
+    """Return noise in [0, 1) at `octaves` scales, each half as large and half as strong."""
     total = np.zeros((len(y), len(x)))
     strength, sum_of_strengths = 1.0, 0.0
     for octave in range(octaves):
@@ -58,8 +58,7 @@ def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
 
 
 def turn(phase: float) -> tuple[float, float]:
-    """Return a point (x, y) of the unit circle; phase 0..1 is one turn, at nearly
-    constant speed."""
+    """Return a point (x, y) of the unit circle; phase 0..1 is one turn, at nearly even speed."""
     quarter, fraction = divmod((phase % 1.0) * 4.0, 1.0)
     t = fraction * (
         0.8284 + 0.1716 * fraction * fraction

@@ -1,6 +1,7 @@
-"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV. OpenCV
-multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white; Pillow
-has no colours of 16 bits."""
+"""Read the pages of TIFF files: by Pillow if samples have at most 8 bits, else by OpenCV.
+
+OpenCV multiplies 8-bit colours by alpha, and does not invert 16-bit pictures in which 0 is white;
+Pillow does not support 16-bit colours."""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ def tiff_pages(path: Path) -> Pages:
     Raises
     ------
     UnsupportedPicture
-        A page has samples of a kind that neither library decodes.
+        If a page has samples of a kind that neither library decodes.
     """
     directories = _directories(path)
     chosen = [
@@ -53,7 +54,6 @@ def tiff_pages(path: Path) -> Pages:
 
 
 def _directories(path: Path) -> list[Tags]:
-    """Return the tags of each page."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []
@@ -75,7 +75,7 @@ def _directories(path: Path) -> list[Tags]:
 
 
 def _samples(tags: Tags) -> tuple[int, int]:
-    """Return format and bits of a page's samples."""
+    """Return format and number of bits of a page's samples."""
     kinds, bits = (np.ravel(tags.get(tag) or 1) for tag in (_FORMAT, _BITS))
     return int(kinds[0]), int(bits.max())
 

@@ -18,13 +18,12 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
 
 _SLACK_FRAMES = Fraction(1, 1000)
-"""Fraction of a frame by which the last slot may exceed the clip: slots of 16.667 ms at 60
-frames/s."""
+"""The last slot may exceed the clip by this fraction of a frame (16.667 ms at 60 Hz)."""
 
 
 @dataclass(frozen=True, eq=False)
 class Overlaps:
-    """Sparse matrix (slots, frames) of the seconds that each slot spends in each frame, as CSR."""
+    """Sparse matrix (slots, frames), as CSR, of the seconds that each slot spends in each frame."""
 
     row_start: NDArray[np.int64]
     frame_index: NDArray[np.int32]
@@ -32,13 +31,13 @@ class Overlaps:
 
 
 def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
-    """Return the N + 1 boundaries of the slots as exact fractions of the printed decimals."""
+    """Return the N + 1 slot boundaries in microseconds, as exact fractions of their decimals."""
     exact = {length: Fraction(repr(float(length))) for length in set(slot_us)}
     return [*accumulate((exact[length] for length in slot_us), initial=Fraction(0))]
 
 
 def frames_needed(slot_us: Sequence[float], fps: Fraction) -> int:
-    """Return the number of frames, from the first, that the slots need."""
+    """Return the number of frames, counted from the first, that the slots need."""
     end = slot_edges_us(slot_us)[-1] * fps / 1_000_000
     return max(1, ceil(end - _SLACK_FRAMES))
 
@@ -46,10 +45,9 @@ def frames_needed(slot_us: Sequence[float], fps: Fraction) -> int:
 def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
     """Return the overlap of slots and frames.
 
-    Frame k covers [k / fps, (k + 1) / fps); time beyond the last frame counts to it. Boundaries are
-    exact fractions, so that a slot that ends with a frame contains nothing of the next, for any
-    number of slots. The last frame is number `frames_needed` - 1.
-    """
+    Frame k covers [k / fps, (k + 1) / fps); time beyond the last frame, number `frames_needed` - 1,
+    counts as the last frame. Boundaries are exact fractions, so a slot that ends with a frame
+    contains nothing of the next frame, for any number of slots."""
     per_us = fps / 1_000_000
     last = frames_needed(slot_us, fps) - 1
     row_start, frame_index, seconds = [0], [], []
@@ -78,7 +76,7 @@ def spread(
     factor_of: Callable[[NDArray[np.float64]], float],
 ) -> Light:
     """Return the light of a clip in electrons per second, up to a factor, integrated as piecewise
-    constant. `factor_of` returns the factor for the all-open sum (rows, cols)."""
+    constant. `factor_of` returns the factor for the light of all slots (rows, cols)."""
     share = np.bincount(overlap.frame_index, overlap.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):
@@ -93,10 +91,9 @@ def with_motion(
 ) -> Light:
     """Return a clip of samples with its `motion`: linear interpolation between frames.
 
-    Frame k is the light at the start of its time. Each entry of the matrix spends `seconds` in its
-    frame, of 1 / `fps`, and entries follow each other without a gap; without `seconds` each is its
-    whole frame. In the last frame the light stands still.
-    """
+    Frame k is the light at the start of its time. Each entry of the light's matrix covers `seconds`
+    of its frame, whose length is 1 / `fps`; entries follow each other without a gap. If `seconds`
+    is None, each entry is its whole frame. Within the last frame the light is constant."""
     entries = len(light.frame_index)
     begin, end = np.zeros(entries), np.ones(entries)
     if seconds is not None:
@@ -115,8 +112,7 @@ def with_motion(
 
 
 def check_fps(fps: float) -> Fraction:
-    """Return the frame rate as the exact fraction of its printed decimals; NS0739 outside 1e-6 ..
-    1e9."""
+    """Return the rate as the exact fraction of its decimals. Raises NS0739 outside 1e-6 .. 1e9."""
     if 1e-6 <= fps <= 1e9:
         return Fraction(repr(float(fps)))
     raise rejected(
@@ -130,8 +126,7 @@ def check_fps(fps: float) -> Fraction:
 def too_short(
     name: Path_or_name, have: int, need: int, slots: int, fps: float | None, first: int = 0
 ) -> Rejected:
-    """Return the error (NS0735) for a clip with fewer frames than the slots need: `have` from frame
-    `first` on."""
+    """Return the error NS0735 for a clip of `have` frames from frame `first` on; `need` slots."""
     if fps is None:
         why = f"{slots} slots need one frame each"
         ways = "a program with fewer slots, or give the clip's frame rate: --fps F"
@@ -150,7 +145,7 @@ def too_short(
 
 
 def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -> NDArray[Any]:
-    """Return the frame of a clip that is used as a still; NS0735 beyond its end."""
+    """Return frame number `first` of a clip as a still. Raises NS0735 if the clip is shorter."""
     have = 0
     for have, picture in enumerate(stored, 1):
         if have > first:
@@ -159,7 +154,7 @@ def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -
 
 
 def no_such_frame(name: Path_or_name, have: int, first: int) -> Rejected:
-    """Return the error (NS0735) for a clip that ends before the frame used as a still."""
+    """Return the error NS0735 for a clip that ends before the frame used as a still."""
     return rejected(
         "NS0735",
         f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, so frame "

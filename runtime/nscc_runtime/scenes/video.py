@@ -18,21 +18,21 @@ from nscc_runtime.scenes.picture_heads import TRANSFERS
 from nscc_runtime.scenes.picture_size import refuse_size
 
 _WEIGHTS = {1: (0.2126, 0.0722), 9: (0.2627, 0.0593), 10: (0.2627, 0.0593)}
-"""Weights of red and blue in luma by the matrix of ITU-T H.273: BT.709, BT.2020."""
+"""Weights of red and blue in luma, by the number of the matrix in ITU-T H.273: BT.709, BT.2020."""
 _BT_601 = (0.299, 0.114)
 _BT_2020_PRIMARIES = 9
 _UNSPECIFIED = 2
 _HIGH_DEFINITION = 720
-"""Rows from which on the default matrix is that of BT.709."""
+"""From this number of rows on, the default matrix is that of BT.709."""
 _FULL_RANGE = 2
 _UNEVEN = 0.4
-"""Relative deviation from the median time between frames above which times are not jitter."""
+"""A time between frames that deviates from the median by more than this fraction is not jitter."""
 
 
 @dataclass(frozen=True)
 class _Timing:
-    """Timing of a video's packets: times of frames in order, in units of `unit_s`, and the number
-    of frames in the header (0: none)."""
+    """Timing of a video's packets. `times`: times of frames in order, in units of `unit_s`.
+    `declared`: number of frames in the header (0: none)."""
 
     times: NDArray[np.int64]
     unit_s: float
@@ -40,20 +40,20 @@ class _Timing:
 
     @property
     def step(self) -> float:
-        """The usual time between frames."""
+        """The median time between frames, in units of `unit_s`; 0 for a single frame."""
         return float(np.median(np.diff(self.times))) if len(self.times) > 1 else 0.0
 
     @property
     def is_variable(self) -> bool:
-        """Whether frames have unequal durations."""
         steps = np.diff(self.times)
         return self.step > 0 and bool((np.abs(steps - self.step) > _UNEVEN * self.step).any())
 
 
 def video_pages(path: Path) -> Pages:
-    """Open the frames of a video, uint8 or uint16 (R, C, 3), at equal times. Frames of unequal
-    duration are repeated or skipped. A truncated file yields the frames before its end. ValueError
-    without frames; NS0734 for large ones."""
+    """Open the frames of a video, uint8 or uint16 (R, C, 3), at equal times.
+
+    Frames of unequal duration are repeated or skipped. A truncated file yields the frames before
+    its end. Raises ValueError without frames, and Rejected (NS0734) for large frames."""
     timing = _timing_of(path)
     with _opened(path) as container:
         context = container.streams.video[0].codec_context
@@ -103,7 +103,7 @@ def _timing_of(path: Path) -> _Timing:
                 if packet.size:
                     times.append(number if packet.pts is None else int(packet.pts))
         except av.FFmpegError:
-            pass  # what was read until it breaks off counts
+            pass  # keep the packets before the damage
     return _Timing(np.unique(np.array(times, np.int64)), unit_s, declared)
 
 
@@ -147,7 +147,7 @@ def _frames(path: Path, timing: _Timing) -> Iterator[NDArray[Any]]:
 
 
 def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
-    """Yield times and pictures as far as the file can be decoded; ValueError without any."""
+    """Yield times and pictures until decoding fails. Raises ValueError if there is no picture."""
     import av
 
     count = 0
@@ -170,8 +170,8 @@ def _upright(picture: NDArray[Any], degrees: int) -> NDArray[Any]:
 
 
 def picture_of(frame: Any) -> NDArray[Any]:
-    """Return red, green and blue (R, C, 3) of a decoded frame. They are 0..255, or 0..65535 for
-    more than 8 bits, by the matrix and the range that the frame names."""
+    """Return red, green and blue (R, C, 3) of a decoded frame, by the matrix and the range that the
+    frame names. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))
@@ -187,7 +187,7 @@ def picture_of(frame: Any) -> NDArray[Any]:
 
 
 def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
-    """Return luma and, unless it is grey, both chromas as stored, each of its own size."""
+    """Return luma and, unless the frame is grey, both chromas as stored, each of its own size."""
     grey = frame.format.name.startswith("gray")
     plane_count = 1 if grey else 3
     if len(frame.planes) < plane_count or frame.format.name.endswith("be"):

@@ -1,4 +1,4 @@
-"""The sensor file: the numbers of a sensor, their defaults and where these come from."""
+"""The sensor file: the parameters of a sensor, their defaults and the sources of the defaults."""
 
 from __future__ import annotations
 

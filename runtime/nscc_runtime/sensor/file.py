@@ -1,7 +1,6 @@
-"""`--sensor FILE.toml` and `--sensor-set NAME=VALUE`, and a file to start from.
+"""Read `--sensor FILE.toml` and `--sensor-set NAME=VALUE`, and write a complete sensor file.
 
-A parameter that is missing has its default; a key that is no parameter is an error.
-"""
+A missing parameter has its default; an unknown key is an error."""
 
 from __future__ import annotations
 
@@ -21,13 +20,13 @@ from nscc_runtime.effects.sensor import Sensor
 
 
 def schema() -> Schema[Parameter]:
-    """The sensor file: the parameters of all effects."""
+    """Return the schema of the sensor file: the parameters of all registered effects."""
     return schema_of(parameters())
 
 
 @cache
 def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
-    """The sensor file of these parameters; ValueError if two have one name."""
+    """Return the schema of these parameters. Raises ValueError if two have the same name."""
     return Schema(
         "sensor",
         rows,
@@ -41,23 +40,22 @@ def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
 
 
 def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str] = ()) -> Sensor:
-    """The sensor of a file (default: every default) with `changes`, each NAME=VALUE, on top.
+    """Read a sensor file (None: all defaults) and apply `changes`, each NAME=VALUE.
 
-    Raises Rejected, status 2: NS0751 for a file that cannot be read, NS0752 for one that is not
-    TOML, NS0753 and NS0754 for unknown names and wrong values, NS0755 for a change that is not
-    NAME=VALUE; all that is wrong at once.
-    """
+    Raises Rejected (status 2) with all errors at once: NS0751 for a file that cannot be read,
+    NS0752 if it is not TOML, NS0753 for unknown names, NS0754 for wrong values, NS0755 for a change
+    that is not NAME=VALUE."""
     data = b"" if path is None else read_sensor(path)
     return parse_sensor(target, data, str(path), changes)
 
 
 def read_sensor(path: Path) -> bytes:
-    """What a sensor's file holds, for `parse_sensor`; Rejected (NS0751) if it cannot be read."""
+    """Return the bytes of a sensor file. Raises Rejected (NS0751) if it cannot be read."""
     return file_bytes(schema(), path)
 
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
-    """The sensor of a file's bytes; `name` is the file's for messages. Raises as `load_sensor`."""
+    """Return the sensor of a file's bytes; `name` is for messages. Raises like `load_sensor`."""
     file_sensor_values, problems, _ = file_values(schema(), data, name)
     changed, wrong_too = schema().changed(changes)
     if problems or wrong_too:
@@ -66,7 +64,7 @@ def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] 
 
 
 def default_sensor(target: Target) -> Sensor:
-    """The sensor of a target, every parameter at its default."""
+    """Return the sensor of a target with every parameter at its default."""
     return _default(target, registered())
 
 
@@ -76,10 +74,8 @@ def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
 
 
 def completed(given_values: Mapping[str, float], target: Target) -> Sensor:
-    """Return the sensor of checked values; other parameters have their defaults.
-
-    Without `electrons_per_lsb` the full well is the top code, whoever gave the full well.
-    """
+    """Return the sensor of checked values; other parameters have their defaults. The default of
+    `electrons_per_lsb` maps the full well to the top code."""
     values: dict[str, float] = {}
     for row in schema().keys:
         known = row.name in given_values
@@ -90,10 +86,10 @@ def completed(given_values: Mapping[str, float], target: Target) -> Sensor:
 def sensor_toml(
     sensor: Sensor, sources: Mapping[str, str] | None = None, heading: Sequence[str] = ()
 ) -> str:
-    """A complete, commented file that `load_sensor` reads back as this sensor.
+    """Return a complete, commented sensor file that `load_sensor` reads back as this sensor.
 
-    `sources` say where values come from that are no defaults; `heading` are lines to begin with.
-    """
+    `sources`: where values come from that are not defaults, by parameter. `heading`: lines at the
+    beginning."""
     origin = "the value" if sources else "the default"
 
     def remark(row: Parameter) -> str:

@@ -1,1 +1,1 @@
-"""The tradeoff of the emulator: errors against the reference and times of frames."""
+"""The tradeoff of the emulator: errors relative to the reference, and times of frames."""

@@ -1,4 +1,4 @@
-"""Baselines for plans: two ways to write an exposure in numpy, and the speed of memory."""
+"""Baselines for plans: two simple numpy implementations of an exposure, and the speed of memory."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 
 _MOST_BYTES = 1 << 28
-"""Up to this size, light and shutters of all slots are prepared as arrays, outside of the timing;
-beyond it they are made slot by slot."""
+"""Light and shutters of all slots are prepared as arrays before timing, unless they are larger than
+this; then they are computed slot by slot."""
 _COPIED_BYTES = 1 << 26
 _COPIES = 25
 
 
 @dataclass(frozen=True, eq=False)
 class Naive:
-    """A scene and the shutters of a program's pixels; both ways end in a noiseless ADC."""
+    """Two simple exposures of a scene with a program's shutters, both read out without noise."""
 
     program: AnalysedProgram
     light: Light
 
     def summed(self) -> Frame:
-        """Sum the light over the open slots in float32, without effects."""
+        """Return a frame that sums the light over the open slots in float32, without effects."""
         total = self._dark(np.float32)
         with np.errstate(over="ignore"):
             for light, opened in self._slots():
@@ -39,8 +39,10 @@ class Naive:
         return self._read(total)
 
     def drawn(self, seed: int) -> Frame:
-        """Sum numpy's Poisson counts of every slot over the open slots, without other effects.
-        Raises ValueError for light beyond the range of numpy, some 9e18 electrons per slot."""
+        """Return a frame that sums numpy's Poisson counts over the open slots, without other
+        effects.
+
+        Raises ValueError for light beyond the range of numpy, about 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
         total = self._dark(np.float64)
         for light, opened in self._slots():
@@ -79,8 +81,8 @@ class Naive:
 
 
 def copy_gb_per_s() -> float:
-    """Return the memory traffic of a copy larger than the caches in GB/s, read and written; the
-    best of several."""
+    """Return the memory traffic in GB/s of copying more than the caches hold, the best of some
+    runs."""
     source = np.ones(_COPIED_BYTES // 8)
     target = np.zeros_like(source)
     best_s = np.inf
@@ -92,5 +94,5 @@ def copy_gb_per_s() -> float:
 
 
 def floor_ms(light: Light, gb_per_s: float) -> float:
-    """Return the time to read a stored scene once at this speed."""
+    """Return the milliseconds for reading a stored scene once at this speed."""
     return light.frames.nbytes / gb_per_s / 1e6

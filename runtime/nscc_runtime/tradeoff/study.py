@@ -1,4 +1,4 @@
-"""Measure the error of the emulator against the reference, and the time of a frame."""
+"""Measure the error of the emulator relative to the reference, and the time of a frame."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _ORDER = (REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING)
 ELECTRONS, LSB = "e", "lsb"
 
 _POOLED, _MOST_POOLED = 65536, 64
-"""Small frames are pooled up to this number of samples, and at most this number of frames."""
+"""Errors of small scenes use more frames, up to `_POOLED` pixels, `_MOST_POOLED` frames."""
 
 PROGRAM = """nsl 1
 frame 16 slots of 1ms
@@ -46,8 +46,6 @@ SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
 
 @dataclass(frozen=True)
 class NamedLight:
-    """Light with a name."""
-
     name: str
     light: Light
 
@@ -56,10 +54,10 @@ class NamedLight:
 class StudySettings:
     """Settings of a study.
 
-    `tolerances` to plan for; `budget` is the one whose plan is shown effect by effect. Tolerances
-    in percent refer to the mean signal of each scene. Errors are over `frames` frames, at least 2,
-    or more up to 65536 pixels or 64 frames; times are medians of `repeats`.
-    """
+    `tolerances`: tolerances to plan for; percentages refer to the mean signal of each scene.
+    `budget`: the tolerance whose plan is shown effect by effect. `frames`: number of frames that
+    errors are averaged over, at least 2; more for small scenes, up to 65536 pixels or 64 frames.
+    `repeats`: number of times of which the median is taken."""
 
     tolerances: tuple[str | float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
     budget: str | float = 5.0
@@ -71,7 +69,7 @@ class StudySettings:
 
 @dataclass(frozen=True)
 class MeasuredPlan:
-    """A plan with its measured error: RMS of the worst bucket."""
+    """A plan for the tolerance `setting`, and its measured RMS error in the worst bucket."""
 
     setting: str
     plan: Plan
@@ -94,8 +92,7 @@ class Study:
 
     `resolution_e`, `resolution_lsb`: RMS difference of two reference frames with different draws.
     `floor_ms`: time to read the scene from memory once. `budget`: the plan for the error budget.
-    `missing`: methods that could not run, with the reasons.
-    """
+    `missing`: methods that could not run, with the reasons."""
 
     scene: str
     points: tuple[Point, ...]
@@ -108,7 +105,7 @@ class Study:
 
 
 Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
-"""Iterates over the work, and may show progress."""
+"""A function that iterates over the work and may show progress."""
 
 
 def measure(
@@ -122,11 +119,10 @@ def measure(
     """Measure the errors of every method on every scene, then the times in turn.
 
     Timing in turn distributes disturbances of the machine over all methods. All random numbers have
-    the seeds of `settings`: plan and reference draw the same numbers. The program is analysed
-    before, which counts for no method. Results in `rows` are not computed again; names of scenes
-    must differ. ValueError for less than 2 frames; Rejected (NS0746) for an invalid tolerance,
-    before anything is measured.
-    """
+    the seeds of `settings`: plan and reference draw the same numbers. The time of analysing the
+    program is not included. Results in `rows` are not computed again; names of scenes must differ.
+    Before measuring, raises ValueError for less than 2 frames and Rejected (NS0746) for an invalid
+    tolerance."""
     if settings.frames < 2 or settings.repeats < 1:
         raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
     watch, rows = Stopwatch(), rows or Rows()
@@ -146,7 +142,7 @@ _Key = tuple[str, str]
 
 @dataclass(eq=False)
 class _Bench:
-    """The measurement of one scene; results are keyed by (method, setting)."""
+    """The measurement of a scene: `plans` by setting; `errors`, `times_ms` by (method, setting)."""
 
     program: AnalysedProgram
     scene: NamedLight
@@ -176,7 +172,6 @@ class _Bench:
         return allowed_on(self._on(self.scene.light), tolerance, None)[0]
 
     def _on(self, light: Light) -> FixedShutters:
-        """Return the program on a scene."""
         program, seed = self.program, self.settings.device_seed
         return FixedShutters(program.container, program.sensor, light, seed, threads=1)
 
@@ -248,7 +243,6 @@ class _Bench:
         return method, setting, self.watch.ms(method, (self.scene.name, setting), run)[1]
 
     def study(self, gb_per_s: float) -> Study:
-        """Return the results."""
         light, errors, rank = self.scene.light, self.errors, _ORDER.index
         points = [
             Point(self.scene.name, *key, errors[key][i], unit, tuple(self.times_ms[key]))
@@ -277,20 +271,20 @@ class _Bench:
         return next(iter(self._planned(plan, 1)))
 
     def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
-        """Yield frames of a scene prepared anew, so that the first includes the sums over slots."""
+        """Return frames under a plan without cached results: the first includes all sums."""
         light = unknown(self.scene.light)
         return self._on(light).frames(plan, self.settings.seed, count)
 
 
 def unknown(light: Light) -> Light:
-    """Return the same light, without cached results."""
+    """Return the same light without cached results."""
     motion = light.motion
     return replace(light, motion=None if motion is None else unknown(motion))
 
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
-    """Return the RMS difference over pixels valid in both and all frames, in electrons and in
-    codes. Each is that of the worst bucket."""
+    """Return the RMS difference in electrons and in codes, each of the worst bucket. Only pixels
+    that are valid in both frames count. Both are infinite if a bucket has no valid pixel."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
     for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid

@@ -18,14 +18,14 @@ from nscc_runtime.tradeoff.study import (
 )
 
 SLACK = 1.1
-"""Largest ratio of measured error to tolerance of a kept promise."""
+"""Largest ratio of measured error to tolerance for which a plan keeps its promise."""
 
 _HEAD = ("method", "setting", "predicted e", "error e", "error LSB", "ms", "spread", "")
 _BUDGET_HEAD = ("effect", "", "RMS e", "bias e", "left out e", "saves ms", "why")
 
 
 def keeps_promise(measured_plan: MeasuredPlan) -> bool:
-    """Return whether the plan kept its promise."""
+    """Return whether the measured error is at most `SLACK` times the tolerance."""
     return measured_plan.measured_e <= SLACK * measured_plan.tolerance_e
 
 
@@ -114,5 +114,5 @@ def _decision(decision: Decision) -> tuple[str, ...]:
 
 
 def _ms(time_ms: float) -> str:
-    """Return milliseconds with three digits, or all digits before the point."""
+    """Return milliseconds with three significant digits, or as a whole number from 100 on."""
     return f"{time_ms:.0f}" if time_ms >= 100 else f"{time_ms:.3g}"
