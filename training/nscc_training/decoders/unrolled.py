@@ -1,4 +1,4 @@
-"""Unrolled projections: a few steps of GAP whose denoisers are learned, for clips of any code."""
+"""Unrolled GAP: alternates projections and learned denoisers, for clips of any code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`nscc design`: programs made for scenes, from their statistics and a sensor's figures.
+"""`nscc design`: compute programs for scenes from the scenes' light and the sensor's noise.
 
 from nscc_training.design import Frame, design_looks
 

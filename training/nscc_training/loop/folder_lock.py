@@ -13,9 +13,11 @@ from nscc.diagnostics.rejection import rejected
 
 @contextmanager
 def locked_folder(folder: Path) -> Iterator[None]:
-    """Make a folder and lock it against other processes until the end of the block. Raises
-    Rejected (NS0848) if another process holds the lock. The lock ends with the process and
-    leaves no file."""
+    """Create a folder and lock it against other processes until the end of the block.
+
+    Raises Rejected (NS0848) if another process holds the lock. The lock ends with the process and
+    leaves no file.
+    """
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
     descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
