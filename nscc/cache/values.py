@@ -14,11 +14,11 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 T = TypeVar("T")
 
 _LARGE = 1 << 53
-"""Larger integers are written as text, because not every JSON reader keeps them exact."""
+"""Integers above this are written as text, because not every JSON reader keeps them exact."""
 
 
 def to_json(value: Any) -> bytes:
-    """A dataclass as one line of JSON; the same value gives the same bytes."""
+    """Return a dataclass as one line of JSON; the same value gives the same bytes."""
     import json
 
     return json.dumps(_plain(value), separators=(",", ":")).encode()

@@ -1,7 +1,7 @@
-"""Targets by name or from a file: built-in tables, tables of other packages, user files.
+"""Loading of targets: built-in tables, tables of other packages, and user files.
 
-A name that ends in `.toml` or contains `/` is a file. In a user's file every key must be known.
-Keys for which the chip's maker published no value may be missing and then have scamp5's value.
+A name that ends in `.toml` or contains `/` is a file. All keys in a user's file must be known. Keys
+whose value the chip's maker has not published are optional; their default is scamp5's value.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def target_from_dict(values: Mapping[str, Any]) -> Target:
 
 
 def target_toml(target: Target) -> str:
-    """A complete, commented table that `load_target` reads back as this target."""
+    """Return a complete, commented target file from which `load_target` reads the same target."""
 
     def remark(key: Key) -> str:
         return f"{key.meaning} ({key.source})" if key.source else key.meaning if key.section else ""
@@ -156,8 +156,7 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """The target with these values; missing keys have their default or scamp5's value. A chip
-    without logic has no registers."""
+    """Return the target with these values; missing keys have their default or scamp5's value."""
     values: dict[str, Any] = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
@@ -177,7 +176,7 @@ def _values(target: Target) -> dict[str, Any]:
 
 
 def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
-    """NS0236 for valid keys that contradict each other."""
+    """Return an error (NS0236) for each pair of valid keys that contradict each other."""
     streamed = key_values.get("kind") == "stream"
     section, find_contradictions = (
         ("stream", tap_contradictions) if streamed else ("registers", contradictions)

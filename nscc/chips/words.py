@@ -11,8 +11,8 @@
     us = 0.2                  # its duration; default: that of the words of its clock
 
 Reset, flag and bus words use the analog clock, flag_digital and digital words the digital clock.
-The effects are fixed, because the proof and the emulator implement them: a target can define words
-with other operands or times, but no new effects.
+The set of effects is fixed, because the proof and the emulator implement them. A target can define
+words with other operands or durations, but no new effects.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ _MOST = 32
 
 
 class OwnWords(Kind):
-    """The `[[words]]` of a target as rows of the table of operations."""
+    """The type of the key `[[words]]`: a list of operations."""
 
     @property
     def allowed(self) -> str:
@@ -150,7 +150,10 @@ def _row(values: Any, who: str) -> Operation:
 
 
 def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
-    """The numbers of registers that a word writes and reads; `who` names the word in errors."""
+    """Return the numbers of registers that a word writes and reads.
+
+    `written_` and `read` are the values in the file; errors call the word `who`.
+    """
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
     if not _is_integer_within(written_, int(effect in _WRITES), most):
@@ -166,7 +169,7 @@ def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int
 
 
 def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
-    """The control lines `names`, in the chip's order."""
+    """Return the numbers of the control lines `names`, in the chip's order."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:
@@ -184,8 +187,9 @@ def _operand_lines(digital: bool) -> frozenset[int]:
 
 
 def _alike(first: Operation, second: Operation) -> bool:
-    """Whether two operations can encode to one word: all control lines equal except those of
-    operands."""
+    """Return whether two operations can have the same encoding: control lines equal except for
+    operands.
+    """
     if first.clock != second.clock:
         return False
     operands = _operand_lines(not first.analog)
@@ -195,7 +199,7 @@ def _alike(first: Operation, second: Operation) -> bool:
 
 
 def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
-    """Whether two ranges of operand counts overlap; None is no limit."""
+    """Return whether two ranges of operand counts overlap; None means no limit."""
     return (second[1] is None or first[0] <= second[1]) and (
         first[1] is None or second[0] <= first[1]
     )
