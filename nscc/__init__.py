@@ -28,7 +28,7 @@ _NAMES = {
     "shutter_program": ("ShutterProgram", "compile", "load"),
     "chips.target": ("Target",),
 }
-"""What is public, by its module."""
+"""The public names, by module."""
 
 __all__ = [
     "Diagnostic",

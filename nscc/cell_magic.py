@@ -27,14 +27,14 @@ from nscc.source import Source
 
 
 class CellRejected(Rejected):
-    """The errors of a cell. IPython shows them without a traceback."""
+    """Raised for errors in a cell; IPython shows them without a traceback."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
 
 
 class _Usage(Exception):
-    """Invalid options in the first line of a cell."""
+    """Raised for invalid options in the first line of a cell."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
@@ -66,7 +66,9 @@ def load_ipython_extension(shell: Any) -> None:
     """
 
     def nsl(line: str, cell: str) -> ShutterProgram:
-        """Compile the cell, show its shutters and costs; NAME, if given, becomes the program."""
+        """Compile the cell, show its shutters and costs, and assign the program to NAME if
+        given.
+        """
         try:
             arguments = vars(_line().parse_args(shlex.split(line)))
         except ValueError as error:

@@ -7,7 +7,7 @@ from functools import cache
 
 _MODULES = {"cv2": "opencv-python-headless", "PIL": "pillow", "pillow_heif": "pillow-heif",
             "serial": "pyserial", "OpenEXR": "openexr", "pyxel": "pyxel-sim"}  # fmt: skip
-"""Modules whose distribution has another name."""
+"""Distributions whose name differs from the name of their module, by module."""
 
 _REQUIREMENT = re.compile(
     r"""(?P<name>[\w.-]+)\s*(?:\[[\w,\s-]*\])?[^;]*(?:;.*\bextra\s*==\s*['"](?P<extra>[\w-]+)['"])?"""
@@ -16,8 +16,10 @@ _REQUIREMENT = re.compile(
 
 @cache
 def extras() -> dict[str, str]:
-    """The smallest extra that installs each distribution, "" for required ones. Empty if nscc is
-    not installed but runs from its sources."""
+    """Return for each distribution the smallest extra that installs it, "" for required ones.
+
+    Empty if nscc is not installed but runs from its sources.
+    """
     from importlib import metadata
 
     try:

@@ -1,4 +1,4 @@
-"""Source text and places in it."""
+"""Source texts, and places in them."""
 
 from __future__ import annotations
 
@@ -21,8 +21,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Source:
-    """A decoded text and the name that messages show for it. `name` is the path as the user wrote
-    it."""
+    """A text, and its name in messages: the path as the user wrote it."""
 
     name: str
     text: str

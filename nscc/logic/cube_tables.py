@@ -23,9 +23,9 @@ from nscc.truth import set_bits, union
 class BumpCubes:
     """Cubes over `planes` planes for bumps that touch the groups i to j of slots.
 
-    `rises[k]`, one cube or two, contain the bumps with i = k, and none with k < i or j < k.
+    `rises[k]`, one or two cubes, contain the bumps with i = k, and none with k < i or j < k.
     `falls[k]`, for all groups except the last, contains the bumps with j = k, and none with i <= k
-    < j. Opening open shutters and closing closed ones is harmless.
+    < j. Opening open shutters and closing closed shutters has no effect.
     """
 
     planes: int
@@ -34,7 +34,7 @@ class BumpCubes:
 
     @staticmethod
     def of(planes: int, groups: int) -> BumpCubes | None:
-        """The cubes for these numbers of groups and planes; None if no table has them."""
+        """Return the cubes for these numbers of planes and groups; None if no table has them."""
         known = [t for t in _bump_tables() if t.planes <= planes and len(t.rises) >= groups]
         best = min(known, key=lambda t: (-t.planes, len(t.rises)), default=None)
         return best and BumpCubes(best.planes, best.rises[:groups], best.falls[: groups - 1])
@@ -52,7 +52,7 @@ class BumpCubes:
 
 @cache
 def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """Codes of `count` numbers, and for each a cube that contains its code and no other."""
+    """Return codes of `count` numbers, and for each number a cube that contains only its code."""
     known = [rows for width, rows in _tables("numbers") if width == planes and len(rows) >= count]
     if not known:
         codes = cycle(count, planes)
@@ -67,7 +67,7 @@ def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, 
 
 @cache
 def _codes_in(cubes: Iterable[Cube], planes: int) -> int:
-    """The codes in any of the cubes, as a bit mask."""
+    """Return the codes in any of the cubes, as a bit mask."""
     return sum(
         1 << code
         for code in range(1 << planes)
@@ -86,7 +86,7 @@ def _bump_tables() -> tuple[BumpCubes, ...]:
 
 
 def _tables(kind: str) -> list[tuple[int, list[str]]]:
-    """The tables of a kind: the number of planes, and a row for each group or number."""
+    """Return the tables of a kind: the number of planes, and a row for each group or number."""
     return [(table["planes"], table["rows"].strip().splitlines()) for table in _file()[kind]]
 
 

@@ -1,4 +1,4 @@
-"""One layer for all TOML files: keys are declared once, then read, explained, changed and written.
+"""Declaration, reading, changing and writing of TOML files with a fixed set of keys.
 
 Targets, sensors and training runs are each a `Schema` of `Key` rows. Existing libraries do not
 suffice: msgspec stops at the first error; pydantic and cattrs collect errors, but none of the three
