@@ -1,4 +1,4 @@
-"""A lowered program as a container: encoded words, schedule, encoding, codes."""
+"""Conversion of a lowered program to a container: encoded words, schedule, encoding, codes."""
 
 from __future__ import annotations
 

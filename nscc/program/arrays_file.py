@@ -1,4 +1,4 @@
-"""Reading integer arrays from untrusted .npz files.
+"""Reading of integer arrays from untrusted .npz files.
 
 Declared sizes are checked before unpacking, pickled objects are refused, and every failure is a
 `Rejected` (status 2) without a place in a program.
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from zipfile import ZipFile
 
 MOST_FILE_BYTES = 2**27
-"""Largest file to read: twice the largest codebook, unpacked."""
+"""Largest file to read, in bytes: twice the largest unpacked codebook."""
 
 _MOST_KEYS = 4096
 _MOST_HEADER_BYTES = 2**16
@@ -33,7 +33,9 @@ _MOST_HEADER_BYTES = 2**16
 
 class ArraysFile:
     """An open .npz file: its `keys` in stored order, and the `sha256` of the file in hexadecimal.
-    `shown` is the path as the user wrote it."""
+
+    `shown` is the path as the user wrote it.
+    """
 
     def __init__(self, path: Path, shown: str) -> None:
         self.shown = clipped(shown, 80)
@@ -46,7 +48,7 @@ class ArraysFile:
 
     @property
     def sha256(self) -> str:
-        """Digest of the file's bytes."""
+        """The SHA-256 digest of the file in hexadecimal."""
         from hashlib import sha256
 
         return sha256(self._data).hexdigest()
@@ -70,8 +72,11 @@ class ArraysFile:
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
-        """The array `key` with an integer dtype (or bool, with `bools`) and at most `most` values.
-        Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array."""
+        """Return the array `key` with an integer dtype (or bool, with `bools`) and at most `most`
+        values.
+
+        Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array.
+        """
         if key not in self.keys:
             raise self._missing(key)
         from zipfile import BadZipFile
