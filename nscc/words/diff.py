@@ -22,7 +22,7 @@ _MOST_LINES = 200
 
 
 def differences(first: Container, second: Container) -> list[str]:
-    """The changes from `first` to `second`; empty if the files are equal."""
+    """Return the changes from `first` to `second`; empty if the files are equal."""
     if to_bytes(first) == to_bytes(second):
         return []
     lines: list[str] = []
@@ -58,7 +58,7 @@ def _target(first: Container, second: Container) -> Iterator[str]:
 
 
 def _flat(target: Mapping[str, Any]) -> dict[str, Any]:
-    """The keys of a target with their sections."""
+    """Return the keys of a target, with their sections."""
     flat: dict[str, Any] = {}
     for name, value in target.items():
         keys = value.items() if isinstance(value, dict) else ()
@@ -138,7 +138,7 @@ def _at_instants(container: Container) -> dict[int, tuple[str, ...]]:
 
 
 def _schedule(first: Container, second: Container) -> Iterator[str]:
-    """Instants with different launches, grouped by change."""
+    """Yield the boundaries with different launches, grouped by change."""
     old, new = _at_instants(first), _at_instants(second)
     changes: dict[tuple[tuple[str, ...], tuple[str, ...]], list[int]] = {}
     for instant in sorted(old.keys() | new.keys()):
@@ -175,7 +175,7 @@ def _codes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:
-    """Differences of the bit planes of chips without logic."""
+    """Yield the differences of bit planes, for chips without logic."""
     old, new = first.stream, second.stream
     if old is not None and new is not None:
         yield from _rows("bits of slots", old.planes, new.planes)
@@ -184,7 +184,7 @@ def _planes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _rows(subject: str, old: NDArray[Any], new: NDArray[Any]) -> Iterator[str]:
-    """The rows in which arrays of equal shape differ."""
+    """Yield the rows in which arrays of equal shape differ."""
     if old.shape == new.shape and not np.array_equal(old, new):
         changed = (old != new).any(axis=tuple(range(1, old.ndim)))
         yield f"other {subject} {_cut(ranges_text(np.flatnonzero(changed).tolist()))}"

@@ -1,4 +1,4 @@
-"""Storage of a machine in a container file: header, arrays and checks."""
+"""Storage of a state machine in a container file: header, arrays and checks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[StateMachine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
-"""The level of a launch without one."""
+"""The stored level of a launch that does not set IN."""
 _LARGEST = 2**62
 _WIDTH = 96
 
@@ -48,7 +48,7 @@ def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[
 def layout_of(
     header: Mapping[str, Any], buckets: int, slots: int
 ) -> list[tuple[str, str, tuple[int, ...]]]:
-    """The machine's arrays in order: name, type and shape; "?" is bit-packed."""
+    """Return the machine's arrays in order: name, type and shape; "?" is bit-packed."""
     nodes, states = header["first"][-1], len(header["states"])
     return [
         ("behaviour", "<i4", (nodes,)),
@@ -62,7 +62,7 @@ def layout_of(
 
 
 def check_header(header: Any) -> None:
-    """Check the structure of a machine's header; raises ValueError."""
+    """Check the structure of a machine's header; raise ValueError if it is invalid."""
     complete = isinstance(header, dict) and header.keys() == {
         "states", "comparisons", "first", "looks", "outcomes", "planes",
     }  # fmt: skip
@@ -130,7 +130,7 @@ def machine_from(
 
 
 def to_text(container: Container) -> Iterator[str]:
-    """The `.machine` lines of assembly text: base64 of the header and the arrays."""
+    """Yield the `.machine` lines of assembly text: base64 of the header and the arrays."""
     machine = container.machine
     assert machine is not None
     header = {**header_of(machine, container.state_planes), "levels": _levels(container)}
@@ -151,8 +151,9 @@ def _levels(container: Container) -> list[int | None]:
 
 
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
-    """The inverse of `to_text`: machine, state encodings and levels of launches; None if
-    invalid."""
+    """Return machine, state encodings and levels of launches from `.machine` lines; None if
+    invalid.
+    """
     try:
         data = b64decode(text, validate=True)
         size = int.from_bytes(data[:4], "little")
@@ -180,7 +181,7 @@ def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None
 
 
 def faults(container: Container) -> Iterator[str]:
-    """The errors of a container's machine, each as part of a sentence."""
+    """Yield the errors of a container's machine, each as part of a sentence."""
     machine = container.machine
     if machine is None:
         if any(launch.level is not None for launch in container.launches):
