@@ -46,7 +46,7 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """The parser of a cell's first line, with the options of `nscc build`."""
+    """Return the parser of a cell's first line, with the options of `nscc build`."""
     parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
     parser.add_argument("name", nargs="?", metavar="NAME")
     parser.add_argument("-O", dest="level", type=int, choices=LEVELS)

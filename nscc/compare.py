@@ -100,7 +100,7 @@ def compared_text(chips: Sequence[OnChip]) -> str:
 
 
 def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
-    """The comparison as JSON values; unknown values are null."""
+    """Return the comparison as JSON values; unknown values are null."""
     return [
         {
             "target": chip.target.name,

@@ -66,7 +66,7 @@ def contents(path: Path) -> tuple[str, bytes]:
 
 
 def example(name: str) -> Path:
-    """The path of an example; raises Rejected (NS0787) for an unknown name."""
+    """Return the path of an example; raise Rejected (NS0787) for an unknown name."""
     known = examples()
     path = known.get(name.removesuffix(".nsl"))
     if path is None:

@@ -64,7 +64,7 @@ def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
 
 
 def file_sha256(path: Path) -> str:
-    """The SHA-256 of a file in hexadecimal, read block by block."""
+    """Return the SHA-256 of a file in hexadecimal, read block by block."""
     from hashlib import file_digest
 
     with open(path, "rb") as file:

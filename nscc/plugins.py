@@ -41,7 +41,7 @@ def sources(group: Group) -> dict[str, str]:
 
 @cache
 def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
-    """The objects and their modules by name, loaded once."""
+    """Return the objects and their modules by name, loaded once."""
     # Importing takes 20 ms, which commands without plugins should not spend.
     from importlib.metadata import entry_points
 

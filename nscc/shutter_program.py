@@ -421,7 +421,7 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
 
 
 def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
-    """A program's text, and the folder for its relative paths."""
+    """Return a program's text, and the folder for its relative paths."""
     if not isinstance(source, str | os.PathLike):
         raise wrong_argument(
             f"nscc.compile takes a program's path or its text, not {shown(source)}",

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 
 def columns(bits: NDArray[np.bool_]) -> list[int]:
-    """The truth vectors of the columns of `bits` (shutters, columns)."""
+    """Return the truth vectors of the columns of `bits` (shutters, columns)."""
     packed = np.packbits(np.ascontiguousarray(bits.T), axis=1, bitorder="little")
     return [int.from_bytes(row.tobytes(), "little") for row in packed]
 
@@ -49,12 +49,12 @@ def vector(shutters: NDArray[np.intp]) -> int:
 
 
 def union(vectors: Iterable[int]) -> int:
-    """The OR of all vectors."""
+    """Return the OR of all vectors."""
     return reduce(or_, vectors, 0)
 
 
 def set_bits(mask: int) -> tuple[int, ...]:
-    """The positions of the 1 bits, ascending."""
+    """Return the positions of the 1 bits, ascending."""
     places = []
     while mask:
         low = mask & -mask

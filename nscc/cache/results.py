@@ -72,7 +72,7 @@ class Result:
 
 
 def results_of_user() -> Results | None:
-    """The results in the user's cache folder; None if the cache is off."""
+    """Return the results in the user's cache folder; None if the cache is off."""
     folder = cache_folder()
     return None if folder is None else Results(Store(folder))
 

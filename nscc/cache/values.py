@@ -25,7 +25,9 @@ def to_json(value: Any) -> bytes:
 
 
 def from_json(kind: type[T], data: bytes) -> T:
-    """The inverse of `to_json`; raises ValueError for data that `to_json` cannot have written."""
+    """Return the inverse of `to_json`; raise ValueError for data that `to_json` cannot have
+    written.
+    """
     import json
 
     try:

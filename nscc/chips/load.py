@@ -30,13 +30,13 @@ _TABLES = Path(__file__).with_name("tables")
 
 
 def builtin_names() -> tuple[str, ...]:
-    """The names of the built-in targets, sorted."""
+    """Return the names of the built-in targets, sorted."""
     return tuple(sorted(path.stem for path in _TABLES.glob("*.toml")))
 
 
 @cache
 def builtin_target(name: str) -> Target:
-    """The built-in target `name`, which must exist."""
+    """Return the built-in target `name`, which must exist."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
     key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
@@ -45,15 +45,16 @@ def builtin_target(name: str) -> Target:
 
 
 def target_names() -> tuple[str, ...]:
-    """The names of all targets, the built-in ones first."""
+    """Return the names of all targets, the built-in ones first."""
     return (*builtin_names(), *added_targets())
 
 
 @cache
 def added_targets() -> dict[str, Target]:
-    """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
-    Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name that
-    differs from the one in the table, and for an invalid table."""
+    """Return the targets that installed packages add: each a `Target`, TOML text, or the path of a
+    file. Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name
+    that differs from the one in the table, and for an invalid table.
+    """
     return {
         name: _added(name, value)
         for name, value in added("nscc.targets", builtin_names()).items()
@@ -67,7 +68,8 @@ def load_target(
     source: Source | None = None,
     span: Span | None = None,
 ) -> Target:
-    """The target that a `target` statement or `--target` names; files are relative to `base`.
+    """Return the target that a `target` statement or `--target` names; files are relative to
+    `base`.
 
     `source` and `span` are the place of the name, for messages. Raises Rejected: NS0230 for an
     unknown name, NS0231 (status 2) for an unreadable file, NS0232 to NS0236 for all errors in a
@@ -98,12 +100,16 @@ def load_target(
 
 
 def target_dict(target: Target) -> dict[str, Any]:
-    """The target as JSON values: sections of keys in the order of a file, every key present."""
+    """Return the target as JSON values: sections of keys in the order of a file, every key
+    present.
+    """
     return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
-    """The inverse of `target_dict`; ValueError with the first error of invalid values."""
+    """Return the inverse of `target_dict`; raise `ValueError` with the first error of invalid
+    values.
+    """
     key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
     problems += _contradictions(key_values)
     if problems:
@@ -192,7 +198,7 @@ def _contradictions(key_values: KeyValues, source: Source | None = None) -> list
 
 
 def _added(name: str, value: object) -> Target:
-    """The target `name` that a package adds as `value`."""
+    """Return the target `name` that a package adds as `value`."""
     reason = "its table is wrong"
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

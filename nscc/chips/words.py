@@ -77,7 +77,7 @@ class OwnWords(Kind):
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """The lines of a target file that define these words."""
+    """Return the lines of a target file that define these words."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
@@ -100,8 +100,9 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """The operation that one `[[words]]` table defines; ValueError with the reason if it is
-    invalid."""
+    """Return the operation that one `[[words]]` table defines; raise `ValueError` with the reason
+    if it is invalid.
+    """
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -181,7 +182,7 @@ def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
 
 
 def _operand_lines(digital: bool) -> frozenset[int]:
-    """The control lines that select the registers a word reads and writes."""
+    """Return the control lines that select the registers a word reads and writes."""
     reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 

@@ -190,7 +190,7 @@ def _visible(text: str) -> str:
 
 
 def _width(text: str) -> int:
-    """The number of terminal columns of a text."""
+    """Return the number of terminal columns of a text."""
     if text.isascii():
         return len(text)
     from unicodedata import combining, east_asian_width

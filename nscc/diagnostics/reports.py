@@ -42,7 +42,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
 
 
 def sarif(diagnostics: Sequence[Diagnostic]) -> str:
-    """A SARIF log of one run; results are in the order of `diagnostics`."""
+    """Return a SARIF log of one run; results are in the order of `diagnostics`."""
     codes = sorted({diagnostic.code for diagnostic in diagnostics})
     rules = [{"id": code, "name": names().get(code, code)} for code in codes]
     driver = {"name": "nscc", "version": __version__, "rules": rules}

@@ -44,7 +44,7 @@ class OutlineEntry:
 
 
 def outline(document: Document) -> list[OutlineEntry]:
-    """The named statements, the frame and the rule, in the order of the text."""
+    """Return the named statements, the frame and the rule, in the order of the text."""
     entries = []
     for statement in document.parsed[0].statements:
         kind = _KINDS.get(type(statement))

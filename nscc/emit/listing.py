@@ -126,7 +126,7 @@ def proof_text(proof: Proof) -> str:
 
 
 def text_after(name: str, value: Any) -> str:
-    """The output of pass `name` of `nscc.pipeline.PASSES` as text."""
+    """Return the output of pass `name` of `nscc.pipeline.PASSES` as text."""
     texts: dict[str, Callable[[Any], str]] = {
         "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,

@@ -185,7 +185,7 @@ class KernelFinder:
 
 
 def of_kind(network: nx.DiGraph, *kinds: str) -> list[str]:
-    """The nodes of these kinds, in the network's order."""
+    """Return the nodes of these kinds, in the network's order."""
     return [node for node, kind in network.nodes(data="kind") if kind in kinds]
 
 
@@ -228,7 +228,7 @@ def registers_needed(network: nx.DiGraph) -> int:
 
 
 def graphml_bytes(network: nx.DiGraph) -> bytes:
-    """The network as GraphML."""
+    """Return the network as GraphML."""
     out = io.BytesIO()
     # Named explicitly: `write_graphml` selects another writer if lxml is installed.
     nx.write_graphml_xml(network, out)
@@ -273,5 +273,5 @@ def _label(node: dict[str, str | int]) -> list[str]:
 
 
 def _quoted(lines: Iterable[str]) -> str:
-    """A DOT string of these lines; JSON escapes the same characters."""
+    """Return a DOT string of these lines; JSON escapes the same characters."""
     return '"' + "\\n".join(json.dumps(line, ensure_ascii=False)[1:-1] for line in lines) + '"'

@@ -17,7 +17,7 @@ from nscc.words.cost import refresh_count
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """The build report as JSON values, as `--emit report` writes them."""
+    """Return the build report as JSON values, as `--emit report` writes them."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     slots = len(program.frame.slot_us)
@@ -68,7 +68,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
 
 
 def report_bytes(values: dict[str, Any]) -> bytes:
-    """The report as the bytes of a file."""
+    """Return the report as the bytes of a file."""
     return (json.dumps(values, indent=2) + "\n").encode()
 
 

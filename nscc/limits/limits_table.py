@@ -79,7 +79,7 @@ def _trials_text(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """The survey as JSON values: sizes, reasons and all trials."""
+    """Return the survey as JSON values: sizes, reasons and all trials."""
     return {
         "target": target.name,
         "level": level,

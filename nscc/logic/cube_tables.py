@@ -40,7 +40,7 @@ class BumpCubes:
         return best and BumpCubes(best.planes, best.rises[:groups], best.falls[: groups - 1])
 
     def code(self, first: int, last: int) -> int:
-        """The smallest code of a bump that touches the groups `first` to `last`."""
+        """Return the smallest code of a bump that touches the groups `first` to `last`."""
         rising = [_codes_in(cubes, self.planes) for cubes in self.rises]
         falling = [_codes_in((cube,), self.planes) for cube in self.falls]
         allowed = rising[first]

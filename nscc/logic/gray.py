@@ -17,7 +17,7 @@ Numbers = TypeVar("Numbers", int, NDArray[np.int64])
 
 
 def gray(number: Numbers) -> Numbers:
-    """The reflected binary Gray code of a number."""
+    """Return the reflected binary Gray code of a number."""
     return number ^ (number >> 1)
 
 

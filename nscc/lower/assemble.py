@@ -13,7 +13,7 @@ from nscc.words.encoding import encode
 
 
 def assemble(lowered: Lowered, level: int) -> Container:
-    """The complete container of a lowered program."""
+    """Return the complete container of a lowered program."""
     program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
     target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)

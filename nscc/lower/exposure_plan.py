@@ -130,7 +130,7 @@ def plan_exposures(program: Program, option: LoweringOption) -> Planned:
 
 
 def frame_time(program: Program) -> Timeline:
-    """The timeline of the program's frame."""
+    """Return the timeline of the program's frame."""
     return timeline(program.frame.slot_us, len(program.buckets), program.target)
 
 

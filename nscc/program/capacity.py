@@ -19,7 +19,7 @@ It does not decrease with the size.
 
 
 def bits_needed(shutters: int) -> int:
-    """The fewest one-bit registers that distinguish this number of shutters."""
+    """Return the fewest one-bit registers that distinguish this number of shutters."""
     return max(0, (shutters - 1).bit_length())
 
 

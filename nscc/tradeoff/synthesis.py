@@ -168,7 +168,9 @@ def every_way(
 
 
 def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
-    """The compiled program, or the error if it does not fit; raises Rejected for other errors."""
+    """Return the compiled program, or the error if it does not fit; raise Rejected for other
+    errors.
+    """
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,

@@ -27,7 +27,7 @@ def name_text(name: str) -> str:
 
 
 def number_text(value: float) -> str:
-    """The shortest decimal number that reads back as `value`."""
+    """Return the shortest decimal number that reads back as `value`."""
     return repr(float(value)).removesuffix(".0")
 
 

@@ -161,7 +161,9 @@ class Container:
         return self.notes.get("table") != "none"
 
     def planes(self) -> dict[str, NDArray[np.bool_]]:
-        """The bit planes of the code (rows, cols), by register; empty without `pixel_codes`."""
+        """Return the bit planes of the code (rows, cols), by register; empty without
+        `pixel_codes`.
+        """
         if self.pixel_codes is None:
             return {}
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)

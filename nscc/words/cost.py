@@ -40,7 +40,7 @@ class FrameCost:
 
 
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
-    """The cost of words without a launch."""
+    """Return the cost of words without a launch."""
     analog = digital = 0
     own_us = []
     for word in words:
@@ -87,13 +87,13 @@ def refresh_count(words: Sequence[Op]) -> int:
 
 
 def kernel_cost(kernel: StoredKernel, target: Target) -> WordsCost:
-    """The cost of one launch of a kernel."""
+    """Return the cost of one launch of a kernel."""
     cost = words_cost(kernel.words, target)
     return WordsCost(cost.words, cost.us + target.launch_us)
 
 
 def frame_cost(container: Container) -> FrameCost:
-    """The cost of one frame of a container."""
+    """Return the cost of one frame of a container."""
     costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]
     at_instant = [0.0] * (container.slots + 1)
     words = 0

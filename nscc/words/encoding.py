@@ -52,7 +52,7 @@ _EXTRAS_A_WORD = 13
 
 
 def _bit(line: int) -> int:
-    """The 160-bit integer in which only control line `line` is raised."""
+    """Return the 160-bit integer in which only control line `line` is raised."""
     if line < FIRST_EXTRA_LINE:
         return 1 << (32 * (line // 16) + line % 16)
     extra = line - FIRST_EXTRA_LINE

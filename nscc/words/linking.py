@@ -283,7 +283,7 @@ def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTa
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """The decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
+    """Return the decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):

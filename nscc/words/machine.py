@@ -102,7 +102,7 @@ class StateMachine:
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
-        """The comparisons at a boundary."""
+        """Return the comparisons at a boundary."""
         return tuple(
             comparison for comparison in self.comparisons if comparison.boundary == boundary
         )
@@ -121,7 +121,7 @@ class StateMachine:
         return 0 if stage == 0 else self.looks[stage - 1]
 
     def ends(self, stage: int) -> int:
-        """The boundary of the look at the end of a stage; N for the last stage."""
+        """Return the boundary of the look at the end of a stage; N for the last stage."""
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
     def start_nodes(self) -> NDArray[np.int64]:

@@ -26,7 +26,7 @@ _WIDTH = 96
 
 
 def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
-    """The JSON header of a machine."""
+    """Return the JSON header of a machine."""
     return {
         "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
         "comparisons": [[c.boundary, c.signal, c.level] for c in machine.comparisons],
@@ -110,7 +110,7 @@ def _is_count(value: Any) -> bool:
 def machine_from(
     header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
 ) -> tuple[StateMachine, dict[str, StatePlanes]]:
-    """The machine and the encodings of its states, from a checked header and its arrays."""
+    """Return the machine and the encodings of its states, from a checked header and its arrays."""
     machine = StateMachine(
         states=tuple(State(*state) for state in header["states"]),
         comparisons=tuple(Comparison(*entry) for entry in header["comparisons"]),

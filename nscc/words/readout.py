@@ -31,7 +31,7 @@ class Preparation:
 
 
 def preparation_of(container: Container) -> Preparation:
-    """The words before the readout of a container's registers."""
+    """Return the words before the readout of a container's registers."""
     target = container.target
     copy = _free(container)
     # Readout would skip pixels without FLAG.

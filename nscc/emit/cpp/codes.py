@@ -77,7 +77,7 @@ class CodeLoading:
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """The calls of the kernel that refreshes every code register."""
+        """Return the calls of the kernel that refreshes every code register."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
@@ -99,12 +99,12 @@ class CodeLoading:
         return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """The calls of the kernel that adds one pattern."""
+        """Return the calls of the kernel that adds one pattern."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
     def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
-        """The kernels of one load."""
+        """Return the kernels of one load."""
         kernels = [self.clear_calls(load)]
         if load.gathered and load.scratch:
             kernels.append(self.add_calls(load))

@@ -40,13 +40,13 @@ def safe(text: str) -> str:
 
 
 def comment(text: str, indent: str = "") -> list[str]:
-    """A `//` comment, wrapped to several lines."""
+    """Return a `//` comment, wrapped to several lines."""
     head = f"{indent}// "
     return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
 
 
 def entry(title: str, text: str) -> list[str]:
-    """An entry of the header comment: a title column and wrapped text."""
+    """Return an entry of the header comment: a title column and wrapped text."""
     first, *following_lines = comment(text, " " * 11)
     return [
         f"// {title:<11}{first[14:]}",
@@ -66,7 +66,7 @@ def _literal_byte(byte: int) -> str:
 
 
 def call_text(call: Call) -> str:
-    """A library call as C++."""
+    """Return a library call as C++."""
     name, operands = call
     return f"{name}({', '.join(operands)});"
 

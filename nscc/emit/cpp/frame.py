@@ -79,7 +79,7 @@ class LaunchSchedule:
 
 
 def schedule_of(container: Container) -> LaunchSchedule:
-    """The launch schedule of a container."""
+    """Return the launch schedule of a container."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -96,7 +96,7 @@ def schedule_of(container: Container) -> LaunchSchedule:
 
 
 def exact(value: float) -> Fraction:
-    """The decimal fraction that prints as `value`."""
+    """Return the decimal fraction that prints as `value`."""
     return Fraction(Decimal(repr(float(value))))
 
 
@@ -153,7 +153,7 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
 
 
 def kernel_name(number: int) -> str:
-    """The C++ name of a kernel."""
+    """Return the C++ name of a kernel."""
     return f"k{number}"
 
 
@@ -213,7 +213,7 @@ def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
 
 
 def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
-    """The C++ function that runs a frame."""
+    """Yield the C++ function that runs a frame."""
     moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
     after = template_lines("after" if schedule.in_whole_us else "after_parts")
     settle = (

@@ -169,7 +169,7 @@ class FrameContext:
         return times
 
     def names(self) -> list[str]:
-        """The names of all registers."""
+        """Return the names of all registers."""
         kinds = (("p", self.planes), ("s", self.states), ("t", self.scratch))
         return [*(f"{kind}{i}" for kind, count in kinds for i in range(count)), "FLAG"]
 

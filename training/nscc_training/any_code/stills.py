@@ -80,7 +80,7 @@ def coded_light(light: Tensor) -> Tensor:
 
 
 def light_of(coded: Tensor) -> Tensor:
-    """The inverse of `coded_light`."""
+    """Return the inverse of `coded_light`."""
     return torch.expm1(coded.float().clamp(0, 1.5) * _SPAN) * _FLOOR
 
 
