@@ -6,8 +6,7 @@
     code stop : 1..256
     open when n < stop
 
-shows the open times of shutters and the cost in words, and assigns the program to `stops`.
-"""
+shows the open times of shutters and the cost in words, and assigns the program to `stops`."""
 
 from __future__ import annotations
 
@@ -67,8 +66,7 @@ def load_ipython_extension(shell: Any) -> None:
 
     def nsl(line: str, cell: str) -> ShutterProgram:
         """Compile the cell, show its shutters and costs, and assign the program to NAME if
-        given.
-        """
+        given."""
         try:
             arguments = vars(_line().parse_args(shlex.split(line)))
         except ValueError as error:

@@ -10,8 +10,7 @@ def columns(
 ) -> str:
     """Format rows of equal length as lines of aligned columns.
 
-    Columns in `left_aligned` (None: all) are aligned to the left, others to the right.
-    """
+    Columns in `left_aligned` (None: all) are aligned to the left, others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
 
     def line(row: Sequence[str]) -> str:

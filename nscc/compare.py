@@ -46,8 +46,7 @@ def compare(
 ) -> list[OnChip]:
     """Compile the program in a file for each chip.
 
-    Raises Rejected for errors that do not depend on the chip: syntax, names and types.
-    """
+    Raises Rejected for errors that do not depend on the chip: syntax, names and types."""
     return [_on(path, target, level, noise_of) for target in targets]
 
 
@@ -83,8 +82,7 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
 
 def compared_text(chips: Sequence[OnChip]) -> str:
     """Return a table with one column for each chip, then errors and alternatives for chips it does
-    not fit.
-    """
+    not fit."""
     rows: list[tuple[str, ...]] = [("", *(chip.target.name for chip in chips))]
     for title, cell_text in _ROWS.items():
         rows.append((title, *(cell_text(chip) for chip in chips)))

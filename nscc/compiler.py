@@ -30,8 +30,7 @@ def compile_source(
     """Compile a program's text; paths in it are relative to the folder `base`.
 
     Raises Rejected with all errors. If the only error is that the program does not fit, similar
-    programs are compiled, and the diagnostics suggest those that fit.
-    """
+    programs are compiled, and the diagnostics suggest those that fit."""
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:

@@ -35,8 +35,7 @@ def load_container(
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
     """Read an `.icw` file, or compile a program with `options`; return container and messages.
 
-    Raises Rejected if a program does not compile or a file cannot be read.
-    """
+    Raises Rejected if a program does not compile or a file cannot be read."""
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
@@ -54,8 +53,7 @@ def with_pixels(
     own.
 
     Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
-    and the errors of `codes_from_file` and `codes_from_arrays`.
-    """
+    and the errors of `codes_from_file` and `codes_from_arrays`."""
     target, fields = container.target, container.table.fields
     if pixels is not None:
         size = (container.table, target.rows, target.cols)

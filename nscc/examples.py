@@ -44,8 +44,7 @@ def examples() -> Mapping[str, Path]:
     """Return the paths of example programs, configurations and tutorials by name, without `.nsl`.
 
     The name of a tutorial is that of its notebook; its path is the page from which `contents` makes
-    the notebook.
-    """
+    the notebook."""
     files = sorted(path for path in _folder("example_files", "examples").iterdir()
                    if path.suffix in _ENDINGS)  # fmt: skip
     known = {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
@@ -84,8 +83,7 @@ def example(name: str) -> Path:
 def about(path: Path) -> str:
     """Return the description of an example.
 
-    It is a tutorial's title, or the first sentence of the comment at the start of a file.
-    """
+    It is a tutorial's title, or the first sentence of the comment at the start of a file."""
     lines = path.read_text(encoding="utf-8").splitlines()
     if path.suffix == ".md":
         title = next((line for line in lines if line.startswith("# ")), "")

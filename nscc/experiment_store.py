@@ -38,8 +38,7 @@ class Timing:
     """The duration of a measurement in seconds, its end (in seconds since the epoch), and its
     worker.
 
-    `label` describes the measurement for people.
-    """
+    `label` describes the measurement for people."""
 
     name: str
     label: str
@@ -55,8 +54,7 @@ class ExperimentStore:
     that has the claim of a name measures it, and the others wait for the result. A claim ends with
     its process. The first value that is written for a name is never replaced.
 
-    Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store.
-    """
+    Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -112,8 +110,7 @@ class ExperimentStore:
         worker: str = "",
     ) -> None:  # fmt: skip
         """Store a measurement; ValueError for None, NaN and infinity, which JSON cannot
-        represent.
-        """
+        represent."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
         self._database.execute(
@@ -132,8 +129,7 @@ class ExperimentStore:
         """Return a stored measurement, or call `measure` and store its result.
 
         If another process has the claim, wait for its result. Results pass through JSON, so tuples
-        become lists.
-        """
+        become lists."""
         while (value := self.get(experiment, name)) is None:
             if not self.claim(experiment, name):
                 sleep(_POLL_S)

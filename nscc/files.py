@@ -53,8 +53,7 @@ def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
     """Read an input file, and record it with `reads`.
 
     Raises OSError if it cannot be read, and ValueError if it has more than `most_bytes`. The size
-    on disk is not used, because devices have none.
-    """
+    on disk is not used, because devices have none."""
     reads(path)
     with open(path, "rb") as file:
         data = file.read(most_bytes + 1)
@@ -74,8 +73,7 @@ def file_sha256(path: Path) -> str:
 def write_whole(path: Path, data: Product) -> None:
     """Write a file atomically, with the permissions of the file that it replaces.
 
-    Raises Rejected (NS0784, status 2) if it cannot be written.
-    """
+    Raises Rejected (NS0784, status 2) if it cannot be written."""
     write_together({path: data})
 
 
@@ -83,8 +81,7 @@ def write_together(products: Mapping[Path, Product]) -> None:
     """Write several files; none is replaced before all data is on the disk.
 
     Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,
-    NS0785 if it is an input of the same command (`reads`) and would change.
-    """
+    NS0785 if it is an input of the same command (`reads`) and would change."""
     for path, data in products.items():
         _refuse_input(path, data)
     waiting: list[tuple[Path, Path]] = []
@@ -130,8 +127,7 @@ def write_new(products: Mapping[Path, Product]) -> None:
 def refuse_same(paths: Collection[Path], options: str) -> None:
     """Raise Rejected (NS0745, status 2) if two products have the same path.
 
-    `options` are the options that name the paths.
-    """
+    `options` are the options that name the paths."""
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
             "NS0745",
@@ -165,8 +161,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     """Write to a temporary file beside `path`, with the permissions of an existing file.
 
     Returns the pair (temporary, final path); pipes and devices are written directly and return no
-    pair.
-    """
+    pair."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
     # The name itself is checked, because the target of a descriptor's link need not have a path.
@@ -198,8 +193,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 def _temporary_beside(final: Path) -> Path:
     """Return a short file name beside `final` that no other write uses.
 
-    It consists of a digest of file and machine name, the process number, and a count of writes.
-    """
+    It consists of a digest of file and machine name, the process number, and a count of writes."""
     from hashlib import sha256
 
     digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]

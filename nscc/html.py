@@ -2,8 +2,7 @@
 
 Text has the page's colour (`currentColor`), for light and dark pages. The series colours (blue,
 orange and green of Okabe and Ito) suit both and are distinguishable for colour-blind readers. All
-text is escaped in this module.
-"""
+text is escaped in this module."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ def card(title: str, subtitle: str, *sections: Html) -> str:
 
 def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html:
     """Return a table of left-aligned cells; without `head` the first cell of each row is
-    its label.
-    """
+    its label."""
     cell = "text-align:left;padding:.1em .8em .1em 0;border:none;background:none"
     lines = []
     if head:

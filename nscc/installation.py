@@ -28,8 +28,7 @@ _OWN_WORK = ("bench", "test")
 class Finding(NamedTuple):
     """The result of a check, with its state.
 
-    The state is GOOD, WRONG, or for packages that only some commands need ABSENT or BROKEN.
-    """
+    The state is GOOD, WRONG, or for packages that only some commands need ABSENT or BROKEN."""
 
     state: str
     text: str

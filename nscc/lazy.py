@@ -11,8 +11,7 @@ def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> An
     """Return the public attribute `name` of `package`.
 
     `names` lists the public names of each module. Raises AttributeError for an unknown name, and
-    ModuleNotFoundError with an install command if a distribution is missing.
-    """
+    ModuleNotFoundError with an install command if a distribution is missing."""
     module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
         raise AttributeError(f"module '{package}' has no attribute '{name}'")

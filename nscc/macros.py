@@ -5,8 +5,7 @@ library, and the in-place forms (`NOT d`, `OR d, x`, `NOR d, x`, `REFRESH d`), w
 half-words. `OR` and `NOR` with one source are in place; with more sources, if the destination is
 also one of them.
 
-Operands are register names, destinations first.
-"""
+Operands are register names, destinations first."""
 
 from __future__ import annotations
 
@@ -38,8 +37,7 @@ SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
 class OperandError(Exception):
     """Raised for operands that a mnemonic does not accept.
 
-    `index` is the invalid operand, None if no single operand is invalid.
-    """
+    `index` is the invalid operand, None if no single operand is invalid."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
         super().__init__(message)
@@ -55,8 +53,7 @@ class Mnemonic:
     """The name at the start of an assembly instruction.
 
     `usage` shows its forms. It takes `least` to `most` operands (None: any number). It overwrites
-    the registers `scratch`, which cannot be operands.
-    """
+    the registers `scratch`, which cannot be operands."""
 
     name: str
     usage: str
@@ -70,8 +67,7 @@ def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] 
     """Return the operations of an assembly line `name operands`.
 
     `own_words` are the target's own words. Raises KeyError for an unknown mnemonic and OperandError
-    for invalid operands.
-    """
+    for invalid operands."""
     mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):
@@ -154,8 +150,7 @@ def _native(row: Operation) -> Mnemonic:
 # In-place forms, and mnemonics of the same names.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
     """Return the pair of words that writes the OR, NOR or REFRESH of all operands to the
-    first one.
-    """
+    first one."""
     for index, register in enumerate(operands):
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:

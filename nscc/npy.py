@@ -24,8 +24,7 @@ class InvalidArrays(ValueError):
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
     """Return version, shape, Fortran order and dtype of an .npy stream.
 
-    Raises numpy's errors for a damaged header.
-    """
+    Raises numpy's errors for a damaged header."""
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
@@ -36,8 +35,7 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 
 def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
     """Read a version 2 header like `numpy.lib.format.read_array_header_2_0`, with a limit on its
-    length.
-    """
+    length."""
     from io import BytesIO
 
     from numpy.lib import format as npy
@@ -74,8 +72,7 @@ def npz_arrays(
 
     The arrays may take `most_bytes` together, which is checked before anything is unpacked. Raises
     InvalidArrays for an invalid, damaged or too large file, and for Python objects; OSError if the
-    file cannot be read.
-    """
+    file cannot be read."""
     from zipfile import BadZipFile, ZipFile
 
     try:
@@ -111,8 +108,7 @@ def npy_array(path: Path, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
     """Read the array in an .npy file.
 
     Raises InvalidArrays if it takes more than `most_bytes` or contains Python objects, and numpy's
-    errors for a damaged file.
-    """
+    errors for a damaged file."""
     with open(path, "rb") as stream:
         _, shape, _, dtype = npy_header(stream)
         check_size(prod(shape) * dtype.itemsize, most_bytes)

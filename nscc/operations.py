@@ -7,8 +7,7 @@ their places in words.
 A word is either whole or one half of a pair. The first word of a pair (`Phase.READ`) leaves its
 result on the pixel's bus. The second (`Phase.WRITE`) stores it and must follow immediately, because
 any other word in between destroys the result. Pairs exist because a register cannot be read and
-written in the same word.
-"""
+written in the same word."""
 
 from __future__ import annotations
 
@@ -20,8 +19,7 @@ from enum import Enum, auto
 class WordEffect(Enum):
     """The effect of a word on the state of a pixel.
 
-    `total` is the sum of the analog sources, `some` the OR of the digital sources.
-    """
+    `total` is the sum of the analog sources, `some` the OR of the digital sources."""
 
     NONE = auto()
     """No effect."""
@@ -40,8 +38,7 @@ class WordEffect(Enum):
     DIGITAL_NEIGHBOURS = auto()
     """The destination := the OR of the source in the neighbours chosen by the `STEERING` registers.
 
-    Outside the array the source counts as 0, or as 1 if inverted.
-    """
+    Outside the array the source counts as 0, or as 1 if inverted."""
 
 
 class Phase(Enum):
@@ -120,15 +117,13 @@ NEIGHBOURS = {"XN": (24, 7), "XE": (24, 9), "XS": (24, 12), "XW": (24, 29)}
 """The control lines that connect a pixel's bus with NEWS of a neighbour.
 
 As a source, the pixel reads NEWS of the neighbour to the north, east, south or west. As a
-destination, NEWS receives the value on the bus of the opposite neighbour.
-"""
+destination, NEWS receives the value on the bus of the opposite neighbour."""
 STEPS = {"XN": (0, -1), "XE": (1, 0), "XS": (0, 1), "XW": (-1, 0)}
 """The offset (columns to the right, rows down) from a pixel to the neighbour that it reads."""
 STEERING = {"R1": (0, 1), "R2": (-1, 0), "R3": (0, -1), "R4": (1, 0)}
 """The registers with which a pixel chooses the neighbours that digital words read.
 
-The values are the offsets (columns to the right, rows down) of these neighbours.
-"""
+The values are the offsets (columns to the right, rows down) of these neighbours."""
 DIGITAL_WRITE = {
     "R0": 56,
     **{f"R{i}": 43 + i for i in range(1, 13)},
@@ -205,8 +200,7 @@ class Op:
 
     Sources are a set; they are kept in the order of `READ_LINES`, so that equal words are equal
     values. A pair consists of two such values. `target_operation` is the operation of a word that
-    only some targets have.
-    """
+    only some targets have."""
 
     name: str
     destinations: tuple[str, ...] = ()
@@ -242,8 +236,7 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
     """Return an operation with its operands in canonical order, so that equal words are equal
     values.
 
-    Raises ValueError for invalid operands; callers check user input before.
-    """
+    Raises ValueError for invalid operands; callers check user input before."""
     name = row.name
     dests = tuple(sorted(set(destinations), key=_ORDER.__getitem__))
     srcs = tuple(sorted(set(sources), key=_ORDER.__getitem__))

@@ -1,7 +1,6 @@
 """The compiler's list of passes, from text to proof.
 
-`nscc.compiler` calls it and adds alternatives if a program does not fit.
-"""
+`nscc.compiler` calls it and adds alternatives if a program does not fit."""
 
 from __future__ import annotations
 
@@ -47,8 +46,7 @@ class Options:
     the program's own. `price_all` computes the costs of all lowerings, for the report. If
     `unproved_is_error` is false and only a longer search can decide whether the program fits, this
     is a note instead of an error. Without `cache`, search results are neither read nor stored.
-    `max_words_per_slot` limits the digital and analog words at every boundary.
-    """
+    `max_words_per_slot` limits the digital and analog words at every boundary."""
 
     level: int = 2
     codes: Codes = "fixed"
@@ -63,8 +61,7 @@ class Options:
 @dataclass(frozen=True)
 class Job:
     """The context of all passes: options, the folder for relative paths, and stored search
-    results.
-    """
+    results."""
 
     options: Options
     base: Path
@@ -86,8 +83,7 @@ Found = Sequence[Diagnostic]
 def parse_text(source: Source, job: Job) -> tuple[Parsed, Found]:
     """Parse a source text to a tree, which lacks the invalid statements.
 
-    Errors: NS01xx for invalid syntax.
-    """
+    Errors: NS01xx for invalid syntax."""
     tree, errors = parse(source)
     return Parsed(source, tree), errors
 
@@ -96,8 +92,7 @@ def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
     """Analyse a tree: names, ranges, classes, and the decode table of codes x slots for a target.
 
     Errors: NS02xx, NS03xx and NS04xx for invalid statements, and for targets and files that cannot
-    be read.
-    """
+    be read."""
     chip = job.options.target
     if isinstance(chip, str):
         chip = load_target(chip, Path())
@@ -111,8 +106,7 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
     """Make an exposure plan for each lowering that supports the program.
 
     Errors: NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for more
-    buckets than analog registers, NS0414 for a lowering that does not support the program.
-    """
+    buckets than analog registers, NS0414 for a lowering that does not support the program."""
     fault = fit.capacity_fault(program)
     if fault is not None:
         return Planned(program, frame_time(program), (), (), {}), [fault]
@@ -125,8 +119,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
 
     Plans that cannot be better than one that fits are not tried, unless all costs are requested.
     Errors: NS0502 if no gates are found, which does not prove that none exist; NS0905 if a
-    generator of another package returns invalid gates. Warning: NS0504 if a generator fails.
-    """
+    generator of another package returns invalid gates. Warning: NS0504 if a generator fails."""
     options, results = job.options, job.results
     search = partial(
         find_gates,
@@ -151,8 +144,7 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     """Assign kernels and launches to the frame's boundaries; the best lowering comes first.
 
     Errors: a program that exceeds the store (NS0501), the slots' time (NS0601), the retention time
-    of registers (NS0602) or the user's limit (NS0603).
-    """
+    of registers (NS0602) or the user's limit (NS0603)."""
     most_words = job.options.max_words_per_slot
     layouts = (
         lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
@@ -165,8 +157,7 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
 def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
     """Convert the best lowering to a container of instruction words.
 
-    Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources.
-    """
+    Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
     container, program = assemble(choice.best, job.options.level), choice.best.program
     if program.pictures is None:
         return container, []
@@ -188,8 +179,7 @@ def plan_looking(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Foun
 def find_looking_gates(plan: LookingPlan, job: Job) -> tuple[Sequence[Lowered], Found]:
     """Find words for several encodings of codes and states; the best comes first.
 
-    Errors: NS0502 if no gates are found, which does not prove that none exist.
-    """
+    Errors: NS0502 if no gates are found, which does not prove that none exist."""
     from nscc.looks.passes import lowered_of
 
     return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
@@ -211,8 +201,7 @@ def make_looking_container(choice: Choice, job: Job) -> tuple[Container, Found]:
 def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
     """Plan a program for a chip without logic: the route of the light in every slot.
 
-    Errors: NS0509 if pixels cannot route light to the buckets, NS0510 for options about words.
-    """
+    Errors: NS0509 if pixels cannot route light to the buckets, NS0510 for options about words."""
     from nscc.stream.passes import plan_of
 
     lowering, most_words = job.options.lowering, job.options.max_words_per_slot
@@ -222,8 +211,7 @@ def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
 
 def time_sending(sending: Sending, job: Job) -> tuple[Sending, Found]:
     """Check the times at which planes are sent; error NS0508 for slots shorter than the
-    load time.
-    """
+    load time."""
     from nscc.stream.passes import timed
 
     return timed(sending)
@@ -239,8 +227,7 @@ def make_planes(sending: Sending, job: Job) -> tuple[Container, Found]:
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """Prove a container by replaying its words, or by following the light of its bit planes.
 
-    A failed proof is a bug of the compiler, not an error of the program.
-    """
+    A failed proof is a bug of the compiler, not an error of the program."""
     if container.target.streamed:
         return prove_stream(container), []
     try:
@@ -255,8 +242,7 @@ class Pass:
     """A compiler pass.
 
     `run` takes the previous value and the job, and returns the new value and its diagnostics.
-    `verify` raises checks.Inconsistent if the new value violates its invariants.
-    """
+    `verify` raises checks.Inconsistent if the new value violates its invariants."""
 
     name: str
     run: Callable[[Any, Job], tuple[Any, Found]]
@@ -286,8 +272,7 @@ LOOKING_PASSES = (
     Pass("prove", prove_words, checks.check_proof),
 )
 """The passes for programs whose shutters depend on the light: the gates implement a state
-machine.
-"""
+machine."""
 
 STREAM_PASSES = (
     *_READING,
@@ -317,8 +302,7 @@ class Compiled:
     """A successfully compiled program: its proved words and its diagnostics.
 
     `choice`, `container` and `proof` are None only if `unproved_is_error` is false and it is
-    unknown whether the program fits. For a chip without logic, `sending` replaces `choice`.
-    """
+    unknown whether the program fits. For a chip without logic, `sending` replaces `choice`."""
 
     tree: File
     program: Program
@@ -331,16 +315,14 @@ class Compiled:
     @property
     def lowered(self) -> Lowered | None:
         """The chosen lowering; None for a chip without logic, or if it is unknown whether the
-        program fits.
-        """
+        program fits."""
         return None if self.choice is None else self.choice.best
 
     @property
     def shortest_slot_us(self) -> float:
         """The shortest slot in microseconds that fits its words, or the loading of its bit plane.
 
-        Raises ValueError if it is unknown whether the program fits.
-        """
+        Raises ValueError if it is unknown whether the program fits."""
         plan = self.lowered or self.sending
         if plan is None:
             raise ValueError("nothing was laid out")
@@ -364,8 +346,7 @@ def run_passes(
 ) -> Compiled:
     """Compile a program's text; paths in it are relative to the folder `base`.
 
-    Raises Rejected with all errors, or Unfit if the program only does not fit its target.
-    """
+    Raises Rejected with all errors, or Unfit if the program only does not fit its target."""
     if options.level not in LEVELS:
         raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _name, _value: None)

@@ -6,8 +6,7 @@ A distribution declares a plugin in its metadata, for example
     columns = "my_package.columns:COLUMNS"
 
 nscc checks the object like a built-in one of the same kind and uses it, or refuses it in a message
-that names it.
-"""
+that names it."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, An
     """Return the objects that other distributions add to `group`, by name, sorted.
 
     Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
-    used twice.
-    """
+    used twice."""
     loaded = _loaded(group)
     for name in loaded:
         if name in reserved:

@@ -18,8 +18,7 @@ _REQUIREMENT = re.compile(
 def extras() -> dict[str, str]:
     """Return for each distribution the smallest extra that installs it, "" for required ones.
 
-    Empty if nscc is not installed but runs from its sources.
-    """
+    Empty if nscc is not installed but runs from its sources."""
     from importlib import metadata
 
     try:

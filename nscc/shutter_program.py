@@ -8,8 +8,7 @@
     p.save("hdr_2x2.icw")
     p = nscc.load("hdr_2x2.icw")
 
-Options and their defaults are those of `nscc build`.
-"""
+Options and their defaults are those of `nscc build`."""
 
 from __future__ import annotations
 
@@ -69,8 +68,7 @@ class ShutterProgram:
     @property
     def target(self) -> Target:
         """The chip of the program; `dataclasses.replace(target, rows=64, cols=64)` gives another
-        chip.
-        """
+        chip."""
         return self.container.target
 
     @property
@@ -102,8 +100,7 @@ class ShutterProgram:
     def codes(self) -> dict[str, NDArray[np.int64]]:
         """The value of each field of the code, int64 (codes,), by the field's name.
 
-        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code.
-        """
+        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code."""
         table = self.container.table
         return {name: table.codes[:, i].copy() for i, name in enumerate(table.fields)}
 

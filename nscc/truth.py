@@ -1,8 +1,7 @@
 """Truth vectors: Python integers with one bit for each shutter.
 
 Bit i belongs to shutter i of the decode table. Operations on integers with thousands of bits are
-fast, so that exhaustive searches and proofs are cheap.
-"""
+fast, so that exhaustive searches and proofs are cheap."""
 
 from __future__ import annotations
 

@@ -66,8 +66,7 @@ def command(
     Each of FLATS and DARKS is one exposure level: two or more frames with the same light and
     exposure time. A level is a frame file (nscc run --repeat K), an array of converter codes
     (rows, cols) or (K, rows, cols) in .npz, .npy or .mat, a picture, or a folder of pictures.
-    PATH@TIME, for example flats/3@2ms, gives the exposure time; frame files contain it.
-    """
+    PATH@TIME, for example flats/3@2ms, gives the exposure time; frame files contain it."""
     from nscc_runtime import calibrate
 
     chip = load_target(target, Path())

@@ -30,8 +30,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
     """Check programs: report errors, whether they fit the chip, and whether their words are right.
 
     Compiles at -O1 unless -O is given, and proves the result. If only a longer search can tell
-    whether a program fits, a note refers to `nscc build`.
-    """
+    whether a program fits, a note refers to `nscc build`."""
     if options["level"] is None:
         options["level"] = CHECK.level
     if watch:
@@ -42,8 +41,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
     """Compile all programs and print their messages; raise Rejected with the errors of all
-    programs.
-    """
+    programs."""
     diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:

@@ -1,8 +1,7 @@
 """Shell completion: the values that a shell suggests for options and arguments.
 
 A click type suggests its own values, so an option only declares `type=`. The values are computed
-when the user presses the completion key, so that commands start fast.
-"""
+when the user presses the completion key, so that commands start fast."""
 
 from __future__ import annotations
 
@@ -22,8 +21,7 @@ class Name(click.types.StringParamType):
     """A text option for which the shell suggests names.
 
     `files` also suggests files. `several` allows a list separated by commas, in which each name
-    may begin with one of the characters in `signs`.
-    """
+    may begin with one of the characters in `signs`."""
 
     name = "text"
 
@@ -36,8 +34,7 @@ class Name(click.types.StringParamType):
 
     def names(self) -> Iterator[str]:
         """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE), which is imported
-        here.
-        """
+        here."""
         yield from self.more
         if self.source:
             module, _, name = self.source.partition(":")
@@ -57,8 +54,7 @@ class Name(click.types.StringParamType):
 
 class RunPath(click.Path):
     """The folder of a run; the shell suggests run folders, shipped runs, `more`, and other
-    folders.
-    """
+    folders."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)

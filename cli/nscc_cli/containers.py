@@ -102,8 +102,7 @@ def prove(file: Path) -> None:
 
     The proof checks that every code opens the shutter in the decode table (equation 7), and that
     each bucket contains exactly the light of its open slots (equation 3). For a chip that receives
-    bit planes, it follows the light of every pixel through the planes.
-    """
+    bit planes, it follows the light of every pixel through the planes."""
     from nscc.program.problems import counted
     from nscc.prove.container_proof import prove_file
 
@@ -125,8 +124,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
 
     An .npz file contains `shutter`, which is (buckets, rows, cols, N) packed along N in
     little-endian bit order, its unpacked shape `shutter_shape`, and the pixels' codes
-    `codes_FIELD`. A .npy file contains the unpacked array, a .mat file `mask` (rows, cols, N).
-    """
+    `codes_FIELD`. A .npy file contains the unpacked array, a .mat file `mask` (rows, cols, N)."""
     from nscc_runtime.formats import check_ending, endings, file_of
     from nscc_runtime.formats.frame_content import shutter_content
 

@@ -37,8 +37,7 @@ def command(
     its error, and the reconstruction as a separate file. For a photo, the sheet also shows pixels
     that look at their light, which need no decoder. For a clip with several readouts, it also
     shows a burst of the same number of ordinary frames. Without PHOTO, a built-in scene is
-    exposed.
-    """
+    exposed."""
     from nscc_runtime.scenes import Scene
     from nscc_runtime.simulate import Listener
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text

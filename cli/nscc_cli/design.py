@@ -80,8 +80,7 @@ def command(
     2 tiles of half stops by the error that an ideal decoder cannot remove. --search: tries
     patterns of one to eight geometric stops on the emulated chip. --motion: compares bumps of
     several lengths and patterns by the information that a frame contains about moving light. The
-    program is compiled and proved before it is written.
-    """
+    program is compiled and proved before it is written."""
     from nscc.chips.load import load_target
     from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
@@ -142,8 +141,7 @@ def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
     """Return the light of each scene in intervals of the frame, in electrons, (intervals, rows,
-    cols).
-    """
+    cols)."""
     slots = options["slots"]
     starts = [slots * clip_part // _CLIP_PARTS for clip_part in range(_CLIP_PARTS)]
     starts = sorted(set(starts))

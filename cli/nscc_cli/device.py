@@ -31,8 +31,7 @@ class _Device(Subcommands):
 def command() -> None:
     """Communicate with a chip at a serial port, or simulate one.
 
-    PORT is a serial device such as /dev/ttyACM0, or the port that `nscc device serve` prints.
-    """
+    PORT is a serial device such as /dev/ttyACM0, or the port that `nscc device serve` prints."""
 
 
 @command.command("serve", cls=CommonCommand)
@@ -58,8 +57,7 @@ def serve(**options: Any) -> None:
     """Simulate a chip at a serial port, and print the port on the first line.
 
     Runs the firmware, compiled by the installed C++ compiler. The emulator executes uploaded words
-    on SCENE. Press Ctrl-C to stop.
-    """
+    on SCENE. Press Ctrl-C to stop."""
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.faults import LineFaults, parse_faults
@@ -118,8 +116,7 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 @shared.build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Send a program to the device at PORT; parts that the device already holds are not sent
-    again.
-    """
+    again."""
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
 
@@ -150,8 +147,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
 def capture(port: str, program: Path | None, **options: Any) -> None:
     """Expose frames with FILE, or with the program that the device at PORT already holds.
 
-    `meta` in each frame file contains the time of exposure and the program's SHA-256.
-    """
+    `meta` in each frame file contains the time of exposure and the program's SHA-256."""
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
     if options["out"] is not None and (options["count"] or options["every"]):
@@ -206,8 +202,7 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     """Measure the duration of launches, words, waits and readouts on the device at PORT.
 
     Writes the chip's target file with these durations; use it to build programs for this device.
-    The measurement overwrites the program on the device.
-    """
+    The measurement overwrites the program on the device."""
     from nscc.chips.load import target_toml
     from nscc.files import write_whole
     from nscc_runtime.device.captured_frames import target_of

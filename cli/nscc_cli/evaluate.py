@@ -38,8 +38,7 @@ class _Evaluations(Subcommands):
 def command() -> None:
     """Score reconstructions under a fixed protocol; each result contains the protocol's digest.
 
-    `nscc evaluate NAME --data DIR --protocol P` is short for `nscc evaluate of NAME ..`.
-    """
+    `nscc evaluate NAME --data DIR --protocol P` is short for `nscc evaluate of NAME ..`."""
 
 
 _outputs = together(
@@ -66,8 +65,7 @@ def sci8(
     """Run the benchmark of snapshot compressive imaging: eight frames from one measurement.
 
     The result marks reference methods that use the ground truth instead of the measurement
-    ("sees").
-    """
+    ("sees")."""
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.evaluation.baselines import evaluate_sci8
 
@@ -125,8 +123,7 @@ def of(
     any class.
 
     Baselines of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
-    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any.
-    """
+    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any."""
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
     if data is None or protocol is None:
@@ -157,8 +154,7 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
 
     The methods are looks-2, looks-5, looks-9 and the designs for each crop. The conditions are the
     protocol's noise, 10 and 50 % of saturated pixels, all effects of the sensor, and comparators
-    with 1, 2 and 4 % of noise and offset.
-    """
+    with 1, 2 and 4 % of noise and offset."""
     from nscc_training.sweep.looks_table import looks_table
 
     rows, text = looks_table(data, results, seed, progress)
@@ -175,8 +171,7 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
 def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
     """Print Tables 2, 3 and 4 of the paper in Markdown, with our measurements beside them.
 
-    `nscc sweep` evaluates the runs and baselines. Rows without a result are marked.
-    """
+    `nscc sweep` evaluates the runs and baselines. Rows without a result are marked."""
     from nscc_training.evaluation.pages import page_of
 
     try:
@@ -203,8 +198,7 @@ def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
 
     The figures show coded frames and their reconstructions, several frames decoded from one,
     shutters as mosaics, a still at low and at high exposure, and several tone curves. Each is
-    shown beside the ground truth and an exposure with pixels that are always open.
-    """
+    shown beside the ground truth and an exposure with pixels that are always open."""
     from nscc_training.evaluation.figures import figures as drawn
 
     drawings = drawn(data, effects, seed)
@@ -224,8 +218,7 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     """Print by how much B is better than A, in pairs: the same items of the same scenes.
 
     Further pairs are other seeds of the same two methods. The confidence interval is over scenes,
-    with all seeds together.
-    """
+    with all seeds together."""
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
     from nscc_training.evaluation.result_text import comparison_text

@@ -23,8 +23,7 @@ FAULT = 70
 
 _MOST_BYTES = 4 << 20
 """Largest size in bytes of an input file that is copied into a reproducer; larger files are only
-named.
-"""
+named."""
 
 
 def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
@@ -32,8 +31,7 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
 
     NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
     input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70) with a
-    reproducer.
-    """
+    reproducer."""
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
         return _out_of_memory(error, arguments), FAILED
     if isinstance(error, RecursionError):

@@ -28,8 +28,7 @@ def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
     """Format programs in the standard style; `-` formats standard input and prints the result.
 
     Only blanks and line breaks change; statements, comments and groups of lines stay. A file with
-    an error is not changed.
-    """
+    an error is not changed."""
     diagnostics: list[Diagnostic] = []
     status = changed = 0
     for path in files:

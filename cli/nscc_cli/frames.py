@@ -29,8 +29,7 @@ def scene_of(
 ) -> Scene:
     """Return the scene that the options describe.
 
-    Raises NS0744 with the message `missing` if `--scene` is missing.
-    """
+    Raises NS0744 with the message `missing` if `--scene` is missing."""
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:
@@ -113,8 +112,7 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     """Return the path of the frame file, by default PROGRAM.frame.npz.
 
     PROGRAM.npz is avoided because it may contain the program's data. Raises NS0745 if two products
-    have the same path, and NS0786 for an unknown file format.
-    """
+    have the same path, and NS0786 for an unknown file format."""
     from nscc_runtime.formats import check_ending, endings
 
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
@@ -135,8 +133,7 @@ def write_frame(
     """Write the frame file and the requested picture, plan and timings.
 
     `response` computes the sensor response of the frame, for the picture. Returns the paths of
-    frame, picture and plan.
-    """
+    frame, picture and plan."""
     from nscc.prove.shutters import replayed
     from nscc.words.legality import refuse_pictures
     from nscc_runtime.decode_table import with_table
@@ -187,8 +184,7 @@ def summary(
 ) -> str:
     """Describe each bucket of the first frame and each file, one line each.
 
-    `alike` means that all frames are identical, `colours` that they are red, green and blue.
-    """
+    `alike` means that all frames are identical, `colours` that they are red, green and blue."""
     from nscc_runtime.frame_file import frame_lines
 
     lines = frame_lines(container, frame)

@@ -19,8 +19,7 @@ class LazyGroup(click.Group):
     """Finds commands in nscc's table, then among the commands that other distributions add.
 
     Other distributions are searched only if the name is not in the table. An unknown name is
-    rejected (NS0781).
-    """
+    rejected (NS0781)."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of all commands, nscc's own first."""
@@ -74,8 +73,7 @@ def added_by_packages() -> dict[str, click.Command]:
     """Return the commands that other distributions add, by name.
 
     Raises Rejected (NS0905) for an object that is not a click command, or has the name of an nscc
-    command.
-    """
+    command."""
     added_commands = added("nscc.commands", COMMANDS)
     for name, command in added_commands.items():
         if not isinstance(command, click.Command):

@@ -59,8 +59,7 @@ def new(name: Path) -> None:
 def doctor() -> int:
     """Report versions, extras, the cache, compiled loops and serial ports.
 
-    Exits with status 3 if something that nscc needs is missing or broken.
-    """
+    Exits with status 3 if something that nscc needs is missing or broken."""
     from nscc import installation
     from nscc_runtime import installation as runtime
 

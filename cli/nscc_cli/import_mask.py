@@ -24,8 +24,7 @@ def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
 
     MASK contains `mask` (rows, cols, slots) or (slots, rows, cols) of 0 and 1: the whole array, or
     a tile that repeats over the array. Of the shutter classes that represent the mask, the class
-    with the fewest words is chosen; the reasons against the other classes are printed.
-    """
+    with the fewest words is chosen; the reasons against the other classes are printed."""
     from nscc_training.imported_masks import import_mask
 
     if out.suffix.lower() != ".nsl":

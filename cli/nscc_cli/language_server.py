@@ -1,8 +1,7 @@
 """The Language Server Protocol on pygls: passes editors' requests to `nscc.editing`.
 
 Each change sends the whole text. One thread handles all requests in order, so that the server
-keeps receiving changes meanwhile. A text is not checked if a newer version has replaced it.
-"""
+keeps receiving changes meanwhile. A text is not checked if a newer version has replaced it."""
 
 from __future__ import annotations
 
@@ -63,8 +62,7 @@ class Server(LanguageServer):
 
     def check(self, uri: str) -> None:
         """Check a text in the working thread and publish its diagnostics, unless a newer version
-        arrives.
-        """
+        arrives."""
         document, version = self.documents[uri], self.versions[uri]
 
         def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
@@ -122,8 +120,7 @@ def make_server() -> Server:
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
     """Return whether a log record is anything but a refused request, which the editor shows
-    itself.
-    """
+    itself."""
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 

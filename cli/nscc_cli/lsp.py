@@ -17,8 +17,7 @@ def command(stdio: bool) -> None:
     """Serve editors over standard input and output, by the Language Server Protocol.
 
     Offers messages while typing, fixes, hover texts with the cost of slots, completion, outline,
-    renaming and formatting. `docs/editors.md` explains how to set up editors.
-    """
+    renaming and formatting. `docs/editors.md` explains how to set up editors."""
     from nscc_cli.language_server import make_server
 
     if sys.stdin.isatty():

@@ -1,8 +1,7 @@
 """The entry point: runs a command and turns its outcome into an exit status.
 
 0 success; 1 program rejected; 2 wrong usage or configuration; 3 device or emulator failed; 70
-fault of nscc; 130 interrupted.
-"""
+fault of nscc; 130 interrupted."""
 
 from __future__ import annotations
 
@@ -65,8 +64,7 @@ def _interrupts() -> Iterator[list[int]]:
     """Yield a list that collects interrupts (SIGINT); each still raises KeyboardInterrupt.
 
     C code may discard the exception, as torch does while it imports numpy, and fail later. Outside
-    the main thread, or if another handler is set, nothing is changed and the list stays empty.
-    """
+    the main thread, or if another handler is set, nothing is changed and the list stays empty."""
     came: list[int] = []
 
     def remember(number: int, frame: FrameType | None) -> None:
@@ -88,8 +86,7 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
     """Run the command, print its messages, and return the exit status.
 
     Raises KeyboardInterrupt if `interrupts` is not empty and the command failed with another
-    exception.
-    """
+    exception."""
     import click
 
     from nscc.diagnostics.diagnostic import Rejected

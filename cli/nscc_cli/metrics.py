@@ -31,8 +31,7 @@ def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
 
     Prints PSNR, SSIM, mu-law PSNR (mu = 5000), PU21-PSNR and, for clips, the temporal error.
-    Values are compared as stored; mu-law and PU21 clip them to 0..R.
-    """
+    Values are compared as stored; mu-law and PU21 clip them to 0..R."""
     from nscc_training.measures import measure_files, measures_text
 
     scores = measure_files(**pair)

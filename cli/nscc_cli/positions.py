@@ -1,7 +1,6 @@
 """Text positions of the Language Server Protocol: lines from 0, columns in UTF-16 code units.
 
-A character beyond U+FFFF counts as two code units.
-"""
+A character beyond U+FFFF counts as two code units."""
 
 from __future__ import annotations
 
@@ -33,8 +32,7 @@ class Positions:
 
     def offset(self, position: types.Position) -> int:
         """Return the character offset of a position; positions beyond a line or the text give its
-        end.
-        """
+        end."""
         if position.line >= len(self._starts):
             return len(self.text)
         begin = self._starts[position.line]

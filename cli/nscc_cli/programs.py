@@ -29,8 +29,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
     """Compile a program with the options of a command; raise Rejected if it does not compile.
 
     `overrides` are further fields of `nscc.pipeline.Options`, and `see`, an observer of the
-    passes.
-    """
+    passes."""
     from nscc.compiler import compile_file
 
     see, chosen = overrides.pop("see", None), compile_options(options, **overrides)
@@ -41,8 +40,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
     """Return the compiler's options from those of a command; missing options keep their
-    defaults.
-    """
+    defaults."""
     from nscc.pipeline import Options
 
     return Options(**_values_of(options, *_SPELLED, "cache"), **overrides)
@@ -56,8 +54,7 @@ def load_program(
     If the command has the option `pixels`, all pixels of the container have codes.
 
     Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) if build
-    options are given for a compiled program.
-    """
+    options are given for a compiled program."""
     from nscc.containers import is_compiled, load_container, with_pixels
 
     names = ", ".join(_SPELLED[name] for name in _values_of(options, *_SPELLED))
@@ -87,8 +84,7 @@ def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str,
 
 def _is_mask(path: Path) -> bool:
     """Return whether a file is a mask (.npy, .mat, or an .npz with `mask`) and not an .npz of
-    codes.
-    """
+    codes."""
     if path.suffix.lower() != ".npz" or not path.is_file():
         return path.suffix.lower() in (".npy", ".mat")
     from zipfile import BadZipFile, ZipFile

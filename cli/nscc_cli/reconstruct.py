@@ -67,8 +67,7 @@ def command(
     from 0 to 1. The result has the unit of `meas` per slot.
 
     An .npz output contains `image` (rows, cols) in electrons over the frame, or `video` (T, rows,
-    cols) in electrons per slot. These are the units of `truth_e` in frame files.
-    """
+    cols) in electrons per slot. These are the units of `truth_e` in frame files."""
     if run != "any" and (kind or program or method):
         raise click.UsageError(
             "--as, --method and --program are for `nscc reconstruct any`: a run has them"
@@ -135,8 +134,7 @@ def command(
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
     """Print the method that replaced the network because torch is missing, unless the user chose
-    one.
-    """
+    one."""
     if method is None and reconstruction.method != "network":
         method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(
@@ -150,8 +148,7 @@ def _of_measurement(
 ) -> Reconstruction | None:
     """Return the clip reconstructed from a measurement file; None if the file is a frame of nscc.
 
-    `of_frames` are the values of options that only frames accept.
-    """
+    `of_frames` are the values of options that only frames accept."""
     from nscc_training.own_measurements import (
         NoiseModel,
         is_measurement,

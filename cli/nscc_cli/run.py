@@ -97,8 +97,7 @@ _SIMULATION = (
 def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 
-    With --on PORT, a chip exposes the frame, or a simulated device (`nscc device serve`).
-    """
+    With --on PORT, a chip exposes the frame, or a simulated device (`nscc device serve`)."""
     keep = parse_keep(options["keep"])
     of_run = run_capture_of(like, options, program)
     if program is None and of_run is not None:
@@ -165,8 +164,7 @@ def _run_on_emulator(
 
 def _request(options: dict[str, Any]) -> Request:
     """Return the simulation request; raise NS0739 (status 2) for options that contradict each
-    other.
-    """
+    other."""
     from nscc_runtime.simulate import Request
 
     simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}

@@ -72,8 +72,7 @@ def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
     """Print diagnostics to standard error in the format of session `of`, by default the running
     one.
 
-    For SARIF the diagnostics are only stored; `show_gathered` prints them.
-    """
+    For SARIF the diagnostics are only stored; `show_gathered` prints them."""
     of = of or session()
     if of.message_format == "sarif":
         of.gathered += diagnostics
@@ -104,8 +103,7 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     """Print warnings and notes.
 
     Call this before writing products. With `--deny-warnings`, a warning raises Rejected (status 1)
-    with all warnings turned into errors, so that no product is written.
-    """
+    with all warnings turned into errors, so that no product is written."""
     now = session()
     diagnostics = [_with_reproducer(diagnostic, now) for diagnostic in diagnostics]
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
@@ -127,8 +125,7 @@ def say_compiling(loop: Any, part_name: str) -> None:
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
     """Save a reproducer if the diagnostic contains a traceback, and add a note that names the
-    file.
-    """
+    file."""
     trace = diagnostic.data.get("traceback")
     if trace is None:
         return diagnostic
@@ -157,8 +154,7 @@ class CommonCommand(click.Command):
     """A command with the options that all commands share: `--message-format`, `--deny-warnings`.
 
     The session stores both; the command's function does not receive them. Files named by other
-    parameters are inputs, which products must not overwrite (NS0785).
-    """
+    parameters are inputs, which products must not overwrite (NS0785)."""
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         super().__init__(*arguments, **settings)
@@ -255,8 +251,7 @@ class Subcommands(CommonCommand, click.Group):
 def waiting(task: str) -> Iterator[None]:
     """Show the elapsed time of a task on a terminal, if its progress cannot be counted.
 
-    Nothing is shown in the first second, or if `progress` shows nothing.
-    """
+    Nothing is shown in the first second, or if `progress` shows nothing."""
     if not _draws():
         yield
         return
@@ -295,8 +290,7 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
     """Yield the items and draw a progress bar on standard error.
 
     `total` is the number of items if `iterable` has no length. The bar appears after one second,
-    only on a terminal, and only with the message format `human`.
-    """
+    only on a terminal, and only with the message format `human`."""
     if not _draws():
         yield from iterable
         return

@@ -55,8 +55,7 @@ def command(
     \b
     nscc sweep --schema compile > grid.toml
     nscc sweep grid.toml --out results
-    nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786
-    """
+    nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786"""
     from nscc_runtime.pool import processors
     from nscc_training.sweep.grid import of_parts, read_grid
     from nscc_training.sweep.run_sweep import How, failures, known, summary_lines, sweep

@@ -65,8 +65,7 @@ def command() -> None:
     """Measure what more computing time improves: a table, a CSV file, a diagram.
 
     `nscc tradeoff PROGRAM|RUN --scene S --target-error 1%` is short for `nscc tradeoff of PROGRAM
-    ..`. It finds the setting of every stage for that error.
-    """
+    ..`. It finds the setting of every stage for that error."""
 
 
 for subcommand in (joint, emulator, sensor, decoder):
@@ -90,8 +89,7 @@ def synthesis(
 
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
     point is dominated if another point of the same program has no more words and no more time.
-    Exits with status 1 if no program fits.
-    """
+    Exits with status 1 if no program fits."""
     outputs = output_files(places)
     cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))

@@ -37,8 +37,7 @@ def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     dictionary; for stills merging neighbours and sparse coding. Networks come from run folders, in
     f32 and bf16, FC-net with 4, 2 and 1 blocks a pixel. All decode captures with the same code:
     that of the runs (runs with another code are compared separately), else random bits, and 2 x 2
-    stops for stills.
-    """
+    stops for stills."""
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run

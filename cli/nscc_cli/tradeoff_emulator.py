@@ -59,8 +59,7 @@ def command(program: Path | None, **options: Any) -> int:
     Compares the reference; light summed in float32 without effects; Poisson numbers drawn slot by
     slot in numpy; plans for several tolerances, with and without planning time. A second diagram
     shows the measured error against the requested tolerance, a third each effect's contribution
-    and which effects are left out. Exits with status 1 if a plan exceeded its tolerance.
-    """
+    and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
     from nscc_runtime.tradeoff.naive import copy_gb_per_s

@@ -26,8 +26,7 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
     """Return the path of each product by name: `csv`, `png`, with `-o` also `further_names`.
 
-    Raises NS0745 if two products have the same path, and NS0786 if the picture is not a .png.
-    """
+    Raises NS0745 if two products have the same path, and NS0786 if the picture is not a .png."""
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
@@ -46,8 +45,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
     """Return the store of measurements beside the first product; without products, an unsaved one.
 
     A stored row is reused if these are unchanged: the command's options, the contents of the files
-    that they name, `of`, the versions of the packages, and the processor.
-    """
+    that they name, `of`, the versions of the packages, and the processor."""
     if not files:
         return Rows()
     refuse_inputs(*files.values())

@@ -47,8 +47,7 @@ def command(program: Path, **options: Any) -> int:
     percentages of the mean signal and times are seconds, so that one diagram shows all stages. A
     RUN, or hdr and clip, defines program, exposure, sensor and decoder. With -o, --csv or --png,
     finished measurements are kept, and the same command continues after an interruption. Exits
-    with status 1 if nothing could be measured.
-    """
+    with status 1 if nothing could be measured."""
     from nscc_training.tradeoff.bench import JointRequest
     from nscc_training.tradeoff.joint import joint_text, measure
 

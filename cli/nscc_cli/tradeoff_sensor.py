@@ -35,8 +35,7 @@ def _counts(context: click.Context, option: click.Parameter, value: str) -> tupl
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """Parse numbers of slots, each of which must divide the largest: the number of a clip's
-    frames.
-    """
+    frames."""
     counts = _counts(context, option, value)
     for count in counts:
         if counts[-1] % count:
@@ -103,8 +102,7 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
     divided by open time, and the words and slot length of further looks are measured. Clips are
     also captured with several readouts of one exposure and compared with a burst of the same
     number of ordinary frames. Settings that do not fit the chip are marked in the table. Exits
-    with status 1 if nothing fits.
-    """
+    with status 1 if nothing fits."""
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.tradeoff.diagrams import sensor_diagram

@@ -35,8 +35,7 @@ def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> N
     """Train shutters together with a decoder, within the limits of the chip.
 
     The configuration is checked, and its shutters are compiled, before the first step. The same
-    command resumes an interrupted run.
-    """
+    command resumes an interrupted run."""
     from nscc_training.config import load_config
 
     settings = load_config(config, changes)

@@ -23,8 +23,7 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
     """Convert a usage error of click into a diagnostic.
 
     NS0780 for a missing or extra argument, NS0782 for an unknown option, NS0783 for an invalid
-    option value, NS0784 for a file that click could not open.
-    """
+    option value, NS0784 for a file that click could not open."""
     context = getattr(error, "ctx", None)
     name = context.command_path if context is not None else "nscc"
     helps: tuple[str, ...] = (f"`{name} --help` lists what it takes",)

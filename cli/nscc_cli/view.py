@@ -31,8 +31,7 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
     For pixels that look at their light, the chart shows at which light they are open.
 
     Also draws files that nscc writes: a frame file, a reconstruction, a run folder, a result.json,
-    a sensor.toml, a picture, a clip.
-    """
+    a sensor.toml, a picture, a clip."""
     from nscc_runtime.formats import check_ending
 
     out = out or Path(program.stem + ".png")

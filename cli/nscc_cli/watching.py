@@ -17,8 +17,7 @@ def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
     """Yield an empty list, then after each change the names of the changed files.
 
     Changes while the caller works are not missed. `files` is called again after each change,
-    because the set of files may change. Files may be missing and appear later.
-    """
+    because the set of files may change. Files may be missing and appear later."""
     known_states = _states(files())
     changed: list[str] = []
     while True:

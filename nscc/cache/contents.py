@@ -11,8 +11,7 @@ from nscc.cache.digest import digest
 
 def content(path: Path) -> str:
     """Return the digest of a file, or of all files of a folder with their names; "" if the path
-    does not exist.
-    """
+    does not exist."""
     try:
         if path.is_dir():
             files = sorted(entry for entry in path.rglob("*") if entry.is_file())

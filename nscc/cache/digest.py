@@ -26,8 +26,7 @@ def digest(value: Any) -> str:
     numbers.
 
     Values of different type or structure have different digests. Raises TypeError for other types,
-    because ignoring a member could give two values the same digest.
-    """
+    because ignoring a member could give two values the same digest."""
     return sha256(_token(value, {})).hexdigest()
 
 
@@ -35,8 +34,7 @@ def digest(value: Any) -> str:
 def version_digest() -> str | None:
     """Return the digest of this compiler: its sources, added generators, Python and the libraries.
 
-    None if sources cannot be read.
-    """
+    None if sources cannot be read."""
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
@@ -49,8 +47,7 @@ def version_digest() -> str | None:
 @cache
 def package_digest(name: str) -> str | None:
     """Return the digest of another installed package, given its import name; None if it has no
-    sources.
-    """
+    sources."""
     spec = find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         return None
@@ -60,8 +57,7 @@ def package_digest(name: str) -> str | None:
 def _digest_of(roots: Mapping[str, Path]) -> str | None:
     """Return the digest of source folders and files and of the versions of Python and numpy.
 
-    None if sources are missing or cannot be read.
-    """
+    None if sources are missing or cannot be read."""
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
@@ -91,8 +87,7 @@ def _deciding(root: Path) -> list[Path]:
 def _token(value: Any, known: dict[int, bytes]) -> bytes:
     """Return bytes that represent a value in the digest.
 
-    `known` caches the bytes of members by identity, because many members are shared.
-    """
+    `known` caches the bytes of members by identity, because many members are shared."""
     if isinstance(value, Enum):
         return f"e{type(value).__name__}.{value.name}".encode()
     if value is None or isinstance(value, bool | float):

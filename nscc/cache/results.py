@@ -1,8 +1,7 @@
 """Cached results of the search for gates.
 
 The key covers the whole problem (demands, plan, times, target, level) and the compiler with its
-added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key.
-"""
+added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ class Results:
     """The search results of one compilation, in a store.
 
     Results are read from the store only while `trusted` is true, but always written to it. `read`
-    counts the results that came from the store.
-    """
+    counts the results that came from the store."""
 
     store: Store
     trusted: bool = field(default=True, init=False)
@@ -34,14 +32,12 @@ class Results:
 
     def distrust(self) -> None:
         """Stop reading from the store; every search runs, and its result replaces the
-        stored one.
-        """
+        stored one."""
         self.trusted, self.read = False, 0
 
     def find(self, problem: Problem, machine: Machine, level: int, *context: Any) -> Result:
         """Look up the solution of a problem; `context` contains everything else that affects the
-        best solution.
-        """
+        best solution."""
         version = version_digest() if level >= LEAST_LEVEL else None
         if version is None:
             return Result()
@@ -61,8 +57,7 @@ class Result:
 
     def or_else(self, solutions: Iterable[Solution]) -> Iterable[Solution]:
         """Return only the known solution; without one, return `solutions`, which are generated
-        lazily.
-        """
+        lazily."""
         return solutions if self.known is None else (self.known,)
 
     def keep(self, best: Solution) -> None:
@@ -79,8 +74,7 @@ def results_of_user() -> Results | None:
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
     """Return the solution in a stored entry; None if the entry is invalid or does not solve the
-    problem.
-    """
+    problem."""
     if data is None:
         return None
     try:

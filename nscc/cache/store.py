@@ -19,8 +19,7 @@ from pathlib import Path
 MOST_BYTES = 64_000_000
 _KEPT_SHARE = 0.75
 """Fraction of the size limit that remains after deletions, so that few writes must delete
-entries.
-"""
+entries."""
 _LARGEST = MOST_BYTES // 4
 
 _FORMAT = b"nscc-cache-1"
@@ -34,8 +33,7 @@ def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
     """Return the cache folder; None if `NSCC_CACHE=off` or there is no home folder.
 
     The folder is `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc if that is an absolute path, else
-    ~/.cache/nscc.
-    """
+    ~/.cache/nscc."""
     variables = os.environ if environment is None else environment
     if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
@@ -58,8 +56,7 @@ class Store:
     def read(self, key: str) -> bytes | None:
         """Return the data stored under `key` (64 hexadecimal digits); None if missing or damaged.
 
-        Reading marks the entry as recently used.
-        """
+        Reading marks the entry as recently used."""
         path = self.folder / key
         try:
             # Opening a pipe in the entry's place must not block.
@@ -78,8 +75,7 @@ class Store:
 
     def write(self, key: str, data: bytes) -> None:
         """Store `data` under `key`; delete least recently used entries if the folder is too
-        large.
-        """
+        large."""
         entry = _head(key, data) + b"\n" + data
         if len(entry) > min(_LARGEST, self.most_bytes):
             return

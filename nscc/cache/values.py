@@ -1,8 +1,7 @@
 """Frozen dataclasses as JSON and back, with strict types.
 
 A dataclass becomes the list of its field values, a tuple a list, a large integer a hexadecimal
-string. Reading returns exactly the annotated types or raises ValueError.
-"""
+string. Reading returns exactly the annotated types or raises ValueError."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ def to_json(value: Any) -> bytes:
 
 def from_json(kind: type[T], data: bytes) -> T:
     """Return the inverse of `to_json`; raise ValueError for data that `to_json` cannot have
-    written.
-    """
+    written."""
     import json
 
     try:

@@ -1,8 +1,7 @@
 """Loading of targets: built-in tables, tables of other packages, and user files.
 
 A name that ends in `.toml` or contains `/` is a file. All keys in a user's file must be known. Keys
-whose value the chip's maker has not published are optional; their default is scamp5's value.
-"""
+whose value the chip's maker has not published are optional; their default is scamp5's value."""
 
 from __future__ import annotations
 
@@ -53,8 +52,7 @@ def target_names() -> tuple[str, ...]:
 def added_targets() -> dict[str, Target]:
     """Return the targets that installed packages add: each a `Target`, TOML text, or the path of a
     file. Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name
-    that differs from the one in the table, and for an invalid table.
-    """
+    that differs from the one in the table, and for an invalid table."""
     return {
         name: _added(name, value)
         for name, value in added("nscc.targets", builtin_names()).items()
@@ -73,8 +71,7 @@ def load_target(
 
     `source` and `span` are the place of the name, for messages. Raises Rejected: NS0230 for an
     unknown name, NS0231 (status 2) for an unreadable file, NS0232 to NS0236 for all errors in a
-    file (status 1 if a `source` names it, else 2).
-    """
+    file (status 1 if a `source` names it, else 2)."""
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         data = read_target(name_or_path, base, source, span)
         return parse_target(data, name_or_path, status=1 if source else 2)
@@ -101,15 +98,13 @@ def load_target(
 
 def target_dict(target: Target) -> dict[str, Any]:
     """Return the target as JSON values: sections of keys in the order of a file, every key
-    present.
-    """
+    present."""
     return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
     """Return the inverse of `target_dict`; raise `ValueError` with the first error of invalid
-    values.
-    """
+    values."""
     key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
     problems += _contradictions(key_values)
     if problems:

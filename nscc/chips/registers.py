@@ -41,8 +41,7 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
 
 def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
     """Yield the contradictions between the keys of [stream], for a chip with taps, like
-    `contradictions`.
-    """
+    `contradictions`."""
     taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
@@ -59,8 +58,7 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
     """Yield the errors in a list of registers as (message, help); `known` are the existing
-    registers.
-    """
+    registers."""
     for index, name in enumerate(names):
         if name in names[:index]:
             yield f"{shown(name)} twice", ""

@@ -3,8 +3,7 @@
 The fields of `Target` are the keys of a target file, and also determine how targets are written,
 listed and stored in containers. There are two kinds of chip with different keys. Pixels of the kind
 "scamp" have a processor. Pixels of the kind "stream" have no logic and receive a bit for every
-slot.
-"""
+slot."""
 
 from __future__ import annotations
 
@@ -35,8 +34,7 @@ class Target:
     """A chip as a compile target.
 
     Every number has its unit in its name; None means no limit, or that the chip lacks the feature.
-    Registers are those of one pixel. An optional key without a default has scamp5's value.
-    """
+    Registers are those of one pixel. An optional key without a default has scamp5's value."""
 
     name: str = key(NAME, "its name in messages and reports", required=True)
     kind: Literal["scamp", "stream"] = key(
@@ -212,8 +210,7 @@ class Target:
     def conversion(self) -> Literal["spread", "full", "half"]:
         """The conversion that is used: `readout`, but "full" if exposures cannot be spread.
 
-        Spreading needs a range of IN and of a register that is large enough.
-        """
+        Spreading needs a range of IN and of a register that is large enough."""
         reached = self.streamed or self.spread_level is not None
         return "full" if self.readout == "spread" and not reached else self.readout
 
@@ -222,8 +219,7 @@ class Target:
         """The value of IN, in steps, closest to minus a full well, which spreads exposures over all
         codes.
 
-        None if exposures are not spread, or if IN or a register does not reach this value.
-        """
+        None if exposures are not spread, or if IN or a register does not reach this value."""
         level = round(-self.full_well_e / self.electrons_per_step)
         held_e = min(self.register_max_e, -self.register_min_e)
         reached = self.in_low <= level < 0 and self.full_well_e <= held_e

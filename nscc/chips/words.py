@@ -12,8 +12,7 @@
 
 Reset, flag and bus words use the analog clock, flag_digital and digital words the digital clock.
 The set of effects is fixed, because the proof and the emulator implement them. A target can define
-words with other operands or durations, but no new effects.
-"""
+words with other operands or durations, but no new effects."""
 
 from __future__ import annotations
 
@@ -101,8 +100,7 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 def _row(values: Any, who: str) -> Operation:
     """Return the operation that one `[[words]]` table defines; raise `ValueError` with the reason
-    if it is invalid.
-    """
+    if it is invalid."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -153,8 +151,7 @@ def _row(values: Any, who: str) -> Operation:
 def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
     """Return the numbers of registers that a word writes and reads.
 
-    `written_` and `read` are the values in the file; errors call the word `who`.
-    """
+    `written_` and `read` are the values in the file; errors call the word `who`."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
     if not _is_integer_within(written_, int(effect in _WRITES), most):
@@ -189,8 +186,7 @@ def _operand_lines(digital: bool) -> frozenset[int]:
 
 def _alike(first: Operation, second: Operation) -> bool:
     """Return whether two operations can have the same encoding: control lines equal except for
-    operands.
-    """
+    operands."""
     if first.clock != second.clock:
         return False
     operands = _operand_lines(not first.analog)

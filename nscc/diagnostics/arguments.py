@@ -15,8 +15,7 @@ from nscc.diagnostics.suggest import meant
 
 class WrongArgument(Rejected, TypeError, ValueError):
     """Raised for an invalid argument of a call (NS0789, status 2); also a ValueError and a
-    TypeError.
-    """
+    TypeError."""
 
 
 def wrong_argument(
@@ -52,8 +51,7 @@ def require_whole_number(
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
     """Issue the warnings among the diagnostics as Python warnings, located at the caller's
-    caller.
-    """
+    caller."""
     for diagnostic in diagnostics:
         if diagnostic.severity is Severity.WARNING:
             warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=stacklevel)
@@ -62,8 +60,7 @@ def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
 def shown(value: object) -> str:
     """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
 
-    Arrays are recognised by their attributes, so that no array library is imported.
-    """
+    Arrays are recognised by their attributes, so that no array library is imported."""
     if isinstance(value, np.generic):
         value = value.item()
     if value is None or isinstance(value, bool | int | float):

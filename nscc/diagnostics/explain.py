@@ -15,8 +15,7 @@ _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?"
 def page(code_or_name: str) -> str:
     """Return the page of a code (`NS0412` in any case, `412`) or of a name (`too-many-shutters`).
 
-    Raises Rejected (NS0790, status 2) for an unknown code or name.
-    """
+    Raises Rejected (NS0790, status 2) for an unknown code or name."""
     known = names()
     query = code_or_name.strip()
     match = _CODE.fullmatch(query)

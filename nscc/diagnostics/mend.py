@@ -13,8 +13,7 @@ def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, i
     """Apply the safe fixes of a text's diagnostics; return the text and the number of fixes.
 
     The first safe fix of each diagnostic is used. Of overlapping fixes, the last in the text is
-    applied.
-    """
+    applied."""
     fixes = []
     for diagnostic in diagnostics:
         sure = [fix for fix in diagnostic.fixes if fix.sure]

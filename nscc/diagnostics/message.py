@@ -30,8 +30,7 @@ class Label:
 class Fix:
     """A change that resolves a diagnostic: replace `span` by `replacement`.
 
-    A fix is `sure` (safe) if it cannot change the meaning that the author intended.
-    """
+    A fix is `sure` (safe) if it cannot change the meaning that the author intended."""
 
     title: str
     span: Span

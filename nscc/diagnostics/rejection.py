@@ -20,8 +20,7 @@ def rejected(
 ) -> Rejected:
     """Return an exception with one error; by default the exit status is 2 (wrong input).
 
-    `about` contains further fields of `Diagnostic`.
-    """
+    `about` contains further fields of `Diagnostic`."""
     diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)
 
@@ -29,8 +28,7 @@ def rejected(
 def unknown_name(code: str, message: str, name: str, known: Sequence[str], listed: str) -> Rejected:
     """Return the exception for a name that is not in `known`; a note lists the known names.
 
-    {} in `message` is replaced by the name, and {} in `listed` by the known names.
-    """
+    {} in `message` is replaced by the name, and {} in `listed` by the known names."""
     return rejected(
         code,
         message.format(name[:60]),

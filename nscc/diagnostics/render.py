@@ -1,7 +1,6 @@
 """Diagnostics as text: for people, editors (`short`) and programs (`json`).
 
-`nscc.diagnostics.reports` has the formats of code-review services.
-"""
+`nscc.diagnostics.reports` has the formats of code-review services."""
 
 from __future__ import annotations
 
@@ -159,8 +158,7 @@ def _helps(diagnostic: Diagnostic) -> list[str]:
 
 def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, str]:
     """Return the source line of a label, cut to the terminal's width, and a line with marks and
-    text.
-    """
+    text."""
     line = source.line(row)
     _, column = source.row_column(label.span.start)
     start = min(column - 1, len(line))

@@ -12,8 +12,7 @@ _LONGEST = 64
 def closest(name: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate most similar to `name`, ignoring case; None if none is similar.
 
-    Of equally similar candidates, the alphabetically first is returned.
-    """
+    Of equally similar candidates, the alphabetically first is returned."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}
@@ -46,8 +45,7 @@ def meant(
 ) -> tuple[str, ...]:
     """Return a help "did you mean ..?" with the closest candidate, formatted by `written`.
 
-    Without a similar candidate, the help is `otherwise`.
-    """
+    Without a similar candidate, the help is `otherwise`."""
     nearest = closest(name, candidates)
     help_text = did_you_mean(written.format(nearest)) if nearest else otherwise
     return (help_text,) if help_text else ()

@@ -8,5 +8,4 @@
     hover(document, offset)         # a description of the place at `offset`
 
 Places are character offsets, as in `nscc.source`. All functions accept any text, also an invalid
-one, and raise no error for it unless their docstring says so.
-"""
+one, and raise no error for it unless their docstring says so."""

@@ -23,7 +23,6 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
 
 def all_mended(document: Document) -> str | None:
     """Return the text after applying all safe fixes once, as `nscc check --fix` does; None without
-    fixes.
-    """
+    fixes."""
     better, count = mended(document.source, document.checked.diagnostics)
     return better.text if count else None

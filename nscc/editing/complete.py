@@ -49,8 +49,7 @@ class Offer:
 def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     """Return the span that a completion replaces, and the completions at `offset`.
 
-    Completions are grammar words, visible names, targets, files and the digest of a named file.
-    """
+    Completions are grammar words, visible names, targets, files and the digest of a named file."""
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
@@ -149,8 +148,7 @@ def _in_quotes(
     document: Document, tokens: Tokens, starts: list[int], offset: int
 ) -> tuple[Span, list[Offer]]:
     """Return completions inside quotes: file names, or the digest of the statement's file after
-    `sha256`.
-    """
+    `sha256`."""
     opening = len(tokens.kinds) - 1
     span = Span(tokens.span(opening).start + 1, offset)
     begin = starts[-1] if starts else 0

@@ -1,7 +1,6 @@
 """Costs of a frame and its slots in words.
 
-The functions return None if the text has errors or only a longer search can determine the costs.
-"""
+The functions return None if the text has errors or only a longer search can determine the costs."""
 
 from __future__ import annotations
 

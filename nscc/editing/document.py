@@ -40,8 +40,7 @@ class CheckResult:
 class Document:
     """A program text, possibly unsaved or invalid.
 
-    Messages call it `name`; paths in it are relative to `folder`.
-    """
+    Messages call it `name`; paths in it are relative to `folder`."""
 
     name: str
     text: str
@@ -100,8 +99,7 @@ class Document:
     @cached_property
     def looking(self) -> Looking | None:
         """The statements about sensing and states; None if there are none or if they are
-        invalid.
-        """
+        invalid."""
         return make_looking(self.declared, self.constants, self.target, self._unheard)
 
     @property

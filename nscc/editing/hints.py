@@ -21,8 +21,7 @@ class Hint:
 
 def hints(document: Document) -> Iterator[Hint]:
     """Yield the frame's cost if the program fits, and the value of every `let` that is an
-    expression.
-    """
+    expression."""
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():

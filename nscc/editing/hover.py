@@ -34,8 +34,7 @@ def hover(document: Document, offset: int) -> Hover | None:
     """Return the hover text at `offset`, or None if there is none.
 
     It contains the meaning and values of a name, the form of a statement, the cost of the frame or
-    a slot, and the pages of messages.
-    """
+    a slot, and the pages of messages."""
     texts: list[str] = []
     span: Span | None = None
     for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
@@ -101,8 +100,7 @@ def _picture(document: Document, name: str) -> str | None:
     """Return a convolution kernel as a grid, or the cost of an image, a plane or a bucket's
     readout.
 
-    None for other names and before version 3 of the language.
-    """
+    None for other names and before version 3 of the language."""
     compiled, declared = document.checked.compiled, document.declared
     if document.tokens.version < 3:
         return None

@@ -57,8 +57,7 @@ def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
     """Return the span that a completion replaces, and the completions at `offset`.
 
     At the start of a line, completions are directives and instructions; later they are targets,
-    kernels or registers.
-    """
+    kernels or registers."""
     line = listing.text[:offset].rpartition("\n")[2]
     typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]

@@ -1,7 +1,6 @@
 """The places of names in a text, and what they refer to, found from tokens.
 
-No syntax tree is needed, so that incomplete statements are included.
-"""
+No syntax tree is needed, so that incomplete statements are included."""
 
 from __future__ import annotations
 
@@ -13,8 +12,7 @@ from nscc.source import Span
 
 Kind = Literal["name", "bucket"]
 """Until version 3, buckets have a separate namespace; all other declarations share one
-namespace.
-"""
+namespace."""
 
 DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "plane")
 """Keywords followed by the name that a statement declares."""

@@ -33,8 +33,7 @@ class OutlineEntry:
     """A statement in the outline.
 
     `kind` is its first word, which is also its `name` if it declares no name. `detail` is a short
-    form of the rest of the statement. `at` is the place of the name.
-    """
+    form of the rest of the statement. `at` is the place of the name."""
 
     name: str
     detail: str

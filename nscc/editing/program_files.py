@@ -11,8 +11,7 @@ from nscc.syntax.parse import parse, read_source
 
 def files_of(program: Path) -> set[Path]:
     """Return the program's path and the paths of the targets, codebooks and pixel codes that it
-    names.
-    """
+    names."""
     files = {program}
     try:
         statements = parse(read_source(program))[0].statements

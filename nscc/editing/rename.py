@@ -22,8 +22,7 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
     """Return the places at which the name at `offset` must be replaced by `name`.
 
     Raises CannotRename if no declared name is at `offset`, if `name` is invalid or in use, or if an
-    array in a file has the old name.
-    """
+    array in a file has the old name."""
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(

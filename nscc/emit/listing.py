@@ -23,8 +23,7 @@ from nscc.words.disassembly import disassemble
 
 def plan_text(plan: ExposurePlan) -> str:
     """Return an exposure plan as text: the steps at every boundary and their numbers of
-    shutters.
-    """
+    shutters."""
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:
@@ -38,8 +37,7 @@ def plan_text(plan: ExposurePlan) -> str:
 
 def planned_text(planned: Planned) -> str:
     """Return all exposure plans, fewest analog writes first, and why other lowerings have
-    no plan.
-    """
+    no plan."""
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 

@@ -1,7 +1,6 @@
 """The gate network of programs with senses; `nscc.emit.network` describes nodes and attributes.
 
-The network leads from codes, states and answers to shutter changes, resets and final states.
-"""
+The network leads from codes, states and answers to shutter changes, resets and final states."""
 
 from __future__ import annotations
 
@@ -91,6 +90,5 @@ def _machine(lowered: LookingLowered) -> StateMachine:
 
 def _in_order(comparisons: tuple[Comparison, ...]) -> list[Comparison]:
     """Return the comparisons of a boundary in the order of `nscc.looks.solve`: by signal, light
-    last.
-    """
+    last."""
     return sorted(comparisons, key=lambda comparison: -comparison.signal)

@@ -27,8 +27,7 @@ more kinds:
 
 * look: an answer in FLAG, which comes from no gate: `function` where, `signal` "light" or a bucket,
   `steps` of IN, `boundary`, `kernel`. It is 1 if the signal is at most the level
-* state: the final bit of a state: `state`, `bit`, `register`, `boundary`
-"""
+* state: the final bit of a state: `state`, `bit`, `register`, `boundary`"""
 
 from __future__ import annotations
 
@@ -47,8 +46,7 @@ from nscc.operations import Op
 
 class NetworkMaker:
     """Builds a network; keeps the nodes so far, and for each register the node of its current
-    value.
-    """
+    value."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
         plan = lowered.plan
@@ -120,8 +118,7 @@ class NetworkMaker:
 def gate_network(lowered: Lowered) -> nx.DiGraph:
     """Return the network of a program with fixed shutters; see the module docstring.
 
-    `nscc.emit.looking_network` handles all programs.
-    """
+    `nscc.emit.looking_network` handles all programs."""
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
     maker.planes(solution.planes, solution.holders)
@@ -200,8 +197,7 @@ def interference(network: nx.DiGraph) -> nx.Graph:
     time.
 
     Planes are alive before the first gate. A gate may overwrite a register that it reads for the
-    last time.
-    """
+    last time."""
     last: dict[str, str] = {}
     for node in network:
         last |= dict.fromkeys(network.predecessors(node), node)
@@ -221,8 +217,7 @@ def registers_needed(network: nx.DiGraph) -> int:
     """Return the fewest registers, including FLAG, that can hold all values in this order of gates.
 
     Live ranges of straight-line code are intervals, so this is the largest number of simultaneously
-    live values.
-    """
+    live values."""
     colours = nx.greedy_color(interference(network), lambda graph, _: list(graph))
     return 1 + max(colours.values(), default=-1)
 

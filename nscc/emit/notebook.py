@@ -23,8 +23,7 @@ def shutter_chart(
 ) -> html.Html:
     """Return a chart of shutters bool (shutters, buckets, N) over time, with one row each.
 
-    If there are many shutters, evenly spaced ones are shown, including the first and the last.
-    """
+    If there are many shutters, evenly spaced ones are shown, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))

@@ -35,8 +35,7 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
 
     Further files follow it: the images of a C++ program. Raises Rejected if the program's chip does
     not have such products (NS0510 for words and gates, NS0512 for planes). Raises ValueError if it
-    is unknown whether the program fits.
-    """
+    is unknown whether the program fits."""
     if compiled.sending is not None:
         return {stem + SUFFIXES[kind]: _of_planes(kind, compiled, compiled.sending)}
     if kind == "planes":

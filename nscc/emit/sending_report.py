@@ -65,8 +65,7 @@ def _place(place: int, target: Target) -> str:
 
 def sending_text(sending: Sending) -> str:
     """Return a line for each slot: when its plane is sent and acts, and the taps of bits 1
-    and 0.
-    """
+    and 0."""
     target, way = sending.program.target, sending.route
     lines = [
         f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
@@ -116,8 +115,7 @@ def planes_bytes(container: Container) -> bytes:
     """Return the bit planes and their schedule for the chip's driver, as an .npz file.
 
     docs/targets.md lists its keys. Raises Rejected (NS0511) if the pixels have no codes, which
-    determine the planes.
-    """
+    determine the planes."""
     from nscc.words.stream import schedule
 
     sent, target = container.stream, container.target

@@ -1,8 +1,7 @@
 """The shutter classes as families of programs: one program text for each size.
 
 A size is a number of slots, or of codebook rows. A codebook's data are fixed pseudo-random rows,
-which gates cannot share.
-"""
+which gates cannot share."""
 
 from __future__ import annotations
 
@@ -35,8 +34,7 @@ class Family:
     `shutters(size)` returns its number of different shutters, `slots(size)` its number of slots.
     `nested` means that the program for one size includes all smaller sizes, so that all sizes above
     an impossible size are impossible. `counted_as` describes the count of shutters. `ceiling` is
-    the largest size to compile, for the reason `ceiling_reason`.
-    """
+    the largest size to compile, for the reason `ceiling_reason`."""
 
     name: str
     description: str
@@ -197,8 +195,7 @@ def _book_by_rows(slots: int) -> Family:
 
 def _provable(shutters: Callable[[int], int]) -> tuple[int, str]:
     """Return the largest number of slots for which all codes can be proved, and the reason for the
-    limit.
-    """
+    limit."""
     most = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
     if most == MOST_SLOTS:
         return most, f"a frame has at most {MOST_SLOTS} slots (NS0308)"

@@ -2,8 +2,7 @@
 
 First come powers of two and the last sizes before another bit is needed, then bisection between
 fitting and failing sizes. The search counts compilations instead of time, so that it ends at the
-same sizes on every machine.
-"""
+same sizes on every machine."""
 
 from __future__ import annotations
 
@@ -27,8 +26,7 @@ class SizeTrial:
 
     `fits` means that the program fits and its words were proved; `figures` are its costs. Otherwise
     `code` and `reason` are those of the error, and `proved` means that no compiler can make the
-    program fit.
-    """
+    program fit."""
 
     size: int
     fits: bool
@@ -41,8 +39,7 @@ class SizeTrial:
 def candidates(count: Count, least: int, most: int) -> list[int]:
     """Return the sizes that a search compiles first, ascending.
 
-    `count(size)` is the number of shutters.
-    """
+    `count(size)` is the number of shutters."""
     steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
@@ -59,8 +56,7 @@ def explore(
     """Compile the ascending `sizes`, then search beyond the largest that fits.
 
     Yields at most `budget` trials as they end, and returns all trials by size. Each step tries the
-    next larger size before the middle, because limits often lie where another bit is needed.
-    """
+    next larger size before the middle, because limits often lie where another bit is needed."""
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
@@ -92,8 +88,7 @@ def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> 
     found.
 
     At most `budget` sizes are tried, `most` first. The result is exact if all sizes below a fitting
-    size fit and the budget suffices.
-    """
+    size fit and the budget suffices."""
     if most < least or budget < 1:
         return None
     if fits(most):

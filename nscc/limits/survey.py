@@ -27,8 +27,7 @@ class Limit:
 
     `built` is the largest trial that fits, or None. Sizes from `impossible` on are proved to be
     impossible, for `impossible_reason`; None if nothing is proved. `unknown_reason` says why sizes
-    in between are unknown; "" if there are none.
-    """
+    in between are unknown; "" if there are none."""
 
     family: Family
     slot: str
@@ -55,8 +54,7 @@ def survey(
 ) -> Generator[SizeTrial, None, list[Limit]]:
     """Yield each trial as it ends; return the limit of every slot length and family.
 
-    Raises Rejected (NS0510) for a chip on which every shutter fits.
-    """
+    Raises Rejected (NS0510) for a chip on which every shutter fits."""
     refuse_planes(
         target,
         "--limits does not apply to this chip",
@@ -74,8 +72,7 @@ def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[SizeTrial, None, Limit]:
     """Find the limit of one family and slot length, for all legal codes; yield each trial as it
-    ends.
-    """
+    ends."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
@@ -126,8 +123,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
 
 def _unknown(limit: Limit) -> str:
     """Return why sizes between the largest built and the smallest impossible one are unknown, or
-    "".
-    """
+    ""."""
     family, first = limit.family, limit.unknown_from
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""

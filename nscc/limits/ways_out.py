@@ -3,8 +3,7 @@
 A similar program keeps the target, the slot length and the user's limits. It does less: only the
 used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. The
 numbers of rows and slots are found by search. Codebooks that the user would have to provide are
-replaced by pseudo-random rows.
-"""
+replaced by pseudo-random rows."""
 
 from __future__ import annotations
 
@@ -37,8 +36,7 @@ MOST_SHOWN = 3
 QUICK_LEVEL = 1
 """Highest optimisation level for alternatives, because one error message compiles several programs.
 
-Programs with fewer codebook rows use the full level.
-"""
+Programs with fewer codebook rows use the full level."""
 _FRAME_TRIALS = 8
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
@@ -57,8 +55,7 @@ class Attempt(Protocol):
 @dataclass(frozen=True)
 class WayOut:
     """A similar program that fits: `text` says what to write and what it costs; `data` is for
-    programs.
-    """
+    programs."""
 
     text: str
     data: Mapping[str, Any] = field(default_factory=dict)
@@ -68,8 +65,7 @@ def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
     """Return similar programs that were compiled and fit, smallest change first.
 
     `level` is the optimisation level of the program that does not fit; each cost names its own
-    level.
-    """
+    level."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 
@@ -132,8 +128,7 @@ def _largest(
     budget: int,
 ) -> tuple[int, Lowered | None]:
     """Return the largest size that fits (`nscc.limits.search.largest`), and its lowered program or
-    None.
-    """
+    None."""
     built: dict[int, Lowered | None] = {}
 
     def fits(size: int) -> bool:

@@ -9,8 +9,7 @@ needs no load.
 The M registers must also distinguish all shutters at the start. If m of them hold the contents that
 m slots load, shutters that are closed in all m slots are 0 in these registers, so the other M - m
 registers must distinguish them. In class d the number of such shutters is smallest if the m slots
-are evenly spaced.
-"""
+are evenly spaced."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
 
     A complete class has these numbers of shutters. Class b: N with stops 0..N-1, one more with
     0..N. Class c with starts 0..N-len: N - len + 1. Class d: all N (N + 1) / 2 bumps, with or
-    without the shutter that never opens.
-    """
+    without the shutter that never opens."""
     bumps = slots * (slots + 1) // 2
     loads = slots
     match class_name:
@@ -53,8 +51,7 @@ def _loadable_at_first(slots: int, never: int, registers: int) -> int:
     """Return the most registers that can hold, at the start, the content that a slot of class d
     loads.
 
-    `never` is 1 if some shutter never opens, else 0.
-    """
+    `never` is 1 if some shutter never opens, else 0."""
     for loaded in range(min(registers, slots), 0, -1):
         gap, longer = divmod(slots - loaded, loaded + 1)
         # A gap of g slots between loaded ones contains g (g + 1) / 2 bumps that are closed in all

@@ -17,8 +17,7 @@ class Bumps:
 
     A shutter that never opens has start[k] = stop[k] = 0. Both arrays are (shutters,) in 0 ..
     steps. Demand i belongs to step `step[i]`; consecutive demands with equal predicates belong to
-    the same step.
-    """
+    the same step."""
 
     start: NDArray[np.int64]
     stop: NDArray[np.int64]
@@ -27,8 +26,7 @@ class Bumps:
 
     def groups(self, size: int = 1) -> list[tuple[int, int]]:
         """Return (group, demand) for every group of `size` steps, with the first demand of the
-        group.
-        """
+        group."""
         first: dict[int, int] = {}
         for demand, step in enumerate(self.step):
             first.setdefault(step // size, demand)
@@ -80,8 +78,7 @@ def bumps_of(problem: Problem) -> Bumps:
 def two_ended(problem: Problem) -> Bumps:
     """Return the bumps of a problem.
 
-    Raises GaveUp if some shutter is not a bump, or if one end of all bumps determines the other.
-    """
+    Raises GaveUp if some shutter is not a bump, or if one end of all bumps determines the other."""
     bumps = bumps_of(problem)
     start, stop = bumps.start[~bumps.never], bumps.stop[~bumps.never]
     # The end of the frame may cut bumps of one length.

@@ -3,8 +3,7 @@
 A demand with a stored predicate costs one word. Fast searches compare sets of stored predicates;
 the best set gets the full search for cascades. If the stored predicates do not distinguish all
 shutters, a few bits of the last ones are changed, and short cascades compute the original
-predicates.
-"""
+predicates."""
 
 from __future__ import annotations
 
@@ -47,8 +46,7 @@ class _Points:
 
     `bits` (predicates, points) are the distinct predicates that planes may hold; the first
     `demanded` of them are demands. `names` describe them. `shutters` (shutters,) is the point of
-    each shutter.
-    """
+    each shutter."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -63,8 +61,7 @@ _Choice = tuple[tuple[int, bool], ...]
 @dataclass(frozen=True)
 class _Plan:
     """Chosen planes (planes, points), the number of scratch registers, and the cascade of every
-    task.
-    """
+    task."""
 
     choice: _Choice
     planes: NDArray[np.bool_]
@@ -195,8 +192,7 @@ class _Finder:
         """Yield initial choices of planes.
 
         Predicates without a demand are tried first (edges can be computed from levels), then
-        demanded ones.
-        """
+        demanded ones."""
         numbers = range(len(self._points.bits))
         undemanded = numbers[self._points.demanded :]
         if undemanded:
@@ -205,8 +201,7 @@ class _Finder:
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
         """Return a plan of at most `most` words, found with a narrow beam; None if none was
-        found.
-        """
+        found."""
         planes = _separating(self._points.bits, choice)
         times = self._times
         repeats = times.total() - len(times)
@@ -234,16 +229,14 @@ class _Finder:
 
     def _predicates_and_flag(self, tasks: list[_Task]) -> tuple[Points, Points]:
         """Return the predicate of every task, and the content of FLAG before it (empty if
-        unknown).
-        """
+        unknown)."""
         predicates, flag_predicates = np.array(tasks).T
         known = np.where((flag_predicates >= 0)[:, None], self._sets[flag_predicates], np.uint64(0))
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
         """Improve the choice of planes by local search, until `until` steps are left; yield better
-        plans.
-        """
+        plans."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
         current = best
@@ -270,8 +263,7 @@ class _Finder:
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
         """Search for shorter cascades with the same planes, longest cascade first; yield better
-        plans.
-        """
+        plans."""
         search = self._search(best.planes, best.scratch)
         for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
@@ -285,8 +277,7 @@ class _Finder:
 
 def _points(problem: Problem) -> _Points:
     """Return the points of a problem; the open shutters of each slot are additional candidate
-    planes.
-    """
+    planes."""
     names: dict[int, str] = {}
     for demand in problem.demands:
         names.setdefault(demand.predicate, describe_demand(demand))
@@ -305,8 +296,7 @@ def _points(problem: Problem) -> _Points:
 
 def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     """Return the planes of a choice, changed at as few points as needed to distinguish all
-    points.
-    """
+    points."""
     stored, inverted = np.array(choice).T
     planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]

@@ -9,8 +9,7 @@ keeps, for every number of words, the values with the fewest undecided points.
 
 The backward direction yields don't-cares. A value that an OR reads must be 0 where the OR is 0, and
 1 where the OR is 1 only because of this value; elsewhere it is free. So every link passes on fewer
-points, and a cascade ends when planes and cubes decide all points.
-"""
+points, and a cascade ends when planes and cubes decide all points."""
 
 from __future__ import annotations
 
@@ -46,8 +45,7 @@ class Link:
 
     Its value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in its
     own scratch register; `planes` are read directly. A link that `reads_flag` also reads FLAG as it
-    was before the cascade. Every link except the innermost reads the next link.
-    """
+    was before the cascade. Every link except the innermost reads the next link."""
 
     to_flag: bool
     negated: bool
@@ -84,8 +82,7 @@ class _Values:
 
     `task` is the index of the predicate. `via` is the index of the value that reads this value, and
     `negated` says whether as a NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0
-    if there are fewer.
-    """
+    if there are fewer."""
 
     on: Points
     off: Points
@@ -112,8 +109,7 @@ class _Values:
 
     def best(self, width: int) -> _Values:
         """Return for every task the `width` distinct values with the least undecided
-        information.
-        """
+        information."""
         undecided = self.undecided_bits()
         # Equal values have equal digests; a collision only loses a value.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
@@ -138,8 +134,7 @@ _Way = tuple[int, bool, tuple[int, ...], bool]
 """How a value is reached: the parent value, whether complemented, the link's cubes, and whether it
 is in FLAG.
 
-At the end of a cascade, the last item says whether the old FLAG is read.
-"""
+At the end of a cascade, the last item says whether the old FLAG is read."""
 
 
 class Search:
@@ -166,8 +161,7 @@ class Search:
 
         A cascade has at most `most_words` words. FLAG holds `flag_before` (n, W) before the
         cascade, the empty set if its content is unknown. `width` is the width of the beam. The
-        search ends when the cascades are unlikely to have as few as `most_total` words in total.
-        """
+        search ends when the cascades are unlikely to have as few as `most_total` words in total."""
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
         start = _Values(
@@ -320,8 +314,7 @@ class Search:
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
         """Record, for every task, the first value without undecided points.
 
-        With `inner`, the content of FLAG before the cascade may decide points.
-        """
+        With `inner`, the content of FLAG before the cascade may decide points."""
         undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
@@ -339,8 +332,7 @@ class Search:
 
     def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
         """Return the cascade found for `on`, with the planes that each link reads; None if none was
-        found.
-        """
+        found."""
         if end is None:
             return None
         words, way = end
@@ -397,7 +389,6 @@ class Search:
 def _factors() -> NDArray[np.uint64]:
     """Return odd numbers for hashing, two for each word of the largest set.
 
-    They are computed on first use, because importing numpy.random is slow.
-    """
+    They are computed on first use, because importing numpy.random is slow."""
     numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
     return numbers * 2 + 1

@@ -4,8 +4,7 @@ This is two-level minimisation (prime cubes, then the cheapest choice of them: Q
 Petrick) with two differences: literals are only values as stored, and the cost of a cube is shared.
 NOR(A) is 1 where every value of A is 0, so the cube lies inside a predicate if the values of A
 cover all shutters outside. A cube costs one word and needs no inverted literal. A cube inside later
-predicates may stay in its register, and these demands share its word.
-"""
+predicates may stay in its register, and these demands share its word."""
 
 from __future__ import annotations
 
@@ -22,8 +21,7 @@ class Nor:
     """A cube NOR(sources): its truth vector, and `life`, the number of demands that it serves from
     now on.
 
-    `words` is its cost, more than one if it has more sources than one word accepts.
-    """
+    `words` is its cost, more than one if it has more sources than one word accepts."""
 
     sources: tuple[int, ...]
     vector: int
@@ -41,8 +39,7 @@ class Cover:
     """The indices `positive` of values, and `cubes`, whose OR is the predicate.
 
     `cost` is in words; the words of reused cubes are divided by the number of demands that they
-    serve.
-    """
+    serve."""
 
     positive: tuple[int, ...]
     cubes: tuple[Nor, ...]
@@ -61,8 +58,7 @@ class Covers:
     """Search for covers within `budget`.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
-    accepts.
-    """
+    accepts."""
 
     everything: int
     fan_in: int | None
@@ -75,8 +71,7 @@ class Covers:
         found.
 
         `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR.
-        Cubes that the further predicates in `ahead` can reuse are preferred.
-        """
+        Cubes that the further predicates in `ahead` can reuse are preferred."""
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
@@ -134,8 +129,7 @@ class Covers:
         none.
 
         It starts with all literals and drops one after another, each time the literal whose removal
-        adds most of `uncovered`. A cube is prime if no literal can be dropped.
-        """
+        adds most of `uncovered`. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
         # A literal that alone keeps out a part of `outside` can never be dropped.
@@ -190,8 +184,7 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int)
 
 def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
     """Return the cheapest set of at most `most` cubes that covers `uncovered`, by branch
-    and bound.
-    """
+    and bound."""
     ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")

@@ -3,8 +3,7 @@
 One NOR computes a cube if the planes that are 1 in it are inverted. Codes in which each needed set
 is one cube, with few inversions in a frame, are hard to find, so the cubes come from tables. A
 shutter gets any code that all its cubes allow. Every plane is 0 in the first cube of a frame that
-reads it.
-"""
+reads it."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ class BumpCubes:
 
     `rises[k]`, one or two cubes, contain the bumps with i = k, and none with k < i or j < k.
     `falls[k]`, for all groups except the last, contains the bumps with j = k, and none with i <= k
-    < j. Opening open shutters and closing closed shutters has no effect.
-    """
+    < j. Opening open shutters and closing closed shutters has no effect."""
 
     planes: int
     rises: tuple[tuple[Cube, ...], ...]

@@ -3,8 +3,7 @@
 A cube is a set of literals (plane, value); it is 1 where every plane has its value. NOR reads
 complements, so a literal with value 1 needs an inverted plane. The emitter inverts planes in place
 and tracks their polarity, so that consecutive demands share inversions (with a Gray counter one per
-step). At the end of the frame all polarities are restored.
-"""
+step). At the end of the frame all polarities are restored."""
 
 from __future__ import annotations
 
@@ -23,8 +22,7 @@ Cube = tuple[tuple[int, int], ...]
 class Encoding:
     """The content of the planes, and each demand's predicate as an OR of cubes.
 
-    `cubes[i]` cover demand i, or its complement if `inverted[i]`.
-    """
+    `cubes[i]` cover demand i, or its complement if `inverted[i]`."""
 
     name: str
     planes: Planes
@@ -55,8 +53,7 @@ def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Bud
 
     Codes without a shutter are don't-cares. With 13 planes there are too many primes to enumerate
     (Quine, McCluskey). Each cube starts as the code of one uncovered shutter and is expanded
-    greedily by newly covered shutters (like Espresso, Brayton et al., 1984).
-    """
+    greedily by newly covered shutters (like Espresso, Brayton et al., 1984)."""
     literals = [(everything & ~plane, plane) for plane in planes]
     cubes: list[Cube] = []
     uncovered = on
@@ -138,8 +135,7 @@ class Standing:
     """The register and polarity (`inverted` = 1) of each plane while gates are emitted.
 
     Inverting a plane in place takes two words. Inverting it into a register named by `free` takes
-    one word and frees the plane's old register.
-    """
+    one word and frees the plane's old register."""
 
     def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
         self._gates = gates

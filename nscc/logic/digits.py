@@ -27,8 +27,7 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
 
     Smallest sums come first; radix 1 is left out. The product is the number of distinct values, the
     sum the number of registers: a digit of radix r takes r - 1 thermometer planes and a register
-    for its cube (`nested_demands`), or one plane for each of its r values (`events`).
-    """
+    for its cube (`nested_demands`), or one plane for each of its r values (`events`)."""
     choices: list[tuple[int, ...]] = []
 
     def extend(chosen: tuple[int, ...], total: int, remaining: int) -> None:

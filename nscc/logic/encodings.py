@@ -1,8 +1,7 @@
 """Encodings: contents of the code planes with which a problem's predicates are cheap to compute.
 
 Each function depends only on the predicates. It raises GaveUp if they do not suit the encoding or
-if its planes leave too few registers.
-"""
+if its planes leave too few registers."""
 
 from __future__ import annotations
 
@@ -21,8 +20,7 @@ from nscc.truth import members, union
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return one plane for each distinct predicate (raw bits, thermometer codes): one word per
-    demand.
-    """
+    demand."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
@@ -58,8 +56,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return event times in Gray code, stored as time XOR now: an event is a test for 0, one NOR.
 
     The times of the k-th events of one kind (rise or fall of a bucket) form a field. Its planes
-    hold the Gray code of the event number. One in-place NOT before each event updates "now".
-    """
+    hold the Gray code of the event number. One in-place NOT before each event updates "now"."""
     planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
@@ -132,8 +129,7 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return shutter numbers in Gray code; each shutter of a predicate is one test for equality.
 
     This is useful for long programs, whose kernels must repeat to fit the store: one kernel serves
-    all equality tests, and one kernel inverts each plane.
-    """
+    all equality tests, and one kernel inverts each plane."""
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
     # Every member is a separate equality test of at least two words; for more than a few, other
@@ -145,8 +141,7 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 def gray_index_wide(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding of `gray_index` for any predicates: many words and much time, but few
-    stored words.
-    """
+    stored words."""
     budget.spend(_STEPS_A_MEMBER * _members(problem))
     return _index_equalities(problem, machine)
 
@@ -179,8 +174,7 @@ def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> En
 
 def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding of `covered_gray_index` with both polarities of every bit, without
-    inversions.
-    """
+    inversions."""
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
@@ -198,8 +192,7 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     """Return the values of the code's fields in Gray code; each predicate is covered by cubes.
 
     Rules are written in fields, so events of one field are equality tests. Shutters that differ
-    otherwise, for example those that never open, cost a few cubes at a few boundaries.
-    """
+    otherwise, for example those that never open, cost a few cubes at a few boundaries."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []
@@ -220,8 +213,7 @@ def _twice(cube: Cube) -> Cube:
 
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the open shutters of every slot as planes; an edge is one cube of two neighbouring
-    slots.
-    """
+    slots."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:
@@ -244,8 +236,7 @@ def _best_cover(
     """Return the smaller of the covers of a predicate and of its complement, and whether it is the
     latter.
 
-    The complement costs one more gate.
-    """
+    The complement costs one more gate."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
     if len(direct) > 1:

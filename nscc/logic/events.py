@@ -3,8 +3,7 @@
 A time consists of a group and a place in it. The place is written in digits; each value of a digit
 has a plane, which is 0 if the digit has that value. The planes of the group's code are inverted as
 time advances, so that the planes that identify the current group are all 0. An equality test is
-then one NOR. The codes are chosen to need few inversions.
-"""
+then one NOR. The codes are chosen to need few inversions."""
 
 from __future__ import annotations
 
@@ -31,8 +30,7 @@ class _Field:
     """Numbers (shutters,), and for each event, in time order, its demand and number.
 
     Shutters without an event have the number `count` - 1. An event of shutters with several numbers
-    has the lowest of them.
-    """
+    has the lowest of them."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -44,8 +42,7 @@ class _Field:
 class _Form:
     """A layout of a field: places in digits of `radices`, groups in `bits` binary digits.
 
-    `turns` is the number of inversions in a frame.
-    """
+    `turns` is the number of inversions in a frame."""
 
     radices: tuple[int, ...]
     bits: int
@@ -77,8 +74,7 @@ _MOST_KINDS = 24
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield solutions with digits for every field; spare registers store the last demands
-    directly.
-    """
+    directly."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -107,8 +103,7 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
     """Return the events of each field, by name.
 
     There is one field for each kind and rank of events; fields are merged if their events imply
-    each other.
-    """
+    each other."""
     kinds = event_fields(problem, _MOST_KINDS)
     merged: list[tuple[str, _Events]] = []
     for key, demand_shutters in kinds.items():
@@ -126,8 +121,7 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
 
 def _field(name: str, events: _Events, shutters: int) -> _Field:
     """Return the field that numbers these events; raise GaveUp if numbers cannot
-    distinguish them.
-    """
+    distinguish them."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
         raise GaveUp("the remaining events are not unions of each other")
@@ -143,8 +137,7 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
     """Return the smallest disjoint `vectors` whose unions are all other vectors, in their order.
 
     None if there are no such vectors. One field then serves all events: an atom is a number, and a
-    union of atoms is several equality tests.
-    """
+    union of atoms is several equality tests."""
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
@@ -172,8 +165,7 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """Return segments that invert group bits before each demand and, at key -1, after the last
-    demand.
-    """
+    demand."""
     _, cubes = _groups(field, form)
     standing = [0] * form.bits
     turned: dict[int, tuple[Segment, ...]] = {}
@@ -192,8 +184,7 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
 
 def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
     """Return the code of each group and the cube that identifies it; the first event needs no
-    inversion.
-    """
+    inversion."""
     if not form.bits:
         return (0,), ((),)
     return number_cubes(-(-field.count // form.size), form.bits)

@@ -11,8 +11,7 @@ def words_of(sources: int, fan_in: int | None) -> int:
     """Return the words of a NOR or OR of `sources` registers into another register.
 
     The first word reads `fan_in` sources. Each further pair of words is in place and reads one
-    source less, because the partial result is also a source.
-    """
+    source less, because the partial result is also a source."""
     if fan_in is None or sources <= fan_in:
         return 1
     return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))

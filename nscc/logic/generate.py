@@ -58,8 +58,7 @@ FROM_LEVEL: dict[Kind, int] = {
 * equality: a few words per demand, for any number of shutters and slots
 * cascade: arbitrary shutters, by search over several levels of gates
 * cover: any predicates, at a cost that grows with them
-* last: the most expensive, every shutter of every predicate separately, with few kernels
-"""
+* last: the most expensive, every shutter of every predicate separately, with few kernels"""
 
 
 @dataclass(frozen=True)
@@ -68,8 +67,7 @@ class Generator:
 
     `solve(problem, machine, steps)` yields at least one solution, each with at most `steps` search
     steps, or raises GaveUp. `kind` determines when it is tried. `from_level` is the lowest
-    optimisation level at which it is tried, None for its kind's default.
-    """
+    optimisation level at which it is tried, None for its kind's default."""
 
     kind: Kind
     solve: Callable[[Problem, Machine, int], Iterable[Solution]]
@@ -113,8 +111,7 @@ GENERATORS: dict[str, Generator] = {
 """nscc's generators, in the order in which those of one kind are tried.
 
 Other distributions add generators as entry points of the group nscc.encodings. These follow nscc's
-own, and are used from level LEAST_ADDED on, so that lower levels stay fast.
-"""
+own, and are used from level LEAST_ADDED on, so that lower levels stay fast."""
 
 LEAST_ADDED = 2
 _GROUP: Group = "nscc.encodings"
@@ -123,8 +120,7 @@ _GROUP: Group = "nscc.encodings"
 def added_generators() -> dict[str, Generator]:
     """Return the generators that other distributions add, by name.
 
-    Raises Rejected (NS0905) for an invalid generator or declaration.
-    """
+    Raises Rejected (NS0905) for an invalid generator or declaration."""
     generators: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, generator in generators.items():
         if not isinstance(generator, Generator):
@@ -164,8 +160,7 @@ def note_fault(
 ) -> None:
     """Add an exception of the generator `name` to `faults`.
 
-    The exception is raised again if `faults` is None, or if it is a diagnostic or a MemoryError.
-    """
+    The exception is raised again if `faults` is None, or if it is a diagnostic or a MemoryError."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
     message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
@@ -179,8 +174,7 @@ def solutions(
 
     They are computed lazily, usually the cheapest first. The caller computes their costs, because
     these depend on the surrounding words. If a generator raises an unexpected exception, it is
-    added to `faults` and the search continues; without `faults` it propagates.
-    """
+    added to `faults` and the search continues; without `faults` it propagates."""
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
@@ -238,8 +232,7 @@ def _generators_at(level: int) -> dict[str, Generator]:
 def _fewest_words(problem: Problem, machine: Machine) -> int:
     """Return a lower bound on the words of any solution.
 
-    It counts one word per demand, and two for each predicate that cannot be stored.
-    """
+    It counts one word per demand, and two for each predicate that cannot be stored."""
     unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
     return len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
 
@@ -248,8 +241,7 @@ def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
     """Yield the solutions of a generator until it gives up; NS0905 if an added generator is
-    wrong.
-    """
+    wrong."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):

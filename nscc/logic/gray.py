@@ -3,8 +3,7 @@
 One NOR selects a group's shutters if every plane that is 1 in its code has been inverted. The step
 to the next group inverts two bits on average with binary codes, but always one with a Gray code (F.
 Gray, US patent 2 632 058, 1953). All planes must be restored at the frame's end, so the Gray code
-with the cheapest restoration is chosen.
-"""
+with the cheapest restoration is chosen."""
 
 from __future__ import annotations
 
@@ -24,8 +23,7 @@ def gray(number: Numbers) -> Numbers:
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
     """Return a Gray code whose last or second last code is a neighbour of the first.
 
-    Few bits must then be restored at the end.
-    """
+    Few bits must then be restored at the end."""
     # Count up without the top bit and down with it, which is a cycle. An odd number adds one code
     # after the last.
     half = groups // 2

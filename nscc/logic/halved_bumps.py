@@ -4,8 +4,7 @@ The frame has two halves of 2^b slots. 2 b planes hold start and last slot modul
 half of the last slot, and the mask the half of the start. The masked register, initially 0, holds
 the open bumps. The NOR of the planes at which a number n has a 0 selects the bumps whose number is
 a submask of n: n itself, and smaller numbers. A bump with a smaller start or end is already open or
-closed, so no plane is ever inverted.
-"""
+closed, so no plane is ever inverted."""
 
 from __future__ import annotations
 
@@ -23,8 +22,7 @@ from nscc.truth import columns
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield the solution with bits of start and last slot, the half of the last slot, and the
-    masked pair.
-    """
+    masked pair."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
@@ -42,8 +40,7 @@ class _Writer:
     `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
     holds the bumps that end in the second half, and `mask` those that have not ended. In the second
     half, `half` holds the bumps that started in the first half. `flag_kept` says for each demand
-    whether FLAG has kept its value since the previous demand.
-    """
+    whether FLAG has kept its value since the previous demand."""
 
     def __init__(self, bumps: Bumps, bits: int, flag_kept: list[bool], gates: Gates) -> None:
         self.bumps, self.bits, self.flag_kept, self.gates = bumps, bits, flag_kept, gates
@@ -102,8 +99,7 @@ class _Writer:
         """Add the gates of the first step of the second half.
 
         Afterwards `mask` holds the bumps that wait for their start, or that ended in the first
-        half.
-        """
+        half."""
         gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
         gates.load_flag([mask], None)
         gates.nor(mask, [half])
@@ -117,8 +113,7 @@ class _Writer:
     def _from_waiting(self, step: int) -> None:
         """Add the gates of a step after which `mask` holds the bumps that ended in this half.
 
-        Before the step, `mask` holds the waiting bumps.
-        """
+        Before the step, `mask` holds the waiting bumps."""
         gates, masked, mask = self.gates, self.masked, self.mask
         gates.load_flag([mask], None)
         gates.nor(masked, [*self._starts(step), self.half], mask)
@@ -130,8 +125,7 @@ class _Writer:
     def _from_done(self, step: int) -> None:
         """Add the gates of a step after which `mask` holds the waiting bumps.
 
-        Before the step, `mask` holds the bumps that ended in this half.
-        """
+        Before the step, `mask` holds the bumps that ended in this half."""
         gates, masked, mask = self.gates, self.masked, self.mask
         gates.load_flag([mask, masked], None)
         gates.nor(mask, [*self._starts(step), self.half, "FLAG"])
@@ -143,8 +137,7 @@ class _Writer:
     def _restore(self, waiting: bool) -> None:
         """Add the gates that restore the planes at the end of the frame.
 
-        Then the waiting bumps are those that ended in the first half.
-        """
+        Then the waiting bumps are those that ended in the first half."""
         gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
         gates.load_flag([half], None)
         gates.nor(half, [mask]) if waiting else gates.or_(half, [mask, masked])

@@ -1,8 +1,7 @@
 """Generator for nested demands: each contains the next (open until a stop) or the previous one.
 
 Every shutter has a rank, the number of demands that it satisfies, and demand d is rank > d. Ranks
-are written in digits for which this comparison is cheap.
-"""
+are written in digits for which this comparison is cheap."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ from nscc.truth import columns, rows
 class Nest:
     """The ranks (shutters,) of nested demands, in 0 .. steps.
 
-    Demand i is rank > step[i], or its complement if `complemented[i]`.
-    """
+    Demand i is rank > step[i], or its complement if `complemented[i]`."""
 
     ranks: NDArray[np.int64]
     step: tuple[int, ...]
@@ -64,8 +62,7 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
     When a digit changes, one cube for each higher digit computes "already greater"; the remaining
     part of each demand is a cube with one plane per digit. For digits a b and time A B, "rank >
     time" is a > A or (a >= A and b > B): the first is computed once for all of A's slots, the
-    second is a NOR of two planes.
-    """
+    second is a NOR of two planes."""
     nest = nest_of(problem)
     for bits in range(4):
         flips, most_cubes = _turns(bits)
@@ -103,8 +100,7 @@ def _turns(bits: int) -> tuple[_Flips, int]:
     The sequence is a shortest path through (group, polarities). In group h the bits must mask every
     lower value but not h, and the values above h must be an OR of planes and a few cubes. The path
     starts in group 0 and ends after the last group with the stored polarities. An inversion costs
-    two words, a cube one.
-    """
+    two words, a cube one."""
     import networkx as nx  # only from -O2 on: `check` starts without it
 
     groups, stored = 1 << bits, (0,) * bits
@@ -135,8 +131,7 @@ def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
     """Return the number of cubes in group h if the planes have this `polarity`; None if no mask
-    exists.
-    """
+    exists."""
     # Each plane as the set of values of the highest digit at which it is 1. The NOR of those that
     # are 0 at h selects h, and no lower value if together they contain all of these.
     groups = range(1 << bits)
@@ -195,8 +190,7 @@ def _back(turned: Sequence[int]) -> tuple[Segment, ...]:
 
 class _Form(Enum):
     """Where the state of a counted digit is stored: (name, number of registers besides the
-    planes).
-    """
+    planes)."""
 
     DIGITS = "state in a register, digits inside"
     STATE = "state in a register"
@@ -218,8 +212,7 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
 
     The NOR of the planes where h has a 0 selects the submasks of h: h itself and lower values only.
     Removing it from "greater" at each step leaves exactly the greater values, and no plane is
-    inverted. High bits in Gray code, which are inverted, let kernels repeat.
-    """
+    inverted. High bits in Gray code, which are inverted, let kernels repeat."""
     nest = nest_of(problem)
     values = nest.steps + 1
     for bits in range(2, (values - 1).bit_length() + 1):
@@ -281,8 +274,7 @@ def _counted_script(
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
     """Return segments that remove the shutters of the cube NOR(equal) from "greater".
 
-    An empty `equal` removes all shutters.
-    """
+    An empty `equal` removes all shutters."""
     # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still contains
     # the equal shutters: DIGITS keeps its inverse for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):

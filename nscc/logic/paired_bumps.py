@@ -8,8 +8,7 @@ In the first slot of a group, the open bumps are those continuing from before an
 in the slot. In the second slot, all bumps that start in the group are open too, except those that
 ended in the first slot. So the mask is set where a bump is active in the group. There the masked
 register gets "does not end in this group, or ends in its second slot", and then "does not end in
-this group".
-"""
+this group"."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ _BESIDE = {_Form.MASKED: 5, _Form.TIGHT: 4, _Form.REGISTER: 5, _Form.FLAG: 4}
 
 def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield solutions in all forms that suit the machine, if the cube tables have the groups and
-    planes.
-    """
+    planes."""
     bumps = two_ended(problem)
     forms = (_Form.MASKED, _Form.TIGHT) if machine.masked else (_Form.REGISTER, _Form.FLAG)
     for form in forms:
@@ -59,8 +57,7 @@ class _Writer:
     """Writes the gates of one frame.
 
     `on` holds the bumps that continue after a group; `scratch` is for intermediate values. If it
-    keeps its content (`lasts`), planes may move into it.
-    """
+    keeps its content (`lasts`), planes may move into it."""
 
     def __init__(
         self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates, lasts: bool
@@ -124,8 +121,7 @@ class _Writer:
 
     def _first(self, step: int) -> None:
         """Add the gates of a group's first slot: continuing bumps and those that start in it are
-        open.
-        """
+        open."""
         gates = self.gates
         gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
         if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
@@ -136,8 +132,7 @@ class _Writer:
     def _start(self) -> None:
         """Add the gates that add the bumps that start in the group.
 
-        If t0 is the mask, it holds the active bumps, and t1 or FLAG the others.
-        """
+        If t0 is the mask, it holds the active bumps, and t1 or FLAG the others."""
         gates = self.gates
         match self.form:
             case _Form.MASKED:
@@ -155,8 +150,7 @@ class _Writer:
         """Add the gates of a group's second slot.
 
         Active bumps are open except those that ended in the first slot; then the bumps that end in
-        the group are removed.
-        """
+        the group are removed."""
         gates, on, place, scratch = self.gates, self.on, self.last_place, self.scratch
         if self.masked:
             gates.or_(on, [*ends, place], "t0")

@@ -1,7 +1,6 @@
 """Sets of points as bit arrays, and all cubes that one NOR of planes can compute.
 
-A set is an array of uint64 words (.., W); bit i of word w is point 64 w + i.
-"""
+A set is an array of uint64 words (.., W); bit i of word w is point 64 w + i."""
 
 from __future__ import annotations
 
@@ -19,8 +18,7 @@ class Planes:
     """Code planes and all cubes that one NOR of them can compute, by cost.
 
     `planes` (P, W) are sets of points, `everything` (W,) is the set of all points. `groups` are
-    tuples of words, cubes (M, W) and masks of planes (M,).
-    """
+    tuples of words, cubes (M, W) and masks of planes (M,)."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
@@ -62,16 +60,14 @@ def sizes(sets: Points) -> Indices:
 
 def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
     """Return whether each set of `first_sets` (.., W) is disjoint from its partner in
-    `second_sets`.
-    """
+    `second_sets`."""
     none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
     return none
 
 
 def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
     """Return the number of points of `on` in each cube, 0 if it contains a point of `off`:
-    (n, M).
-    """
+    (n, M)."""
     gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
     excluded = np.zeros(gain.shape, dtype=np.bool_)
     for word in range(cubes.shape[1]):

@@ -6,8 +6,7 @@ analog words run. A solution defines the content of every pixel's registers at t
 registers hold their initial content.
 
 Solutions name virtual registers: p0, p1, .. contain code bits (planes), s0, .. state within a
-frame, and t0, .. are scratch registers. `nscc.lower.allocate` maps them to the chip's registers.
-"""
+frame, and t0, .. are scratch registers. `nscc.lower.allocate` maps them to the chip's registers."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ class Gate:
 
     `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
     among its sources is an in-place pair of words. With a `mask`, the gate writes its destination
-    only where the register `mask` is 1; elsewhere the destination keeps its content.
-    """
+    only where the register `mask` is 1; elsewhere the destination keeps its content."""
 
     name: str
     destination: str
@@ -45,8 +43,7 @@ class Gate:
         """The number of words of the gate, without the SET of a mask.
 
         A word cannot read and write the same register: a gate in place is a pair of words that
-        keeps the result on the bus.
-        """
+        keeps the result on the bus."""
         return 2 if self.destination in self.sources else 1
 
 
@@ -60,8 +57,7 @@ class Demand:
 
     The predicate is neither empty nor all shutters. `edge` is "rise", "fall" or "open", of bucket
     number `bucket`. `flag_kept` means that FLAG still holds the predicate of the previous demand.
-    `scratch_kept` means that no refresh happened since then, which only code and states survive.
-    """
+    `scratch_kept` means that no refresh happened since then, which only code and states survive."""
 
     boundary: int
     edge: str
@@ -78,8 +74,7 @@ class Problem:
     `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts` means that FLAG
     does not decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`).
     `values` gives, for each field of the code, the value of every shutter (shutters,), taken from
-    one of its codes; predicates are often simple in these values.
-    """
+    one of its codes; predicates are often simple in these values."""
 
     demands: tuple[Demand, ...]
     shutters: int
@@ -103,8 +98,7 @@ class Machine:
     """The costs and limits of gates on a target.
 
     `registers` is the number of one-bit registers of a pixel. `masked` means that one of them (R12
-    on SCAMP-5) is written only where another (R0) is 1; masked gates need this pair.
-    """
+    on SCAMP-5) is written only where another (R0) is 1; masked gates need this pair."""
 
     registers: int
     masked: bool
@@ -132,8 +126,7 @@ class Solution:
     words. `answers` has one entry for each demand; `opening` runs at boundary 0 before any demand
     and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1 before the opening
     and keeps the solution's state until the end of the frame: other users of FLAG must restore it
-    and may use t0.
-    """
+    and may use t0."""
 
     encoding: str
     planes: tuple[int, ...]
@@ -152,8 +145,7 @@ class Solution:
     def masked_pair(self) -> tuple[str, str] | None:
         """Return the register that masked gates write, and its mask; None without masked gates.
 
-        A pixel has one such pair, and every write to its first register is a masked gate.
-        """
+        A pixel has one such pair, and every write to its first register is a masked gate."""
         gates = chain.from_iterable(self.segments())
         return next(((g.destination, g.mask) for g in gates if g.mask is not None), None)
 
@@ -166,8 +158,7 @@ class Solution:
 def quietest(writes: Sequence[int]) -> int:
     """Return the index of the plane to put in the masked register if all registers are needed.
 
-    `writes[i]` is how often a frame writes plane i: each write costs the mask and one more word.
-    """
+    `writes[i]` is how often a frame writes plane i: each write costs the mask and one more word."""
     return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 

@@ -1,8 +1,7 @@
 """Check of a solution against its problem: runs the gates on truth vectors of all shutters.
 
 Contents on which no pass may rely (scratch at the start, FLAG after other words, registers without
-refresh) are unknown, and no gate may read them.
-"""
+refresh) are unknown, and no gate may read them."""
 
 from __future__ import annotations
 
@@ -156,8 +155,7 @@ def _masked(machine: Machine, solution: Solution) -> str | None:
     none.
 
     If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes there.
-    Each of these writes sets the mask, which overwrites t0.
-    """
+    Each of these writes sets the mask, which overwrites t0."""
     used = len(solution.planes) + solution.states + solution.scratch
     if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
         return None

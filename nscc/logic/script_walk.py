@@ -3,8 +3,7 @@
 A script defines the planes and the gates that run before each demand (inversions, state updates).
 The walk runs them on truth vectors, so it knows the content of every register. It meets each demand
 by an OR of values and new cubes, or by the complement of one. Cubes that serve later demands stay
-in scratch registers.
-"""
+in scratch registers."""
 
 from __future__ import annotations
 
@@ -27,8 +26,7 @@ class Script:
     """An encoding and the gates that do not depend on how demands are met.
 
     `before[i]` runs before the gates of demand i; it may overwrite states, scratch registers and
-    FLAG.
-    """
+    FLAG."""
 
     encoding: str
     planes: Planes
@@ -43,8 +41,7 @@ class Script:
 class _Choice:
     """A cover of a demand, or of its complement if `inverted`, over the values of `names`.
 
-    With `turned`, the last name is the inverse of that value, which must be computed first.
-    """
+    With `turned`, the last name is the inverse of that value, which must be computed first."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -66,8 +63,7 @@ _AHEAD = 64
 
 def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
     """Yield the solution of a script, found in `steps` of search; none if a demand cannot
-    be met.
-    """
+    be met."""
     scratch = machine.registers - len(script.planes) - script.states
     if scratch >= 0:
         script = _within_fan_in(script, machine)
@@ -189,8 +185,7 @@ class _Walker:
         """Return the gates for demand `index`, from the cheapest cover found.
 
         Covers use all registers, then planes and states only, which frees scratch registers; one
-        value may be inverted first.
-        """
+        value may be inverted first."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]
@@ -219,8 +214,7 @@ class _Walker:
         self, names: list[str], turned: str | None, ahead: Sequence[int], against: Sequence[int]
     ) -> Iterator[_Choice]:
         """Yield covers of a demand and of its complement by the values of `names` and the inverse
-        of `turned`.
-        """
+        of `turned`."""
         values = [self.values[name] for name in names]
         scratch = self.scratch
         if turned is not None:
@@ -293,8 +287,7 @@ class _Walker:
     def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
         """Return a scratch register that is free or whose value serves the fewest later demands.
 
-        None if all scratch registers are in `busy`.
-        """
+        None if all scratch registers are in `busy`."""
 
         def missed(name: str) -> int:
             vector = self.values.get(name)

@@ -2,8 +2,7 @@
 
 For shutters with few edges, the times of the edges are stored in Gray code
 (`nscc.logic.encodings.gray_times`). Each equality test sets or clears the state, so that every slot
-costs the same few words. The state is a register, or FLAG itself.
-"""
+costs the same few words. The state is a register, or FLAG itself."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ def state_register(problem: Problem, machine: Machine, budget: Budget) -> Soluti
 
 def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solution:
     """Return the solution with the state of a single bucket in FLAG, which must keep it for the
-    frame.
-    """
+    frame."""
     if not problem.flag_lasts or len(problem.opens) != 1:
         raise GaveUp("FLAG cannot keep the state")
     return _solve(problem, machine, budget, in_flag=True)
@@ -81,8 +79,7 @@ def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], 
     """Return rises and falls in time order, and the number of them before each demand.
 
     The demand at boundary n + 1 requires the level of slot n, so the events of boundaries 0..n come
-    before it. A bucket starts open or closed in all pixels (`from_open`).
-    """
+    before it. A bucket starts open or closed in all pixels (`from_open`)."""
     events: list[Demand] = []
     needed: list[int] = []
     boundary = 0

@@ -4,8 +4,7 @@ Time is divided into groups of the bump's length, so an open bump started in thi
 previous one; a start is a group and an offset. If it started in this group, the shutter is open
 from its offset on; if it started in the previous group, it is open before its offset. The offset
 planes are inverted in every other group, so that both cases read the same plane. Groups are in Gray
-code: the planes in which two neighbours agree select both.
-"""
+code: the planes in which two neighbours agree select both."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ from nscc.truth import set_bits
 
 def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield solutions with offsets in mixed-radix thermometers, and both polarities if there is
-    room.
-    """
+    room."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     if length > _LONGEST:
@@ -60,8 +58,7 @@ _MOST_TRIED = 48
 class _Turns(Enum):
     """When the bit is inverted in which a group differs from the previous group.
 
-    This bit is not read in that group, unless the two groups must be distinguished.
-    """
+    This bit is not read in that group, unless the two groups must be distinguished."""
 
     WITH = "with the group"
     AFTER = "with the next group"
@@ -72,8 +69,7 @@ def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[
     """Yield solutions with offsets in Gray code, with few registers.
 
     Every step toggles the state of the shutters of this group and the previous one whose offset
-    equals the step.
-    """
+    equals the step."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     high = max(1, (-(-bumps.steps // length) - 1).bit_length())
@@ -126,8 +122,7 @@ def _turn_state(state: str, roomy: bool) -> Segment:
     """Return the segment state := state XOR t0, with three scratch registers if `roomy`, else two.
 
     t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
-    XOR.
-    """
+    XOR."""
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (
@@ -162,8 +157,7 @@ def _script(
     """Return the script for these parameters; `codes` are those of the groups.
 
     With `doubled`, both polarities are stored of offset planes and of the `low` lowest bits of the
-    group.
-    """
+    group."""
     # At place m, shutters of this group are open if offset <= m, and those of the previous group if
     # not. One of the two groups is odd, and its planes are inverted, so both read a plane in the
     # same way.

@@ -3,8 +3,7 @@
 All values are truth vectors over the boundary's lanes. A lane is a node of the state machine
 together with one outcome of the comparisons. A target is an OR of NORs of register contents
 (`nscc.logic.cover`), or the complement of one. If the contents do not distinguish the lanes,
-complements are computed in scratch registers.
-"""
+complements are computed in scratch registers."""
 
 from __future__ import annotations
 
@@ -27,8 +26,7 @@ _MOST_ORDERED = 3
 @dataclass(frozen=True)
 class GateSequence:
     """Gates that compute a vector in a register, and the values that they leave in scratch
-    registers.
-    """
+    registers."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
@@ -48,8 +46,7 @@ class Board:
     """The register contents at a boundary, while gates are chosen.
 
     `values` are the contents by name, with FLAG if it is known and the scratch registers (t0, t1,
-    ..) in use. `gates` are the gates chosen so far.
-    """
+    ..) in use. `gates` are the gates chosen so far."""
 
     machine: Machine
     everything: int
@@ -89,8 +86,7 @@ class Board:
 
     def tells(self, vectors: Iterable[int]) -> bool:
         """Return whether the contents distinguish the lanes inside each vector from those
-        outside.
-        """
+        outside."""
         groups = [self.everything]
         for v in self.values.values():
             groups = [p for group in groups for p in (group & v, group & ~v) if p]
@@ -102,8 +98,7 @@ class Board:
         """Return the shortest gate sequence that writes `target` to a register, of at most `most`
         words.
 
-        None if there is no such sequence.
-        """
+        None if there is no such sequence."""
         if most < 1:
             return None
         ways = (
@@ -125,8 +120,7 @@ class Board:
         """Extend a `sequence` that writes `target` to the register `name` by a WHERE that copies it
         to FLAG.
 
-        WHERE replaces a final OR if it may read the sources of the OR.
-        """
+        WHERE replaces a final OR if it may read the sources of the OR."""
         last, limit = sequence.gates[-1], self.machine.where_sources
         reads = set(last.sources)
         if (
@@ -145,8 +139,7 @@ class Board:
     def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
         """Yield gate sequences for a vector, from covers of it and of its complement.
 
-        All sequences of at most `most` words are included.
-        """
+        All sequences of at most `most` words are included."""
         # Of registers with equal contents, the first: those of code and states before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -221,8 +214,7 @@ class Board:
 def update(board: Board, new_values: dict[str, int]) -> None:
     """Write new values to registers simultaneously: gates read old values.
 
-    Raises GaveUp if the contents do not distinguish lanes with different new values.
-    """
+    Raises GaveUp if the contents do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best: Board | None = None
     for begun in (board, *_with_changes(board, changes)):
@@ -235,8 +227,7 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
     """Yield boards with a shared scratch value: the lanes in which several registers become 1.
 
-    Each of these registers is then ORed with this value.
-    """
+    Each of these registers is then ORed with this value."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in board.values.values():
@@ -251,8 +242,7 @@ def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
 def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
     """Return the board after writing all new values in the order of fewest words.
 
-    Returns `best` if no order takes fewer words than `best`.
-    """
+    Returns `best` if no order takes fewer words than `best`."""
     if best is not None and board.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:
@@ -282,8 +272,7 @@ def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
 def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
     """Return the board after writing one new value, and saving the old one if others need it.
 
-    None if that exceeds `most` words in total.
-    """
+    None if that exceeds `most` words in total."""
     sequence = board.make(new_values[name], name, most - board.words)
     if sequence is None:
         return None

@@ -1,8 +1,7 @@
 """Encodings of behaviours and states in a pixel's registers.
 
 The behaviour of a pixel is determined by its code. The host loads it, so any injective encoding is
-possible. Every state starts with all its registers at 0.
-"""
+possible. Every state starts with all its registers at 0."""
 
 from __future__ import annotations
 
@@ -72,8 +71,7 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
 def _outlasts(machine: StateMachine, k: int) -> bool:
     """Return whether a later stage depends on answer `k`.
 
-    An answer that rules read only at its own boundary needs no register.
-    """
+    An answer that rules read only at its own boundary needs no register."""
     other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
         np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True

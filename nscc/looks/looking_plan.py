@@ -36,8 +36,7 @@ class Moment:
     `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as
     bits. The other fields are truth vectors over the lanes. For each bucket they say where its
     shutter closes (`falls`) and opens (`rises`); `copies` says whether the bucket may take a copy.
-    `resets` says where PIX is reset in between.
-    """
+    `resets` says where PIX is reset in between."""
 
     boundary: int
     comparisons: tuple[Comparison, ...]
@@ -64,8 +63,7 @@ class LookingPlan:
     """The moments of a frame in order, and the use of analog registers.
 
     The register `reference` holds the reset level, or its negative if every exposure is a single
-    copy: each word adds an error, and the negative takes one word less.
-    """
+    copy: each word adds an error, and the negative takes one word less."""
 
     program: Program
     machine: StateMachine
@@ -78,8 +76,7 @@ class LookingPlan:
     @cached_property
     def latches(self) -> bool:
         """Whether every closing shutter copies, and no shutter opens after the start of the
-        frame.
-        """
+        frame."""
         falls = (
             pair
             for moment in self.moments
@@ -91,15 +88,13 @@ class LookingPlan:
     def sampled(self, *registers: str) -> Op:
         """Return the word that writes -(sum of `registers` + PIX) to the scratch register.
 
-        It also subtracts the reset level if a register holds its negative.
-        """
+        It also subtracts the reset level if a register holds its negative."""
         level = (self.reference,) if self.latches else ()
         return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
     def register_to_scratch(self, register: str) -> Op:
         """Return the word that writes -`register` to scratch, like `sampled` for PIX
-        without light.
-        """
+        without light."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 
@@ -179,8 +174,7 @@ def _fresh(machine: StateMachine) -> Bits:
     """Return bool (nodes, buckets): whether a shutter that is open at the stage's end was always
     open.
 
-    That is, it was open since the start of the frame without a reset, on every path to the node.
-    """
+    That is, it was open since the start of the frame without a reset, on every path to the node."""
     nodes, buckets = len(machine.behaviour), machine.opens.shape[1]
     fresh = np.zeros((nodes, buckets), np.bool_)
     fresh[: machine.first[1]] = True

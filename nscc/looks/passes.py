@@ -50,8 +50,7 @@ def lowered_of(
     plan: LookingPlan, level: int, most_words: int | None
 ) -> tuple[list[LookingLowered], Sequence[Diagnostic]]:
     """Return lowerings with several encodings, best first, and errors (NS0502 if none was
-    found).
-    """
+    found)."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)

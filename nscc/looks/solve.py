@@ -36,8 +36,7 @@ class LookingSolution:
     p0, p1, .. keep their content over frames: `planes` (behaviours,) are their truth vectors before
     the first frame. s0, s1, .. are states within a frame, initially 0; t0, .. are scratch
     registers. `registers` names the virtual registers of each state, in the order of the encoding's
-    bits.
-    """
+    bits."""
 
     encoding: LooksEncoding
     planes: tuple[int, ...]
@@ -52,16 +51,14 @@ def room_of(target: Target, planes: int) -> int:
     """Return the number of digital registers that a program with `planes` planes can use.
 
     Without unchanging code the masked register stays unused, because every write to it needs its
-    mask.
-    """
+    mask."""
     return len(target.digital_registers) - (target.masked_register is not None and not planes)
 
 
 def solve(plan: LookingPlan, encoding: LooksEncoding, target: Target) -> LookingSolution:
     """Return the words of a plan.
 
-    Raises GaveUp if no gates are found for a moment or there are too few scratch registers.
-    """
+    Raises GaveUp if no gates are found for a moment or there are too few scratch registers."""
     return _Solver(plan, encoding, target).solve()
 
 
@@ -180,8 +177,7 @@ class _Moment:
 
     def _fall(self, bucket: int) -> tuple[Op, ...]:
         """Return words for register += PIX - reset level, or for a copy of it into an empty
-        register.
-        """
+        register."""
         plan, register = self.plan, self.plan.bucket_registers[bucket]
         first = plan.sampled() if self.moment.copies[bucket] else plan.sampled(register)
         return first, op("bus", (register,), plan.scratched)
@@ -193,8 +189,7 @@ class _Moment:
 
     def _compare(self) -> None:
         """Add words for every comparison; its answer goes to a register, the last answer to
-        FLAG.
-        """
+        FLAG."""
         moment = self.moment
         order = self.plan.machine.order(moment.boundary)
         signal: int | None = None
@@ -215,8 +210,7 @@ class _Moment:
 
     def _take_signal(self, comparison: Comparison) -> None:
         """Add words that write -signal to the scratch register, or to registers whose sum is
-        -signal.
-        """
+        -signal."""
         self.emitted.append(op("all"))
         if comparison.signal == LIGHT:
             self.emitted.append(self.plan.sampled())
@@ -279,8 +273,7 @@ class _Moment:
 def renamed(gates: Sequence[Item]) -> list[Item]:
     """Return the same gates with as few scratch registers as live values need.
 
-    The words between the gates read no scratch registers.
-    """
+    The words between the gates read no scratch registers."""
     ends: dict[tuple[str, int], int] = {}
     writes: dict[str, int] = {}
     for place, gate in enumerate(gates):

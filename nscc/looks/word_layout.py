@@ -1,7 +1,6 @@
 """Layout of a solution's words: registers, kernels, and launches with their values of IN.
 
-IN is set between kernels, so a boundary with comparisons at several levels has several kernels.
-"""
+IN is set between kernels, so a boundary with comparisons at several levels has several kernels."""
 
 from __future__ import annotations
 
@@ -33,8 +32,7 @@ def lay_out_looks(
 ) -> Lowered | None:
     """Lay out the words of a solution over the frame; `most_words` is as in Lowered.
 
-    None if the content of the mask's register would be lost.
-    """
+    None if the content of the mask's register would be lost."""
     target = plan.program.target
     general = _general(solution, plan)
     allocation = allocate(general, target)
@@ -55,8 +53,7 @@ def lay_out_looks(
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     """Return whether a write to the masked register destroys a value that is read later.
 
-    Such a write first sets the mask, and so overwrites the mask's register.
-    """
+    Such a write first sets the mask, and so overwrites the mask's register."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
@@ -96,8 +93,7 @@ def _schedule(
     """Return the kernels of the frame.
 
     With `apart`, the gates after a boundary's last analog word are a separate kernel, because the
-    words before them often repeat at other boundaries.
-    """
+    words before them often repeat at other boundaries."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
     setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))

@@ -3,8 +3,7 @@
 The masked register (R12 on SCAMP-5) is written only where its mask (R0) is 1. Masked gates name
 both. Without masked gates, the masked register gets code that does not change within the frame. If
 every register is needed, it gets the plane with the fewest writes; each of these writes first sets
-the mask, which is then a scratch register.
-"""
+the mask, which is then a scratch register."""
 
 from __future__ import annotations
 
@@ -18,8 +17,7 @@ from nscc.operations import Op, op, pair
 @dataclass(frozen=True)
 class Allocation:
     """The chip register of every virtual register, and the registers that contain code and
-    states.
-    """
+    states."""
 
     places: dict[str, str]
     holders: dict[str, str]
@@ -77,8 +75,7 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
 
 def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
     """Return code registers in loading order: the masked one first, while its mask is 1, the mask
-    last.
-    """
+    last."""
     order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
     order |= {target.masked_register: -1, target.mask_register: len(order)}
     return tuple(sorted(registers, key=order.__getitem__))
@@ -110,8 +107,7 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
 def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
     """Return words that rewrite the content of all `registers`.
 
-    They overwrite FLAG if both the masked register and its mask contain code.
-    """
+    They overwrite FLAG if both the masked register and its mask contain code."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]

@@ -29,8 +29,7 @@ Before = Literal["nothing", "all", "keep", "load"]
 class Decoding:
     """A plan with the gates that compute its predicates.
 
-    `problem` is the plan's problem; `actions` say how each step obtains FLAG.
-    """
+    `problem` is the plan's problem; `actions` say how each step obtains FLAG."""
 
     plan: ExposurePlan
     problem: Problem
@@ -60,8 +59,7 @@ def problem_of(
 def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
     """Return the value of every field in one code of each shutter; free bits are separate fields.
 
-    Of several codes, one whose values other shutters also need is chosen.
-    """
+    Of several codes, one whose values other shutters also need is chosen."""
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):

@@ -38,8 +38,7 @@ class PlanStep(NamedTuple):
     """Analog words at one boundary, executed in the pixels of `predicate`.
 
     A predicate of None means every pixel, independent of FLAG. `bucket` is the bucket's index, -1
-    for steps of the whole frame.
-    """
+    for steps of the whole frame."""
 
     boundary: int
     role: Role
@@ -53,8 +52,7 @@ class ExposurePlan:
     """The analog part of a program.
 
     `registers` describes the content of every used analog register. `analog_writes` are the fewest
-    and most analog words (`bus`) that a pixel with an opening shutter executes after the setup.
-    """
+    and most analog words (`bus`) that a pixel with an opening shutter executes after the setup."""
 
     lowering: Lowering
     steps: tuple[PlanStep, ...]
@@ -74,8 +72,7 @@ class ExposurePlan:
 class Misfit:
     """The reason why a lowering cannot be used: an unmet condition, or too few registers.
 
-    `searched` means that no gates were found, which proves nothing.
-    """
+    `searched` means that no gates were found, which proves nothing."""
 
     reason: str
     resource: str | None = None
@@ -87,8 +84,7 @@ class Misfit:
 class AnalogRegisters(NamedTuple):
     """The use of analog registers: one per bucket, one for the reset level if needed, and scratch.
 
-    `holders` describes the content of every register.
-    """
+    `holders` describes the content of every register."""
 
     buckets: tuple[str, ...]
     reference: str | None
@@ -104,8 +100,7 @@ Opens = tuple[tuple[int, ...], ...]
 class Planned:
     """A program with its exposure plans, fewest analog writes first.
 
-    `misfits` says why other lowerings have no plan.
-    """
+    `misfits` says why other lowerings have no plan."""
 
     program: Program
     time: Timeline
@@ -158,8 +153,7 @@ def analog_registers(
 ) -> AnalogRegisters | Misfit:
     """Return the registers of a lowering, with one for the reset level if it needs a `reference`.
 
-    Returns a Misfit if the chip has too few registers.
-    """
+    Returns a Misfit if the chip has too few registers."""
     target, buckets = program.target, program.buckets
     free = target.analog_available
     required = len(buckets) + reference
@@ -275,8 +269,7 @@ class _Builder:
 
     def _edges(self) -> None:
         """Add falls before rises, because a rise may reset PIX before another bucket's fall reads
-        it.
-        """
+        it."""
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
         rises = [RESET if resets else self._subtract(register) for register in self.registers]
@@ -291,8 +284,7 @@ class _Builder:
 
     def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
         """Yield the boundaries where shutters change, with each bucket's open shutters before and
-        after.
-        """
+        after."""
         closed = (0,) * len(self.opens)
         states = (closed, *zip(*self.opens, strict=True), closed)
         for boundary, (before, after) in enumerate(pairwise(states)):

@@ -1,8 +1,7 @@
 """Diagnostics for programs that do not fit, or whose fit only a search can decide.
 
 Proved and unproved facts are separate. A number that no encoding can reduce is always an error. If
-the search finds no gates, this proves nothing, so `nscc check` reports it as a note.
-"""
+the search finds no gates, this proves nothing, so `nscc check` reports it as a note."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     """Return the error (NS0412) if there are more shutters than states of a pixel's registers, else
     None.
 
-    The error is proved.
-    """
+    The error is proved."""
     target = program.target
     shutters = len(program.table.shutters)
     available = len(target.digital_registers)
@@ -151,8 +149,7 @@ def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
 def has_ways_out(diagnostic: Diagnostic) -> bool:
     """Return whether similar programs may avoid this error.
 
-    They cannot if the words that read the light already take too long.
-    """
+    They cannot if the words that read the light already take too long."""
     short_of = diagnostic.data.get("resource")
     if short_of in ("slot_us", "words_per_slot"):
         return only_search_can_tell(diagnostic)

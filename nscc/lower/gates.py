@@ -22,8 +22,7 @@ class Gated:
     """The plans with gates, best first, and why others have none.
 
     `fits` says whether the words of the best plan fit. `faults` are exceptions of generators, which
-    were ignored.
-    """
+    were ignored."""
 
     program: Program
     time: Timeline
@@ -43,8 +42,7 @@ def find_gates(
 ) -> Gated:
     """Return the gates of all plans; without `price_all`, stop when no better plan can follow.
 
-    `most_words` is the largest allowed number of words at a boundary, None for any.
-    """
+    `most_words` is the largest allowed number of words at a boundary, None for any."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
@@ -70,8 +68,7 @@ def find_gates(
 
 def _rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
     """Return a sort key: fits, or distance from fitting; analog writes of an open pixel; words;
-    peak.
-    """
+    peak."""
     misfit, overload, *_ = lowered.price
     total, largest = lowered.schedule.words_total, max(lowered.words_per_boundary)
     return misfit, overload, lowered.plan.analog_writes[1], total, largest

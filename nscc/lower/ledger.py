@@ -1,6 +1,5 @@
 """Short description of register usage: registers whose contents differ only in a number are
-grouped.
-"""
+grouped."""
 
 from __future__ import annotations
 

@@ -23,8 +23,7 @@ _ROUNDING = 1 + 1e-9
 class Lowered:
     """A plan, its gates and its words, with costs on the program's target.
 
-    `most_words` is the user's limit on words at a boundary, None if there is no limit.
-    """
+    `most_words` is the user's limit on words at a boundary, None if there is no limit."""
 
     program: Program
     decoding: Decoding
@@ -56,8 +55,7 @@ class Lowered:
         """The time of each boundary's words in microseconds, with launches, settling of IN and the
         loop.
 
-        At boundary 0 only the words after the start of the exposure count.
-        """
+        At boundary 0 only the words after the start of the exposure count."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
         busy = [0.0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
@@ -84,8 +82,7 @@ class Lowered:
     @property
     def frame_us(self) -> float:
         """The time from the first word of boundary 0 to the last word of boundary N, in
-        microseconds.
-        """
+        microseconds."""
         return self.schedule.setup_us + self.time.boundary_us[-1] + self.busy_us[-1]
 
     @cached_property
@@ -104,8 +101,7 @@ class Lowered:
     @cached_property
     def overload(self) -> float:
         """The words or time of the fullest boundary relative to its limit; 0 if all are within
-        limits.
-        """
+        limits."""
         slots = self.program.frame.slot_us
         ratios = [self.busy_us[n] / slots[n] for n in self.late]
         ratios += [self.words_per_boundary[n] / (self.most_words or 1) for n in self.overfull]
@@ -131,8 +127,7 @@ class Lowered:
         """Sort key among solutions of one lowering.
 
         Its items are: does not fit, overload, words per frame without refresh, words of the largest
-        boundary, refresh words.
-        """
+        boundary, refresh words."""
         refresh = self.schedule.words_refresh
         words = self.schedule.words_total - refresh
         return not self.fits, self.overload, words, max(self.words_per_boundary), refresh
@@ -142,8 +137,7 @@ class Lowered:
         """The largest constant light that saturates no code, in electrons per frame of an open
         shutter.
 
-        It is limited by PIX between two resets and by the registers of the buckets.
-        """
+        It is limited by PIX between two resets and by the registers of the buckets."""
         program, plan = self.program, self.plan
         target = program.target
         slot_us = np.array(program.frame.slot_us)
@@ -172,8 +166,7 @@ class Lowered:
 class Choice:
     """All lowerings, best first, and why others failed.
 
-    `failed_generators` names the generators that raised an exception.
-    """
+    `failed_generators` names the generators that raised an exception."""
 
     lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]

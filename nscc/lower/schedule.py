@@ -2,8 +2,7 @@
 
 The words of a boundary come in segments. A kernel is stored once however often it is launched, but
 every launch takes time. So the segments of a boundary are one kernel if the store has room, else
-separate kernels that boundaries share.
-"""
+separate kernels that boundaries share."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ class FrameSchedule:
 
     `kernels` are distinct; `launches` are (boundary, kernel) in execution order. `setup_us` is the
     time of boundary 0's words before the exposure starts, including their launch. `levels` is the
-    value of IN of each launch in steps, None if it does not matter; empty if no launch sets IN.
-    """
+    value of IN of each launch in steps, None if it does not matter; empty if no launch sets IN."""
 
     allocation: Allocation
     kernels: tuple[Words, ...]
@@ -105,8 +103,7 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> FrameSchedul
 
 def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
     """Return the segments of every boundary; the first segment of boundary 0 ends with the
-    setup.
-    """
+    setup."""
     plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
@@ -152,8 +149,7 @@ def refreshed_registers(
     """Return the code registers that the frame's own words do not write often enough.
 
     A write to the masked register counts only after SET of its mask, because otherwise it does not
-    reach all pixels.
-    """
+    reach all pixels."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     mask_is_set = False
     for n, segments in enumerate(boundaries):

@@ -11,8 +11,7 @@ from nscc.program.problems import counted
 
 def retention_fault(lowered: Lowered) -> Diagnostic:
     """Return the error (NS0602) that a slot or the readout exceeds the retention time, which is
-    proved.
-    """
+    proved."""
     program = lowered.program
     longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
     slot_us = program.frame.slot_us[longest]
@@ -37,8 +36,7 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
 def late_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0601) that words take longer than the slot at whose start they run.
 
-    It is proved if in every lowering the analog words and one launch take too long.
-    """
+    It is proved if in every lowering the analog words and one launch take too long."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
@@ -78,8 +76,7 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0603) for more words at a boundary than `--max-words-per-slot` allows.
 
-    It is proved if in every lowering the analog words of a boundary exceed the limit.
-    """
+    It is proved if in every lowering the analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None

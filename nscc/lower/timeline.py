@@ -20,8 +20,7 @@ class Timeline:
     `boundary_us[n]` is the time of boundary n. `between_us` is the time from boundary N to the next
     frame's boundary 0 (readout). `keep_us` is the time for which registers keep their content.
     `refresh_at` are the boundaries within the frame at which registers must be refreshed; None if
-    that is not enough.
-    """
+    that is not enough."""
 
     boundary_us: tuple[float, ...]
     between_us: float
@@ -43,8 +42,7 @@ def _refresh_boundaries(
 ) -> tuple[int, ...] | None:
     """Return the fewest boundaries that keep every gap, including the readout, within keep_us.
 
-    None if a single slot or the readout is too long.
-    """
+    None if a single slot or the readout is too long."""
     at: list[int] = []
     last = -between_us
     for n in range(1, len(boundary_us)):
@@ -58,8 +56,7 @@ def _refresh_boundaries(
 
 def fades(written_at: Collection[int], time: Timeline) -> bool:
     """Return whether a register written at these boundaries of every frame exceeds the retention
-    time.
-    """
+    time."""
     if not written_at:
         return True
     times = [time.boundary_us[n] for n in sorted(written_at)]

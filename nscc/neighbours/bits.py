@@ -17,8 +17,7 @@ Kept = tuple[str, str | None]
 class BitWords:
     """The digital registers of a lowering, and the words that fill them.
 
-    The registers that steer DNEWS are reserved where the program reads neighbours.
-    """
+    The registers that steer DNEWS are reserved where the program reads neighbours."""
 
     def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
         self.lowering = lowering
@@ -92,8 +91,7 @@ class BitWords:
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
         """Emit a word into a free register, free the bits that were `used`, and return the
-        register.
-        """
+        register."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))
         self.give(*used)
@@ -169,8 +167,7 @@ class BitWords:
 
     def _near_bit(self, node: p.Near) -> str:
         """Emit `any` as the OR of the neighbours, and `all` as the inverse of `any` of the
-        inverse.
-        """
+        inverse."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
@@ -185,8 +182,7 @@ class BitWords:
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
         """Emit the OR of the bits at these offsets: for a rectangle, first along rows, then along
-        columns.
-        """
+        columns."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})
@@ -197,8 +193,7 @@ class BitWords:
 
     def _line(self, register: str, outside: int, offsets: set[Offset]) -> str:
         """Emit the OR of the bits at these offsets: one word reads all nearest neighbours, and
-        every other bit is moved here first.
-        """
+        every other bit is moved here first."""
         nearest_offsets = frozenset(offsets & set(_OF_STEP))
         registers = [self._look(register, outside, nearest_offsets)] if nearest_offsets else []
         for at in sorted(offsets - nearest_offsets - {(0, 0)}):

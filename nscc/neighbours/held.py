@@ -17,8 +17,7 @@ class PictureRefused(Exception):
     """Raised if an image does not fit the chip.
 
     `kind` is "registers", "range" or "planes"; `name` is the image or plane. `needed` and
-    `available` are numbers of registers or, for "range", the value relative to the range.
-    """
+    `available` are numbers of registers or, for "range", the value relative to the range."""
 
     def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
         super().__init__(kind, name, needed, available)
@@ -30,8 +29,7 @@ class Held:
     """A register that holds a value times `sign`; the value lies in `low` to `high` electrons.
 
     `name` is the image or bucket, or None for an intermediate result that is read once. `variance`
-    is the variance of the value's error, in units of the variance of one word's error.
-    """
+    is the variance of the value's error, in units of the variance of one word's error."""
 
     register: str
     sign: int
@@ -42,8 +40,7 @@ class Held:
 
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
         """Return the range of the value after a convolution whose positive weights sum to `up` and
-        whose negative weights sum to -`down`.
-        """
+        whose negative weights sum to -`down`."""
         return (
             float(up) * self.low - float(down) * self.high,
             float(up) * self.high - float(down) * self.low,

@@ -2,8 +2,7 @@
 
 An analog value may be held negated, because every word inverts. Convolution kernels become
 programs of one input (`nscc.neighbours.synthesis`); this module writes sums, absolute values and
-choices. A value stays in its register until it has been read for the last time.
-"""
+choices. A value stays in its register until it has been read for the last time."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ Weights = dict[tuple[int, int], Fraction]
 
 class Lowering(Emitter):
     """The words of all items; afterwards `registers` names the register of each result for the
-    chip.
-    """
+    chip."""
 
     def __init__(
         self,
@@ -55,8 +53,7 @@ class Lowering(Emitter):
 
     def _uses(self) -> dict[str, int]:
         """Count how often each image and bucket will be read; an image that is read out counts once
-        more.
-        """
+        more."""
         uses: dict[str, int] = dict.fromkeys(self.held, 0)
         for item in self.pictures.items:
             uses[item.name] = 0
@@ -69,8 +66,7 @@ class Lowering(Emitter):
 
     def run(self) -> None:
         """Emit the words of every item, and store the registers of the results in `registers`, by
-        name.
-        """
+        name."""
         for item in self.pictures.items:
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Condition):
@@ -171,8 +167,7 @@ class Lowering(Emitter):
 
     def _program(self, taps: Taps, value: Held) -> Ranged:
         """Return the shortest program whose values fit the registers; raise `PictureRefused` if
-        none fits.
-        """
+        none fits."""
         candidates = self.synthesis.programs(taps)
         least = float("inf")
         for candidate in candidates:
@@ -231,8 +226,7 @@ class Lowering(Emitter):
 
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
         """Return the result of the way that takes the fewest words, among those that fit
-        the chip.
-        """
+        the chip."""
         best: tuple[int, int] | None = None
         refused: PictureRefused | None = None
         for number, way in enumerate(ways):
@@ -310,8 +304,7 @@ class Lowering(Emitter):
         """Emit the absolute value of a value.
 
         The first two words store minus the value in NEWS and in the result; where the value is
-        below 0, a third word inverts the result again.
-        """
+        below 0, a third word inverts the result again."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))

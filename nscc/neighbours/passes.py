@@ -28,8 +28,7 @@ def with_pictures(
     """Return the container with the words of the program's images and planes, or diagnostics.
 
     The diagnostics: too few registers or too little instruction store (NS0535), values beyond the
-    range of the registers (NS0540), and images that read pixels too far away (NS0541).
-    """
+    range of the registers (NS0540), and images that read pixels too far away (NS0541)."""
     pictures = program.pictures
     assert pictures is not None
     far = _too_far(pictures, program)
@@ -57,8 +56,7 @@ def with_pictures(
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words that follow a container's exposure; `Refused` if they don't
-    fit.
-    """
+    fit."""
     target = container.target
     buckets = {
         readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
@@ -167,8 +165,7 @@ def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     """Return NS0540 for a value beyond the registers' range, with a change that makes it fit if
-    found.
-    """
+    found."""
     pictures, over = program.pictures, refused.needed
     assert pictures is not None
     target = container.target

@@ -2,8 +2,7 @@
 
 A program reads the register `x` and never writes it. Every other name, except NEWS and its
 directed forms (XN, XE, XS, XW), is a register that is written once. `kernel_of` runs a program on
-exact polynomials: a program from a table or a search is used only after this check.
-"""
+exact polynomials: a program from a table or a search is used only after this check."""
 
 from __future__ import annotations
 
@@ -17,8 +16,7 @@ from nscc.operations import NEIGHBOURS, STEPS
 Offset = tuple[int, int]
 UNIT = 1 << 40
 """Weights are integer multiples of 1 / UNIT, which is exact because all divisors are powers
-of two.
-"""
+of two."""
 Taps = Mapping[Offset, int]
 """A convolution kernel: offset (columns right, rows down) to weight; a missing offset weighs 0."""
 Polynomial = dict[Offset, int]
@@ -28,8 +26,7 @@ Weight = TypeVar("Weight", int, Fraction)
 @dataclass(frozen=True)
 class BusWord:
     """A bus word: it writes minus the sum of its sources, or half of that to each of two
-    destinations.
-    """
+    destinations."""
 
     destinations: tuple[str, ...]
     sources: tuple[str, ...]
@@ -70,8 +67,7 @@ def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, 
 
 def halved(taps: Taps) -> Polynomial:
     """Return half a convolution kernel; raise `ValueError` if a weight would be finer than 1 /
-    UNIT.
-    """
+    UNIT."""
     if any(weight % 2 for weight in taps.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
     return {at: weight // 2 for at, weight in taps.items()}
@@ -86,8 +82,7 @@ def values_of(program: Program) -> list[Polynomial]:
     """Return the convolution kernel that each word writes, by running the words on exact
     polynomials.
 
-    Raise `KeyError` if the program reads a register that it has not written.
-    """
+    Raise `KeyError` if the program reads a register that it has not written."""
     registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     values: list[Polynomial] = []
     for word in program:
@@ -170,8 +165,7 @@ def program_from_text(text: str) -> Program:
 
     A word is its destination, `=`, and its sources. A lowercase letter is a register, `n` is NEWS;
     `N`, `E`, `S` and `W` are XN, XE, XS and XW. The destination `an` means `a` and NEWS, both
-    halved; `a2` means `a` halved, with a second destination that is never read.
-    """
+    halved; `a2` means `a` halved, with a second destination that is never read."""
     words = []
     for assignment in text.split():
         target, _, sources = assignment.partition("=")

@@ -2,8 +2,7 @@
 
 Candidates are rows of a table, rotated, chained and added, and one program that works for every
 kernel. The search is deterministic and limits its number of steps. Results are ordered by number
-of words; a longer program is kept only if its intermediate values are smaller.
-"""
+of words; a longer program is kept only if its intermediate values are smaller."""
 
 from __future__ import annotations
 
@@ -81,8 +80,7 @@ class Synthesis:
         """Return programs for a convolution kernel, the shortest first, each later one with smaller
         values.
 
-        Each result is checked: running its words yields the kernel.
-        """
+        Each result is checked: running its words yields the kernel."""
         candidates = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
         candidates = [_ranged(tidied(candidate.program)) for candidate in candidates]
         assert all(kernel_of(candidate.program) == dict(taps) for candidate in candidates)
@@ -166,8 +164,7 @@ class Factor:
     """A convolution kernel of at least two weights, tried as a divisor of others, with its program.
 
     `lead` is the offset of its last weight, ordered by column, then by row; `size` is its number of
-    columns and of rows, each less one; `corner` is its smallest column and row.
-    """
+    columns and of rows, each less one; `corner` is its smallest column and row."""
 
     taps: Taps
     program: Program
@@ -183,8 +180,7 @@ class Factor:
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
     """Return a convolution kernel's smallest column and row, and its columns and rows, each less
-    one.
-    """
+    one."""
     columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
     corner = min(columns), min(rows_)
     return corner, (max(columns) - corner[0], max(rows_) - corner[1])
@@ -226,8 +222,7 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
 
 def halvings_of(taps: Taps) -> int:
     """Return how often a convolution kernel of integer weights must be halved to give this
-    kernel.
-    """
+    kernel."""
     lowest = min((weight & -weight).bit_length() for weight in taps.values())
     return max(0, UNIT.bit_length() - lowest)
 
@@ -241,8 +236,7 @@ def accumulated(taps: Taps) -> Program:
     """Return a program for any convolution kernel, which adds one neighbour after the other.
 
     The program halves its input first until all weights are integers. The running sum changes its
-    sign with every word.
-    """
+    sign with every word."""
     halvings = halvings_of(taps)
     words = [
         BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
@@ -266,8 +260,7 @@ def accumulated(taps: Taps) -> Program:
 def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
     """Return the source through which the next word reads minus the register of the pixel at `at`.
 
-    The source is NEWS after one step to a neighbour, and a neighbour's NEWS after two steps.
-    """
+    The source is NEWS after one step to a neighbour, and a neighbour's NEWS after two steps."""
     x, y = at
     steps = [OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
     while len(steps) > 2:
@@ -383,8 +376,7 @@ def _used(words: Sequence[BusWord]) -> Program:
 def noise_gain(program: Program) -> float:
     """Return the standard deviation of the error of a program's result.
 
-    Each word adds to each destination an independent error of standard deviation 1.
-    """
+    Each word adds to each destination an independent error of standard deviation 1."""
     last = program[-1].destinations[0] if program else ""
     total = 0.0
     for number in range(len(program)):

@@ -51,8 +51,7 @@ def judge_names(
 ) -> None:
     """Warn about fields that no rule reads (NS0352); note unused lets and codebooks (NS0355).
 
-    `rules` are all expressions that shutters depend on; a sense's level may also be a field.
-    """
+    `rules` are all expressions that shutters depend on; a sense's level may also be a field."""
     read = _names_read(declared)
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}

@@ -35,8 +35,7 @@ def analyse(
     Paths in it are relative to the folder `base`. `target` replaces the target statement. A file
     without `pixels` is compiled for every legal code, whatever `codes` says; a file without fields
     has a single code, which every pixel has. Raises Rejected with all errors, in the order of the
-    text (NS02xx, NS03xx; NS0450 if a limit of enumeration is exceeded).
-    """
+    text (NS02xx, NS03xx; NS0450 if a limit of enumeration is exceeded)."""
     problems = Problems(source)
     declared = gather(tree, problems)
     chosen = target or target_of(declared, base, problems)

@@ -2,8 +2,7 @@
 
 Integers never wrap: results beyond 2^62 - 1 in magnitude, division by zero and shift counts outside
 0..61 are faults. `low` and `high` come from interval arithmetic in unbounded integers; only if they
-allow a fault are the single values checked.
-"""
+allow a fault are the single values checked."""
 
 from __future__ import annotations
 
@@ -27,8 +26,7 @@ Data = Any
 class Fault(NamedTuple):
     """The reason why an expression has no value: an error code, a message, the place and its label.
 
-    These are the arguments of `Problems.error`.
-    """
+    These are the arguments of `Problems.error`."""
 
     code: str
     message: str
@@ -44,8 +42,7 @@ class Value:
     """The values of a node: integers in `low`..`high`.
 
     Where `faults` hold, the data is undefined. For a single integer, `low` and `high` are set to
-    it.
-    """
+    it."""
 
     __slots__ = ("data", "faults", "high", "low")
 
@@ -94,8 +91,7 @@ def guard(
     at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
     """Return `data` with `harmless` where it is `at_fault`, and the faults with those
-    places added.
-    """
+    places added."""
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before
@@ -111,8 +107,7 @@ def _bounded(
 ) -> Value:  # fmt: skip
     """Return `compute()` as a value, with faults at the places that `beyond()` returns.
 
-    These are the places where the result exceeds the limit on integers.
-    """
+    These are the places where the result exceeds the limit on integers."""
 
     def fault() -> Fault:
         text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"

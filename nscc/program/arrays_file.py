@@ -1,8 +1,7 @@
 """Reading of integer arrays from untrusted .npz files.
 
 Declared sizes are checked before unpacking, pickled objects are refused, and every failure is a
-`Rejected` (status 2) without a place in a program.
-"""
+`Rejected` (status 2) without a place in a program."""
 
 from __future__ import annotations
 
@@ -34,8 +33,7 @@ _MOST_HEADER_BYTES = 2**16
 class ArraysFile:
     """An open .npz file: its `keys` in stored order, and the `sha256` of the file in hexadecimal.
 
-    `shown` is the path as the user wrote it.
-    """
+    `shown` is the path as the user wrote it."""
 
     def __init__(self, path: Path, shown: str) -> None:
         self.shown = clipped(shown, 80)
@@ -75,8 +73,7 @@ class ArraysFile:
         """Return the array `key` with an integer dtype (or bool, with `bools`) and at most `most`
         values.
 
-        Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array.
-        """
+        Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array."""
         if key not in self.keys:
             raise self._missing(key)
         from zipfile import BadZipFile

@@ -1,8 +1,7 @@
 """Recognition of the shutter class of a program (as in the paper), with the reason.
 
 Always-open shutters and bumps are recognised from the decode table, independent of the rule's form.
-Codebooks and free bits (class e) are recognised from the rule.
-"""
+Codebooks and free bits (class e) are recognised from the rule."""
 
 from __future__ import annotations
 
@@ -24,8 +23,7 @@ from nscc.words.container import DecodeTable
 class Recognised(NamedTuple):
     """Class `name` (a, b, c, d, e, codebook or general) with a `reason` sentence.
 
-    `cut` is the number of shutters whose bump the end of the frame shortens.
-    """
+    `cut` is the number of shutters whose bump the end of the frame shortens."""
 
     name: str
     reason: str
@@ -36,8 +34,7 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
     """Return the class of a program; several buckets must all have the same class, else it is
     general.
 
-    `basis` describes the codes in `table`.
-    """
+    `basis` describes the codes in `table`."""
     recognised = [
         _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
         for k, rule in enumerate(rules.rules)

@@ -50,8 +50,7 @@ from nscc.words.pictures import Pictures
 class Completion:
     """The second half of the analysis: codes, shutters and class, from valid declarations.
 
-    `planes` contains the values of every field at every pixel if the file has `pixels`.
-    """
+    `planes` contains the values of every field at every pixel if the file has `pixels`."""
 
     problems: Problems
     declared: Declarations
@@ -73,8 +72,7 @@ class Completion:
         """Return the program.
 
         Raises Rejected for codes that violate `require` (NS0312), rules without a value for some
-        code, programs without a legal code (NS0317) and too many codes (NS0450).
-        """
+        code, programs without a legal code (NS0317) and too many codes (NS0450)."""
         in_use, at_pixel = self._codes_in_use()
         if self.looking is not None:
             return self._looking(self.looking, in_use, at_pixel)
@@ -224,8 +222,7 @@ class Completion:
     def _survey(self, table: DecodeTable) -> tuple[DecodeTable, int | None]:
         """Return a table of all legal codes if there are few, else of the used codes.
 
-        Also returns the number of legal codes, None if it cannot be determined quickly.
-        """
+        Also returns the number of legal codes, None if it cannot be determined quickly."""
         rules = self.rules
         total = rules.combinations
         legal = None if rules.requires or total >= UNCOUNTED else total
@@ -280,8 +277,7 @@ class Completion:
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
         """Return the error (NS0450) for a state machine that is too large, at the place that makes
-        it large.
-        """
+        it large."""
         self.problems.error(
             "NS0450",
             f"too many codes, states and answers: {problem.message}",
@@ -302,8 +298,7 @@ class Completion:
 
     def _limit_span(self) -> Span:
         """Return the place to change if there are too many codes: the widest field, or the
-        frame.
-        """
+        frame."""
         if not self.rules.fields:
             return self.frame.count_span
         return max(self.rules.fields, key=lambda f: f.high - f.low).span

@@ -34,8 +34,7 @@ def resolve_constants(
 ) -> dict[str, Meaning]:
     """Return the meaning of N, rows, cols and every let; those with errors are `failed`.
 
-    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308).
-    """
+    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 

@@ -4,8 +4,7 @@ A fault of arithmetic, or an index outside its bits or rows, leaves a place with
 Operands that do not decide the result are not evaluated: `and`, `or` and a chain of comparisons
 stop at the first operand that decides them, and `A if C else B` evaluates only the branch that C
 selects. So `n != 0 and 8 / n > 2` has no fault at n = 0. (`xor`, `min` and `max` evaluate all their
-operands.)
-"""
+operands.)"""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ Books = Mapping[str, NDArray[np.bool_]]
 def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
     """Return the value of `expr`.
 
-    `bindings` contains every variable that it reads, `books` the digits (K, N) of codebooks.
-    """
+    `bindings` contains every variable that it reads, `books` the digits (K, N) of codebooks."""
     stack: list[Value] = []
     for node in expr.nodes:
         count = len(operands(node))
@@ -57,8 +55,7 @@ def fault_at(
     expr: Checked, bindings: Bindings, books: Books, shape: tuple[int, ...], place: tuple[int, ...]
 ) -> Fault:
     """Return the fault of `expr` at one place of the broadcast `shape`, with the values at that
-    place.
-    """
+    place."""
     values_at_place = {
         name: scalar(int(np.broadcast_to(value.data, shape)[place]))
         for name, value in bindings.items()
@@ -201,8 +198,7 @@ def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
 
 def bit_count(field: str) -> str:
     """Return the binding's name for the number of bits of a bit field (not a name of the
-    language).
-    """
+    language)."""
     return f"{field}[]"
 
 

@@ -2,8 +2,7 @@
 
 There are two types, integer and boolean, which do not mix. An expression is checked in one pass
 over its nodes in evaluation order, by a loop instead of recursion, so that a chain of ten thousand
-operators is no problem.
-"""
+operators is no problem."""
 
 from __future__ import annotations
 
@@ -29,8 +28,7 @@ class Meaning:
     A `constant` has a `value`. A `variable` differs between codes, slots or pixels; `bits` means
     that it may be indexed, and `wide` that it has too many bits for a number. `book` is a codebook.
     `failed` means that an error is already reported. `misplaced` means that the name is known but
-    not allowed here, for the reason `note`. `type` is the type of a variable.
-    """
+    not allowed here, for the reason `note`. `type` is the type of a variable."""
 
     kind: Literal["constant", "variable", "book", "failed", "misplaced"]
     value: int = 0
@@ -62,8 +60,7 @@ class Checked:
 
 def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
     """Return the direct subexpressions in evaluation order, without the names of books and bit
-    fields.
-    """
+    fields."""
     match node:
         case tree.Int() | tree.Bool() | tree.Name():
             return ()
@@ -112,8 +109,7 @@ def check(
     """Return `expr` with its names and types checked, or None after reporting errors.
 
     `role` names the expression in messages ("a rule", "the end of a range"). Names that are
-    `failed` in `scope` make the result None without a further report.
-    """
+    `failed` in `scope` make the result None without a further report."""
     return _Checker(scope, problems).run(expr, expected, role)
 
 

@@ -44,8 +44,7 @@ def make_planes(
     Empty without `pixels` statements or without a target. Reports fields without pixels (NS0210),
     values outside their range (NS0311), faults of expressions, tiles that are not rectangular
     (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a plane for each of
-    its chunks.
-    """
+    its chunks."""
     return _Maker(declared, fields, constants, target, base, problems).run()
 
 
@@ -308,8 +307,7 @@ def planes_of(
 
     The array contains integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
     first. K is `bits` if given, else at most the bits of all chunks. Raises NS0314 for other
-    arrays.
-    """
+    arrays."""
     if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
         chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
         return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]

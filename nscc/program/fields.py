@@ -29,8 +29,7 @@ def make_fields(
     """Return every declared field, None after an error in it or its codebook.
 
     Sets the long bit fields in `declared`. Reports an empty range (NS0306), a bit count outside
-    1..MOST_BITS (NS0307) and `row of` something other than a codebook (NS0209, NS0214).
-    """
+    1..MOST_BITS (NS0307) and `row of` something other than a codebook (NS0209, NS0214)."""
     maker = _Maker(declared, scope, books, problems)
     return {name: maker.make(statement) for name, statement in declared.codes.items()}
 

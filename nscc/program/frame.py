@@ -19,8 +19,7 @@ def make_frame(
 ) -> SlotGrid | None:
     """Return the frame, or None after reporting invalid slot lengths (NS0309).
 
-    `slots` is the meaning of N; if it failed, the result is None without a report.
-    """
+    `slots` is the meaning of N; if it failed, the result is None without a report."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
     invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in invalid[:8]:

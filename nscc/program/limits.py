@@ -10,8 +10,7 @@ from nscc.syntax.tree import Index, Name
 PROOF_LIMIT = 2**26
 """Most codes x buckets x slots, each of which is evaluated, stored as a byte, and proved.
 
-67 million take less than 100 MB and about a second.
-"""
+67 million take less than 100 MB and about a second."""
 
 COMBINATION_LIMIT = 2**22
 """Most combinations of field values to test against `require` if every legal code is compiled."""
@@ -25,14 +24,12 @@ WORK_LIMIT = 2**32
 SURVEY_LIMIT = 2**20
 """Most codes x buckets x slots for determining the class if only used codes are compiled.
 
-The limit keeps `nscc check` fast.
-"""
+The limit keeps `nscc check` fast."""
 
 MOST_SLOTS = 65536
 """Most slots in a frame: 16 times the longest frame in the literature.
 
-A table of 1024 codes with this number of slots is within the proof limit.
-"""
+A table of 1024 codes with this number of slots is within the proof limit."""
 
 MOST_FIELDS = 64
 """Most fields of a pixel code: more than any target has registers for."""
@@ -44,8 +41,7 @@ MOST_BITS = MOST_SLOTS
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
     """Return the number of operations to evaluate `expr` for all values of its variables.
 
-    `sizes` contains the axis (0 or 1) and the length of every variable.
-    """
+    `sizes` contains the axis (0 or 1) and the length of every variable."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))

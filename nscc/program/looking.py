@@ -26,8 +26,7 @@ class CheckedSense:
 
     The answer is whether the signal is above its level, or below if not `above`. `steps` is the
     level in steps of IN for each boundary of `at`; None if the `field` of the code gives the level,
-    in codes of the ADC.
-    """
+    in codes of the ADC."""
 
     name: str
     signal: int
@@ -81,8 +80,7 @@ def make_looking(
 
     Reports names that are not states (NS0209, NS0214), levels that the well or IN cannot represent
     (NS0320, NS0321), senses without a boundary (NS0322), starts outside their range (NS0311) and
-    signals that cannot be compared (NS0323).
-    """
+    signals that cannot be compared (NS0323)."""
     if not declared.looking:
         return None
     maker = _Maker(declared, constants, target, problems)
@@ -346,8 +344,7 @@ def level_steps(value: float, unit: str, target: Target) -> int:
 def can_tell(value: float, unit: str, target: Target) -> bool:
     """Return whether the signal can be below and above a level.
 
-    IN must be able to represent the level, and neither PIX nor a register may saturate below it.
-    """
+    IN must be able to represent the level, and neither PIX nor a register may saturate below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
     return reached and level_e(value, unit, target) < _full_e(target)
 

@@ -32,8 +32,7 @@ def judge_looking(
     """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
     rules that never open (NS0350).
 
-    `untold` is from `nscc.program.open_time.with_open_times`.
-    """
+    `untold` is from `nscc.program.open_time.with_open_times`."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -66,8 +65,7 @@ def judge_looked_names(
     """Note unused senses and states, and states that never change (NS0355).
 
     An unread sense counts as used if it is the only sense at a look that changes a state or that
-    `looks` counts. `rules` are the rules of shutters.
-    """
+    `looks` counts. `rules` are the rules of shutters."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -108,8 +106,7 @@ def _judge_resets(
     statement: tree.Reset, machine: StateMachine, target: Target, problems: Problems
 ) -> None:
     """Report a boundary at which pixels disagree on a reset, if the chip can only reset all of
-    them.
-    """
+    them."""
     for stage in range(machine.stages):
         slots = slice(machine.starts(stage), machine.ends(stage))
         stage_resets = machine.resets[machine.nodes(stage), slots]
@@ -156,8 +153,7 @@ def largest_part(
     boundary.
 
     `codes` (codes, fields) are the compiled codes, in the order of `fields`. The helps do not
-    include how to have fewer codes.
-    """
+    include how to have fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
     boundary, levels_of_sense = _busiest(looking, values)
     levels = sum(levels_of_sense.values())
@@ -204,8 +200,7 @@ def _state_combinations(looking: Looking, answers: int) -> int:
     """Return an upper bound on the number of combined values of states.
 
     Kept states start with any value. Other states have one value for each of 2^`answers` histories,
-    but at most the number of values in their ranges.
-    """
+    but at most the number of values in their ranges."""
     kept_values, reached = (
         prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
         for is_kept in (True, False)
@@ -215,8 +210,7 @@ def _state_combinations(looking: Looking, answers: int) -> int:
 
 def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
     """Return the boundary with most levels to compare, and the number of levels of each of its
-    senses.
-    """
+    senses."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
     level_counts = Counter[int]()
     for sense in looking.senses:

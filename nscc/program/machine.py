@@ -1,8 +1,7 @@
 """The finite state machine of a program with senses, built by running it for every code and answer.
 
 For each stage it contains the reachable nodes, the shutters and resets in them until the next look,
-and the next node for each outcome of that look.
-"""
+and the next node for each outcome of that look."""
 
 from __future__ import annotations
 
@@ -34,8 +33,7 @@ MOST_HISTORIES = 1 << 16
 Nodes = NDArray[np.int64]
 """The nodes of a stage: (nodes, 1 + states + remembered senses).
 
-A row has the index of the code, the states' values, and the answers.
-"""
+A row has the index of the code, the states' values, and the answers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +52,7 @@ def build_machine(
     """Return the machine, and the behaviour of every code (codes,).
 
     Raises NoValue if an expression has no value in a reachable node or a state leaves its range,
-    and TooMuch beyond MOST_TRANSITIONS.
-    """
+    and TooMuch beyond MOST_TRANSITIONS."""
     return _Builder(rules, looking, codes, target).build()
 
 
@@ -119,8 +116,7 @@ class _Builder:
 
     def _bindings(self, nodes: Nodes, looks: int) -> dict[str, Value]:
         """Return fields, states and latest answers as columns (nodes, 1), and the number of
-        looks.
-        """
+        looks."""
         bindings: dict[str, Value] = {LOOKS: scalar(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
@@ -200,8 +196,7 @@ class _Builder:
 
     def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:
         """Return the comparisons of a look, and for each sense the comparison of every code
-        (codes,).
-        """
+        (codes,)."""
         comparisons: list[Comparison] = []
         of_sense: dict[str, NDArray[np.int64]] = {}
         for sense in self.looking.senses:
@@ -287,8 +282,7 @@ class _Builder:
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[StateMachine, NDArray[np.int32]]:
         """Return the machine of all stages, with codes of equal behaviour merged, and the codes'
-        behaviours.
-        """
+        behaviours."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
         stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]

@@ -23,8 +23,7 @@ PREDEFINED = {
 LOOKS = "looks"
 """In version 2, the name of the number of boundaries so far with at least one sense.
 
-The current boundary counts.
-"""
+The current boundary counts."""
 
 State = tree.StateRange | tree.StateBit
 Code = tree.CodeRange | tree.CodeBits | tree.CodeRow
@@ -38,8 +37,7 @@ class Declarations:
     `pixels` contains the first `pixels FIELD = ...` for each name, whether or not that is a field;
     `pixels_file` is the statement `pixels from`. `wide` are the bit fields that do not fit a
     number, once their lengths are known. `refused` are names with an invalid or a second
-    declaration; their meaning is unknown, and using them is not reported again.
-    """
+    declaration; their meaning is unknown, and using them is not reported again."""
 
     def __init__(self) -> None:
         self.target: tree.TargetByName | tree.TargetFromFile | None = None
@@ -99,8 +97,7 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
 
     Reports names declared twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204),
     a statement that occurs twice (NS0205), `open` beside buckets (NS0206), a field defined twice
-    (NS0211) and too many fields (NS0450).
-    """
+    (NS0211) and too many fields (NS0450)."""
     gatherer = _Gatherer(problems)
     for statement in file.statements:
         gatherer.add(statement)

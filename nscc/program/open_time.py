@@ -23,8 +23,7 @@ class Untold:
 
     `bucket` is the first bucket whose open time differs between pixels with the same code and
     readout. `states` are the fewest additional states to `read` that would determine it, () if no
-    states do.
-    """
+    states do."""
 
     bucket: int
     states: tuple[str, ...]
@@ -35,8 +34,7 @@ def with_open_times(
 ) -> tuple[StateMachine, Untold | None]:
     """Return the machine with `open_us` and `open_slots` and None, or unchanged with an Untold.
 
-    Raises TooMuch for too many different times.
-    """
+    Raises TooMuch for too many different times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
@@ -79,8 +77,7 @@ def _differing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
     """Return the first bucket whose time is not determined by code and these states; None if all
-    are.
-    """
+    are."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()

@@ -27,8 +27,7 @@ class _Wrong(Exception):
 
 class Reader:
     """Reads expressions in the order of the text; `kinds` are the images and planes declared so
-    far.
-    """
+    far."""
 
     def __init__(
         self,
@@ -255,8 +254,7 @@ class Reader:
         self, above: bool, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
         """Return `first > second` if `above`, else `first < second`; at least one side is
-        an image.
-        """
+        an image."""
         levels = [self._steps(side) for side in (first, second)]
         if levels[0] is not None and levels[1] is not None:
             raise self._report(

@@ -38,8 +38,7 @@ def make_pictures(
     """Return the statements of version 3; None if there are none, or after reporting errors.
 
     Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
-    (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539).
-    """
+    (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
     used = declared.pictures or declared.reports or declared.kernels or declared.assumes
     if not used or target is None:
         return None
@@ -100,8 +99,7 @@ class _Maker:
 
     def _possible(self) -> bool:
         """Return whether the chip and the other statements of the program allow images; report if
-        not.
-        """
+        not."""
         target = self.target
         lacks = None
         if target.streamed:
@@ -243,8 +241,7 @@ class _Maker:
 
     def _limits(self) -> dict[str, float]:
         """Return the largest assumed exposure of each bucket, in electrons; by default a
-        full well.
-        """
+        full well."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -270,8 +267,7 @@ class _Maker:
 
 def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
     """Return the error in the weights of a convolution kernel, as half a sentence; None if
-    valid.
-    """
+    valid."""
     widths = {len(row) for row in rows}
     if len(widths) != 1:
         return "its rows have different lengths"

@@ -35,8 +35,7 @@ def codes_in_use(
     """Return the distinct codes of the pixels, and the row of each pixel's code.
 
     `planes` contains one array of `shape` (rows, cols) for each field. The codes (codes, fields)
-    are sorted by field values, first field first; without fields there is one code.
-    """
+    are sorted by field values, first field first; without fields there is one code."""
     codes = np.zeros((1, 0), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for plane in planes:
@@ -82,8 +81,7 @@ def codes_from_file(
 
     Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
     NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
-    about pixels name the first such pixel and their number.
-    """
+    about pixels name the first such pixel and their number."""
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes: list[Stored] = []
     for name, chunk_names in grouped(table.fields).items():
@@ -103,8 +101,7 @@ def codes_from_arrays(
     """Return the row of `table.codes` at each pixel, from arrays by field name.
 
     Raises Rejected: NS0314 for missing, additional or unsuitable arrays, and the errors of
-    `codes_from_file` for values.
-    """
+    `codes_from_file` for values."""
     fields = grouped(table.fields)
     for name in {*arrays} - {*fields}:
         raise rejected(
@@ -131,8 +128,7 @@ def _rows_of_table(
 ) -> NDArray[np.int32]:
     """Return the row of `table.codes` at each pixel, for planes from `as_plane`.
 
-    Messages name the source as `origin`.
-    """
+    Messages name the source as `origin`."""
     planes = [plane for plane, _ in checked_planes]
     missing = np.zeros(shape, dtype=bool)
     for _, beyond in checked_planes:
@@ -199,8 +195,7 @@ def rows_of(
     """Return the row of `codes` (sorted, distinct) that matches `planes` at each place.
 
     Also returns the places without a match. `planes` contains at least one array for a field, all
-    of equal shape.
-    """
+    of equal shape."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
     # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`

@@ -13,8 +13,7 @@ def print_program(program: Program) -> str:
     """Return fields, frame, class and decode table of `program` as text.
 
     Shutters are rows of 0 and 1, slot 0 first, with the number of their codes; long tables and rows
-    are shortened.
-    """
+    are shortened."""
     table = program.table
     data = "no data"
     if program.pixel_codes is not None:

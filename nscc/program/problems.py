@@ -74,8 +74,7 @@ class Problems:
     def sorted(self) -> tuple[Diagnostic, ...]:
         """Return all diagnostics in the order of the text.
 
-        Errors beyond MOST_ERRORS are replaced by NS0190 with their number.
-        """
+        Errors beyond MOST_ERRORS are replaced by NS0190 with their number."""
         errors = 0
         shown: list[Diagnostic] = []
         for diagnostic in sorted(self._found, key=_place):

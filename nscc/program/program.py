@@ -26,8 +26,7 @@ class Field:
     `kind` is its declaration: a range, free bits (`bits` of them) or a row of the codebook `book`.
     `span` is the place of the declaration's range, bit count or book name, which a user would
     change. A chunk of a long bit field (`nscc.program.wide`) starts with bit number `first_bit` of
-    it.
-    """
+    it."""
 
     name: str
     kind: Literal["range", "bits", "row"]
@@ -69,8 +68,7 @@ class Program:
     there are too many to count. `target_span` is the place where the target statement names the
     chip, None if there is no such statement. `messages` are warnings and notes. If shutters depend
     on the light, `machine` is the state machine; then `table` has its behaviours instead of
-    shutters, and their shutters in the dark, where no signal is above its level.
-    """
+    shutters, and their shutters in the dark, where no signal is above its level."""
 
     source: Source
     target: Target

@@ -22,8 +22,7 @@ _BOOK = "only rules may use the digits of a codebook"
 
 def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     """Return the scope of `let`, ranges, counts and tiles: constants; other names have
-    explanations.
-    """
+    explanations."""
     scope = {
         "n": Meaning("misplaced", note=_SLOT),
         "x": Meaning("misplaced", note=_PLACE),

@@ -43,8 +43,7 @@ class TooMuch(Exception):
 @dataclass(eq=False, repr=False)
 class MissingValue:
     """An expression without a value: the reason, the first code and slot, and the number of
-    cases.
-    """
+    cases."""
 
     fault: Fault
     place: str
@@ -70,8 +69,7 @@ class NoValue(Exception):
 class Rules:
     """The checked rules that define codes and shutters.
 
-    `rules` has one boolean expression for each bucket; `slots` is N.
-    """
+    `rules` has one boolean expression for each bucket; `slots` is N."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -89,8 +87,7 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
     """Return which of `codes` (codes, fields) satisfy every `require`.
 
     Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
-    NoValue if a condition has no value, TooMuch beyond the work limit.
-    """
+    NoValue if a condition has no value, TooMuch beyond the work limit."""
     _limit_work(rules.requires, rules, len(codes), 1)
     satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
@@ -113,8 +110,7 @@ def legal_codes(rules: Rules) -> CodeArray:
     """Return every code that fields and `require` allow, sorted by field values.
 
     Raises TooMuch if limits on combinations or codes are exceeded; NoValue if a condition has no
-    value.
-    """
+    value."""
     sizes = [field.high - field.low + 1 for field in rules.fields]
     total = rules.combinations
     if not rules.requires:
@@ -143,8 +139,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
     """Return the decode table of `codes` (codes, fields), which are sorted, distinct and legal.
 
     Shutters are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises
-    TooMuch beyond the limits, before evaluation; NoValue if a rule has no value.
-    """
+    TooMuch beyond the limits, before evaluation; NoValue if a rule has no value."""
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots

@@ -16,8 +16,7 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
     """Return the container in `path`, and the proof that its words match its decode table.
 
     Raises Rejected if the file cannot be read or has invalid words; with status 1, NS0443 if it has
-    no decode table, and NS0440 if the proof fails.
-    """
+    no decode table, and NS0440 if the proof fails."""
     container = read_container(path)
     kernels = decoded(container)
     if container.target.streamed:

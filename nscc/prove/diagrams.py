@@ -2,8 +2,7 @@
 
 A diagram is the index of a node. A leaf is an exact fraction; bits are 0 and 1. An inner node
 branches on one answer. Variables have a fixed order, and equal diagrams share one node: two values
-are equal for all answers if and only if their indices are equal.
-"""
+are equal for all answers if and only if their indices are equal."""
 
 from __future__ import annotations
 
@@ -44,8 +43,7 @@ class Diagrams:
         """Return a bit for a new answer, asked at the place `at` (column, row) of the array.
 
         Answers of nearby places are close in the order of variables, so that planes computed from
-        neighbours' bits have small diagrams.
-        """
+        neighbours' bits have small diagrams."""
         x, y = at
         self._order.append((y, x, len(self._order)))
         return self._node(len(self._order) - 1, self.zero, self.one)
@@ -56,8 +54,7 @@ class Diagrams:
 
     def first_value(self, node: int) -> Fraction:
         """Return a nonzero number among a diagram's leaves, the same for equal diagrams; 0 for the
-        zero diagram.
-        """
+        zero diagram."""
         stack = [node]
         visited = set()
         while stack:

@@ -3,8 +3,7 @@
 A form maps unknowns to factors, which may depend on answers of comparisons (`Diagrams`). Unknowns
 are the exposures of pixels, steps of IN, light outside the array, and the content of registers that
 were never written. An answer is the sign of a form: forms that differ by a factor have the same
-answer.
-"""
+answer."""
 
 from __future__ import annotations
 
@@ -80,8 +79,7 @@ class Forms:
         """Return the bit that tells whether a form of the pixel `at` is above 0.
 
         Either a form or its negative counts as positive, because comparators do not detect equal
-        charges.
-        """
+        charges."""
         diagrams = self.diagrams
         unknowns = sorted(form)
         if all(unknown == IN for unknown in unknowns):

@@ -11,8 +11,7 @@ An analog value is a number for one random light, and its debt: `owes` times the
 bucket should contain by now, plus a remainder. Lanes with equal node, bits, debts and remainders
 behave equally for any collected exposure, so they are merged; otherwise accumulating programs would
 have 2^looks histories. A merged lane has the numbers of one history, and `exact` tells whether all
-its histories had equal exposures.
-"""
+its histories had equal exposures."""
 
 from __future__ import annotations
 
@@ -47,8 +46,7 @@ class Looks(ReplayPixels):
 
     For each lane: `node` and the `outcome` of the current look so far, int64 (lanes,); `due`
     (lanes, buckets), the exposures that the program requires; `since` (lanes,), its `light`;
-    `exact` bool (lanes,).
-    """
+    `exact` bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None
@@ -76,8 +74,7 @@ class Looks(ReplayPixels):
 
     def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
         """Return the content of the states' registers in each lane; with `kept_only`, of kept
-        states only.
-        """
+        states only."""
         known_registers: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
@@ -185,8 +182,7 @@ class Looks(ReplayPixels):
     ) -> NDArray[np.bool_]:
         """Return whether a value (lanes, parts) equals `expected_e` in any light, for each lane.
 
-        The value must owe the exposure of `bucket` once, and no other exposure.
-        """
+        The value must owe the exposure of `bucket` once, and no other exposure."""
         owes = value[:, 1:].copy()
         if bucket is not None:
             owes[:, bucket] -= 1.0
@@ -211,8 +207,7 @@ class Looks(ReplayPixels):
         """Merge equal lanes.
 
         If all histories of a lane have equal exposures, these determine the registers in
-        `readouts`.
-        """
+        `readouts`."""
         for register, bucket in readouts.items():
             self.analog[register][self.exact, 1:] = 0.0
             self.analog[register][self.exact, 1 + bucket] = 1.0

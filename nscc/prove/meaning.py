@@ -27,8 +27,7 @@ class Reach(NamedTuple):
 
     def moved(self, right: int, down: int) -> Reach:
         """Return the reach of a value of the pixel at an offset (columns to the right, rows
-        down).
-        """
+        down)."""
         return Reach(
             max(0, self.left - right), max(0, self.right + right),
             max(0, self.up - down), max(0, self.down + down),
@@ -64,8 +63,7 @@ class PictureMeaning:
 
     Images are also defined outside the array, where they depend on the light there, because one
     convolution may reach over the border and the next one back. Bits outside the array are the
-    text's `outside`.
-    """
+    text's `outside`."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
         self.forms, self.weights = forms, pictures.weights_by_name

@@ -1,8 +1,7 @@
 """Pseudo-random numbers that are equal on all machines.
 
 They come from a counter and the SplitMix64 mixer (Steele, Lea, Flood, OOPSLA 2014). Importing
-numpy.random would take longer than most proofs.
-"""
+numpy.random would take longer than most proofs."""
 
 from __future__ import annotations
 

@@ -198,8 +198,7 @@ class PictureReplay:
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """Return for each pixel the value of the pixel at an offset (columns to the right, rows
-        down).
-        """
+        down)."""
         return {
             (x, y): fields.get((x + right, y + down)) or self._edge(fields, x + right, y + down)
             for x, y in fields

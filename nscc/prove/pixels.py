@@ -10,8 +10,7 @@ other code.
 What a real pixel does not determine is unknown. A bit is unknown if it was never written, has
 decayed, is read from SELECT, or is the result of comparing analog values. An analog value that was
 never written is random noise with a fixed seed, and so is the result of a word where FLAG is
-unknown. The proof fails if the result of a program depends on any of these.
-"""
+unknown. The proof fails if the result of a program depends on any of these."""
 
 from __future__ import annotations
 
@@ -33,8 +32,7 @@ TOLERANCE = 1e-9
 
 Bits = tuple[int, int]
 """A bit of every lane: the lanes where it is known to be 1, and the lanes where it is known to be
-0.
-"""
+0."""
 
 UNKNOWN: Bits = (0, 0)
 
@@ -61,8 +59,7 @@ class ReplayPixels:
     With `quiet`, analog values that were never written are zero, and the result of a word where
     FLAG is unknown is NaN. `transitions` counts the answers of comparisons that were followed.
     `doubts` describes why known bits became unknown, and which analog word first found FLAG
-    unknown.
-    """
+    unknown."""
 
     def __init__(
         self, container: Container, kernels: Sequence[Sequence[Op]], encoding: NDArray[np.bool_],
@@ -137,8 +134,7 @@ class ReplayPixels:
 
     def end_frame(self) -> None:
         """End a frame, including its readout; images and planes may overwrite all but code
-        registers.
-        """
+        registers."""
         if self.container.pictures is not None:
             for name in self.bits.keys() - {*self.container.code_registers}:
                 self.write(name, UNKNOWN)
@@ -206,16 +202,14 @@ class ReplayPixels:
 
     def compare(self, word: Op) -> Bits:
         """Return FLAG after a comparison of analog values: unknown, because it depends on the
-        light.
-        """
+        light."""
         self._doubt(f"`{word}` makes FLAG depend on the light")
         # Where `where` obeys FLAG, pixels that were masked stay masked.
         return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
 
     def _flagged(self, word: str) -> tuple[Lanes, Lanes | None]:
         """Return the lanes whose FLAG is 1, and the lanes whose FLAG is unknown (None if there are
-        none).
-        """
+        none)."""
         flag = self.read("FLAG")
         if flag != self._split[0]:
             known_1, known_0 = flag

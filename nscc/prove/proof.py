@@ -7,8 +7,7 @@ form with practical certainty: a wrong coefficient would have to match a hyperpl
 to within 1e-9. Only FLAG could make the exposure nonlinear, and a FLAG that depends on analog
 values counts as unknown. The second frame detects bits that decay from frame to frame. The first
 frame starts from the code only and leaves the code behind, so all further frames are equal. The
-words before the readout are proved last.
-"""
+words before the readout are proved last."""
 
 from __future__ import annotations
 
@@ -32,8 +31,7 @@ LIGHT_SEED = 7
 class Failure:
     """The first error found by a proof; `shutter` is None if all codes are concerned.
 
-    `doubts` are places where bits became unknown, which may be the cause.
-    """
+    `doubts` are places where bits became unknown, which may be the cause."""
 
     reason: str
     frame: int
@@ -47,8 +45,7 @@ class Proof:
     """The extent of a proof and its failure, None if it holds.
 
     `transitions` is the number of answers that were followed in all frames of a program with
-    senses. `pixels` is the number of pixels whose light was followed through bit planes.
-    """
+    senses. `pixels` is the number of pixels whose light was followed through bit planes."""
 
     codes: int
     slots: int

@@ -1,6 +1,5 @@
 """The proof of the words before the readout, which make converter codes mean what the target
-defines.
-"""
+defines."""
 
 from __future__ import annotations
 
@@ -18,8 +17,7 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
     """Return the first bucket that is not read out as the target defines, and the error; None if
     all are.
 
-    Random values suffice, because the words are linear.
-    """
+    Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
     buckets = {readout.register: readout.bucket for readout in container.readouts}
     for word in preparation.words:
@@ -54,8 +52,7 @@ def _contents_around_readout(
 def _converter_input_e(container: Container, exposure_e: float) -> float:
     """Return the converter input, in electrons, for which the code means `exposure_e`.
 
-    The converter's codes are symmetric around an empty register.
-    """
+    The converter's codes are symmetric around an empty register."""
     target = converter_of(container)
     own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
     middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0

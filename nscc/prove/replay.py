@@ -32,8 +32,7 @@ class Replay(ReplayPixels):
     def exposures(self, light: Values) -> dict[str, Values]:
         """Run one frame in `light` (N, lights), in electrons per slot.
 
-        Returns the exposure of each bucket in electrons (lanes, lights).
-        """
+        Returns the exposure of each bucket in electrons (lanes, lights)."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -79,8 +78,7 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
     1.
 
     The words are replayed with light in one slot at a time. Lanes are the rows of
-    `container.encoding`.
-    """
+    `container.encoding`."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))

@@ -33,8 +33,7 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     """Return the distinct shutters bool (shutters, buckets, N) that the words open.
 
     Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the
-    container `name`.
-    """
+    container `name`."""
     if container.target.streamed:
         return _sent(container, name)
     refuse_looking(container, name)
@@ -68,8 +67,7 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
 
     The names are `shutter`, `shutter_shape` and `codes_FIELD`. A program with one code needs no
     pixel data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 as for
-    `replayed`.
-    """
+    `replayed`."""
     pixels, sent = container.pixel_codes, container.stream
     if sent is not None:
         opened = sent.shutters(len(container.buckets), container.target.cols)

@@ -13,8 +13,7 @@ def prove_stream(container: Container) -> Proof:
     """Follow the light of every pixel through the planes, and compare it with the decode table.
 
     Planes must be completely loaded before they act, one at a time. The proof does not use the code
-    that made the planes. Without pixel codes there are no planes, and only the times are proved.
-    """
+    that made the planes. Without pixel codes there are no planes, and only the times are proved."""
     table, target = container.table, container.target
     failure = _times(container)
     sent, pixels = container.stream, container.pixel_codes

@@ -19,8 +19,7 @@ Found = Sequence[Diagnostic]
 def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
     """Return the route of the light, or the reason why there is none (NS0509).
 
-    `word_options` names options that only apply to words (NS0510).
-    """
+    `word_options` names options that only apply to words (NS0510)."""
     if word_options:
         return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)

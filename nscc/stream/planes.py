@@ -30,8 +30,7 @@ def laid(container: Container, way: Route) -> Container:
 def with_planes(container: Container) -> Container:
     """Add the bit planes of the current pixel codes to a container of a chip without logic.
 
-    Raises Rejected (NS0509) if there is no route for the light of its shutters.
-    """
+    Raises Rejected (NS0509) if there is no route for the light of its shutters."""
     chosen_route = route(container.table.shutters, container.buckets, container.target)
     if isinstance(chosen_route, NoRoute):
         raise Rejected(no_route(chosen_route, container.target.name))

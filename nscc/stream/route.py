@@ -1,8 +1,7 @@
 """The route of light on a chip without logic, for every pixel and slot.
 
 A bit chooses between two destinations, which are the same for all pixels in a slot. A program that
-needs more destinations does not fit.
-"""
+needs more destinations does not fit."""
 
 from __future__ import annotations
 
@@ -20,8 +19,7 @@ class Route:
     """The two destinations of each slot, and the bits that choose between them.
 
     `ones` and `zeros` int8 (N,) are the destinations for bit 1 and 0: the index of a tap, or DRAIN.
-    `bits` bool (shutters, N) are the chosen bits.
-    """
+    `bits` bool (shutters, N) are the chosen bits."""
 
     ones: NDArray[np.int8]
     zeros: NDArray[np.int8]
@@ -32,8 +30,7 @@ class Route:
 class NoRoute:
     """The reason why there is no route, as half a sentence, with a help and the first such `slot`.
 
-    `bucket` is the index of the bucket that the message points at.
-    """
+    `bucket` is the index of the bucket that the message points at."""
 
     reason: str
     help: str
@@ -44,8 +41,7 @@ class NoRoute:
 def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
     """Return the route of the light of `shutters` (shutters, buckets, N), with bucket b at tap b.
 
-    Light that no bucket collects goes to the drain, or to a tap without a bucket.
-    """
+    Light that no bucket collects goes to the drain, or to a tap without a bucket."""
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"

@@ -1,6 +1,5 @@
 """Conversion of lark's tree of a statement to nscc's tree, from the leaves up, without
-recursion.
-"""
+recursion."""
 
 from __future__ import annotations
 
@@ -21,8 +20,7 @@ from nscc.syntax.lexer import span_of
 MOST_DEPTH = 200
 """Most levels of nodes and brackets in a statement, because later passes recurse over the tree.
 
-Python's limit of a thousand calls then allows each pass four calls per level.
-"""
+Python's limit of a thousand calls then allows each pass four calls per level."""
 
 _MOST_DECIMALS = 18
 _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s": Fraction(10**6)}
@@ -30,8 +28,7 @@ _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s
 
 class _Part(NamedTuple):
     """A node, its depth, and its first and last token, including brackets outside the
-    node's span.
-    """
+    node's span."""
 
     value: Any
     depth: int
@@ -43,8 +40,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
     """Builds the node of a statement from lark's tree, from the leaves up.
 
     Raises Rejected, without a source, for statements that parse but exceed a limit: NS0110 for more
-    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero.
-    """
+    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero."""
 
     def __init__(self) -> None:
         super().__init__(visit_tokens=False)
@@ -76,8 +72,7 @@ def _compare(span: Span, first: tree.Expr, *operators_and_operands: Any) -> tree
 
 def _from_file(make: Callable[..., Any]) -> Callable[..., Any]:
     """Return a function that makes a statement with a file and its options, which come in any
-    order.
-    """
+    order."""
 
     def make_statement(
         span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
@@ -100,8 +95,7 @@ def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
 
 def _assume(span: Span, *children: Any) -> tree.Assume:
     """Make an `assume` statement from its tokens: the optional bucket, the comparison and the
-    level.
-    """
+    level."""
     bucket = next((child for child in children if isinstance(child, tree.Name)), None)
     comparison, level = children[-2:]
     return tree.Assume(span, bucket, comparison, _amount(level, span))

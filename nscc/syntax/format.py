@@ -3,8 +3,7 @@
 Tokens, comments and their order do not change; blanks, line breaks and commas at the ends of lists
 follow the style. Each statement starts a line. Groups of lines are kept: several empty lines become
 one. Comments after statements are aligned within a group. A statement with a comment inside keeps
-its line breaks.
-"""
+its line breaks."""
 
 from __future__ import annotations
 
@@ -24,8 +23,7 @@ WIDTH = 100
 _INDENT = "    "
 _COMMENTS_AT = 36
 """The column (from 0) of comments after statements; in groups with long lines, steps of 4
-further.
-"""
+further."""
 _COMMENT = re.compile(r"#[^\r\n]*")
 _OPERANDS = frozenset(("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]"))
 """Tokens that end an operand; a minus after any other token is a sign."""
@@ -42,8 +40,7 @@ class _Token:
     """A token of a statement.
 
     `line` is its line, from 0 at the statement's first; `comments` are the comments before it, by
-    line. `close` means that no blank comes before it. `sign` marks a minus with one operand.
-    """
+    line. `close` means that no blank comes before it. `sign` marks a minus with one operand."""
 
     kind: str
     text: str
@@ -64,8 +61,7 @@ class _Line:
 def format_source(source: Source) -> str:
     """Return a program's text in the standard style, ending in a line break.
 
-    Raises Rejected with the errors of `parse` for an invalid program.
-    """
+    Raises Rejected with the errors of `parse` for an invalid program."""
     file, errors = parse(source)
     if errors:
         raise Rejected(errors)
@@ -228,8 +224,7 @@ class _Rows:
     """A codebook or a tile: the text before its rows (with `[`), the rows, and comments.
 
     `after[k]` is the comment after row k - 1, or after `head` for k = 0. `above[k]` are the comment
-    lines above row k; the last are those above the closing `]`.
-    """
+    lines above row k; the last are those above the closing `]`."""
 
     head: str
     rows: list[list[_Token]]
@@ -240,8 +235,7 @@ class _Rows:
     @classmethod
     def of(cls, tokens: list[_Token]) -> _Rows | None:
         """Return the rows of a statement; None for other statements, and for comments
-        inside a row.
-        """
+        inside a row."""
         kinds = [token.kind for token in tokens]
         is_book = kinds[0] == "shutters" and "[" in kinds
         if not is_book and not (kinds[0] == "pixels" and "tile" in kinds):

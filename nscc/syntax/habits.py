@@ -21,8 +21,7 @@ _UNITS = {
 }
 """Common spellings of time units, in lower case, with the language's unit.
 
-The micro sign and the Greek letter mu are different characters.
-"""
+The micro sign and the Greek letter mu are different characters."""
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
 _MOST_PARTS = 1000
 """Largest denominator of a fraction that replaces a decimal number."""
@@ -32,8 +31,7 @@ _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 
 def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
     """Yield safe fixes for the token at which the parser stopped; the statement ends at token
-    `last`.
-    """
+    `last`."""
     at = stuck.token
     text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
     if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
@@ -148,8 +146,7 @@ def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
 
 def _time(number: str, unit: str) -> str | None:
     """Return a time in the language's form, from a number and a common unit; None for other
-    units.
-    """
+    units."""
     match = _NUMBER_AND_UNIT.fullmatch(number + unit)
     meant = _UNITS.get(match[2].lower()) if match else None
     return f"{match[1]}{meant}" if match and meant else None

@@ -1,6 +1,5 @@
 """The lexer: converts text to tokens; every character belongs to a token, so it accepts any
-text.
-"""
+text."""
 
 from __future__ import annotations
 
@@ -19,8 +18,7 @@ class Tokens:
     """The tokens of a text, without blanks and comments.
 
     The kind of a token is its terminal in the grammar; the kind of a keyword or sign is its text.
-    The kinds MALFORMED, UNCLOSED and STRAY are invalid in every statement.
-    """
+    The kinds MALFORMED, UNCLOSED and STRAY are invalid in every statement."""
 
     source: Source
     lark_tokens: list[Token]

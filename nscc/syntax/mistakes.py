@@ -47,8 +47,7 @@ _SIGNS = {
 
 def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     """Return the error for a statement of the tokens `first` up to `last` in which the parser
-    stopped.
-    """
+    stopped."""
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
@@ -71,8 +70,7 @@ def misspelt_statement(
 
     The parser stopped in the statement from `first`. The token is where a statement may begin, or
     first on its line; the parser may have read it as an operand and stopped at the next token. None
-    if there is no such token.
-    """
+    if there is no such token."""
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue

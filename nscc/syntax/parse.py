@@ -43,8 +43,7 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     """Return the tree of the valid statements, and every error in the order of the text.
 
     If a statement has an error, the part before the error is kept if it is a valid statement. After
-    MOST_ERRORS errors, NS0190 counts the others. Never raises for invalid text.
-    """
+    MOST_ERRORS errors, NS0190 counts the others. Never raises for invalid text."""
     span = Span(0, len(source.text))
     if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
         return tree.File(span, ()), (too_large(source.name),)
@@ -95,8 +94,7 @@ def statement_starts(tokens: Tokens) -> list[int]:
     """Return the indices of the tokens that begin statements.
 
     `open` belongs to the `bucket` before it, and a keyword at the place of a name (`let open = 1`)
-    belongs to its statement.
-    """
+    belongs to its statement."""
     words = frozenset(statement_words(tokens.version))
     kinds = tokens.kinds
     starts: list[int] = []

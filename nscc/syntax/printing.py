@@ -10,8 +10,7 @@ _LONGEST = 20
 
 def print_tree(file: File, source: Source) -> str:
     """Return every node with its place, row:column, indented below its parent; long lists are
-    shortened.
-    """
+    shortened."""
     lines: list[str] = []
     for statement in file.statements:
         _print(statement, source, "", lines)

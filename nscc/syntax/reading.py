@@ -15,8 +15,7 @@ def read_source(path: Path) -> Source:
     """Read a program file and remove a byte order mark.
 
     Raises Rejected: NS0101 (status 2) if the file cannot be read, otherwise as `source_of` does.
-    Reads at most 256 KiB.
-    """
+    Reads at most 256 KiB."""
     name = path.as_posix()
     try:
         with open(path, "rb") as file:
@@ -32,8 +31,7 @@ def source_of(path: Path, data: bytes) -> Source:
     """Decode the bytes of a program file and remove a byte order mark.
 
     Raises Rejected (status 1): NS0103 if it exceeds 256 KiB, NS0102 if it is not UTF-8. The
-    diagnostic has the file's name but no text.
-    """
+    diagnostic has the file's name but no text."""
     name = path.as_posix()
     if len(data) > MOST_BYTES:
         raise (

@@ -17,8 +17,7 @@ class Stuck:
     """The token at which the parser stopped because no statement can continue with it.
 
     `token` is its index, one past the last token if the statement ends too early. `before` are the
-    statement's tokens before it.
-    """
+    statement's tokens before it."""
 
     token: int
     before: tuple[Token, ...]
@@ -28,8 +27,7 @@ class Stuck:
         """The kinds of token that could follow instead; END if the statement could end.
 
         They are computed from `before`, because the failed token may already have reduced the
-        parser's stack, after which fewer kinds appear possible.
-        """
+        parser's stack, after which fewer kinds appear possible."""
         machine = _machine()
         for token in self.before:
             machine.feed_token(token)
@@ -42,8 +40,7 @@ def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stu
     """Parse the tokens from `first` up to, but not including, `last` as one statement.
 
     Returns lark's tree and None. If parsing fails, returns a Stuck, with the tree of the tokens
-    before it if they are a complete statement.
-    """
+    before it if they are a complete statement."""
     machine = _machine()
     stuck = None
     for index in range(first, last):

@@ -1,7 +1,6 @@
 """The syntax tree of a program: nodes with the places of their text.
 
-Nodes are frozen values; equality compares all fields.
-"""
+Nodes are frozen values; equality compares all fields."""
 
 from __future__ import annotations
 
@@ -15,8 +14,7 @@ from nscc.source import Span
 class Record:
     """A base class that behaves like a frozen dataclass with the listed `fields`.
 
-    Thirty real dataclasses would take a tenth of the time of `nscc check`.
-    """
+    Thirty real dataclasses would take a tenth of the time of `nscc check`."""
 
     fields: ClassVar[tuple[str, ...]] = ()
 
@@ -110,8 +108,7 @@ class Index(Node):
 
 class Call(Node):
     """`min(...)` or `max(...)`; in version 3 also a convolution kernel or a function of images and
-    planes.
-    """
+    planes."""
 
     function: Name
     arguments: tuple[Expr, ...]
@@ -162,8 +159,7 @@ class TileRow(Node):
 
 class Light(Node):
     """`light`: the charge since the frame's start or the pixel's last reset, with shutter open or
-    closed.
-    """
+    closed."""
 
 
 class Exposure(Node):

@@ -1,7 +1,6 @@
 """Kinds of values in a TOML file.
 
-A kind reads a value from a file, describes the allowed values, and converts a value for writing.
-"""
+A kind reads a value from a file, describes the allowed values, and converts a value for writing."""
 
 from __future__ import annotations
 
@@ -17,8 +16,7 @@ LEAST = 1e-9
 """The smallest value if a kind requires a value above 0.
 
 Quotients and squares of smaller values exceed the range of floats, and no time, charge or current
-in nscc is as small.
-"""
+in nscc is as small."""
 
 
 class Kind(Protocol):
@@ -41,8 +39,7 @@ class Number(Kind):
     """A finite number in `low`..`high`; either bound may be excluded.
 
     It is an int if `is_whole`, else a float. A file writes None as "any" if `unlimited`, as "auto"
-    if `automatic`. If 0 is an excluded lower bound, the range starts at LEAST.
-    """
+    if `automatic`. If 0 is an excluded lower bound, the range starts at LEAST."""
 
     low: float
     high: float
@@ -116,8 +113,7 @@ class Flag(Kind):
 class TextKind(Kind):
     """A text: one of `choices`, or a match of `pattern`, which `phrase` describes.
 
-    If `optional`, a file may contain "none", which is None in Python.
-    """
+    If `optional`, a file may contain "none", which is None in Python."""
 
     choices: tuple[str, ...] = ()
     pattern: str = ""
@@ -169,8 +165,7 @@ class Several(Kind):
 class Axis(Kind):
     """One value of a kind, or a list of distinct values; in Python always a tuple.
 
-    If the values of the kind are lists, a list of lists is several values.
-    """
+    If the values of the kind are lists, a list of lists is several values."""
 
     element: Kind
 

@@ -27,8 +27,7 @@ class Key:
     `meaning` is half a sentence. `source` is the origin of the default, empty if it is published. A
     file lists the key under `heading`, by default its section. `attribute` is the name in Python,
     by default the key's name. A `required` key must be in the file. A `later` key was added after
-    the first containers and is left out of containers if it has its default.
-    """
+    the first containers and is left out of containers if it has its default."""
 
     section: str
     name: str
@@ -71,8 +70,7 @@ def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
     """Return the keys that the fields of a dataclass declare, in order.
 
-    Keys without their own section are in `section`.
-    """
+    Keys without their own section are in `section`."""
     return tuple(
         Key(**{"section": section, "name": member.name, "attribute": member.name,
                "default": member.default, **member.metadata})
@@ -90,8 +88,7 @@ class Schema(Generic[Row]):
     `keys` are in the order of a file, `headings` have a comment each, and `start` is a help for
     starting a file. Messages call a key `noun`; `option` is the option that changes a key,
     `example` an example of a change. Raises ValueError if two keys have the same path, or a key has
-    an unknown heading.
-    """
+    an unknown heading."""
 
     file_kind: str
     keys: tuple[Row, ...]
@@ -135,8 +132,7 @@ class Schema(Generic[Row]):
 
         `source` is the file's text, for places in messages. Keys may be missing unless required.
         With `complete` all keys must be present, except `later` keys and lists that are empty by
-        default.
-        """
+        default."""
         key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
@@ -157,8 +153,7 @@ class Schema(Generic[Row]):
         """Return the values of changes KEY=VALUE, the last for each key, and the errors of invalid
         changes.
 
-        VALUE is written as in a file; quotes of a text are optional.
-        """
+        VALUE is written as in a file; quotes of a text are optional."""
         key_values: KeyValues = {}
         problems: list[Diagnostic] = []
         for change in changes:
@@ -178,8 +173,7 @@ class Schema(Generic[Row]):
         """Return values as tables of keys, in the order of a file.
 
         All keys are present, except lists that are empty by default and `later` keys at their
-        default.
-        """
+        default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):

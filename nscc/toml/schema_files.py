@@ -21,8 +21,7 @@ _REMARK_COLUMN = 42
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
     """Read the bytes of a user's file; raise Rejected (status 2) if that fails.
 
-    Messages call the file `name`, by default its path.
-    """
+    Messages call the file `name`, by default its path."""
     reads(path)
     try:
         with open(path, "rb") as file:
@@ -43,8 +42,7 @@ def file_values(
     """Return the valid values in a file's bytes, the errors of the others, and the text.
 
     Messages call the file `name`. `choose` selects one of several schemas by the file's values.
-    Raises Rejected (`status`) for text that is not TOML.
-    """
+    Raises Rejected (`status`) for text that is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -77,8 +75,7 @@ def file_text(
     """Return a complete file with the given values, which are keyed by path.
 
     `head` are comments at the start. `remark` returns the comment of a key, which is written above
-    its line, or with `beside` at its end.
-    """
+    its line, or with `beside` at its end."""
     lines = [f"# {line}" for line in head]
     for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]

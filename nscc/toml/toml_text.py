@@ -39,8 +39,7 @@ def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
 
 def span_of(text: str, section: str, name: str) -> Span:
     """Return the place of a key in a TOML text, else of its section's header, else of the first
-    line.
-    """
+    line."""
     current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
     for line in text.split("\n"):
         stripped = line.strip()

@@ -25,8 +25,7 @@ class Point:
     Points with the same `case` and `error_unit` are comparable. A smaller `error` is better unless
     `more_is_better`, as for PSNR. `bound` is a lower bound for all settings of the method, None if
     unknown. `times_ms` are all measured times. `device` is their device if it differs from that of
-    most points.
-    """
+    most points."""
 
     case: str
     method: str
@@ -68,8 +67,7 @@ class Refused:
 def dominated(points: Sequence[Point]) -> list[bool]:
     """Return for each point whether another point of its case and unit dominates it.
 
-    A dominating point is no worse in error and time, and better in one of them.
-    """
+    A dominating point is no worse in error and time, and better in one of them."""
     flags = []
     for point in points:
         mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
@@ -82,8 +80,7 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
     """Return the points, measured on `device`, as CSV with COLUMNS.
 
     The column `method` combines case and method; `spread_ms` is the longest minus the shortest
-    time. The `refused` settings follow without numbers, with their code as unit.
-    """
+    time. The `refused` settings follow without numbers, with their code as unit."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -105,8 +102,7 @@ def table_text(
 
     `names` are the titles of the columns for method, setting and error. `time` is the unit of times
     and its number per millisecond. Repeated cases and methods are left blank. A column of bounds is
-    added if there are any. Dominated points are marked.
-    """
+    added if there are any. Dominated points are marked."""
     head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")

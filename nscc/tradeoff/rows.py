@@ -15,8 +15,7 @@ class Rows:
 
     `of` is the digest of everything that affects the measurements; measurements with another digest
     are ignored. Several processes can share a file and its work. After an interrupt, the user is
-    told where the measurements are. Raises Rejected as `ExperimentStore` does.
-    """
+    told where the measurements are. Raises Rejected as `ExperimentStore` does."""
 
     def __init__(self, file: Path | None = None, of: str = "") -> None:
         self._path, self._of = file, of

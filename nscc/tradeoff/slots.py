@@ -38,8 +38,7 @@ def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
 
     The codes `id` are (rows, cols). A joined slot is open if the pixel is open for at least half of
     its time. Raises NotJoined if the slots cannot be joined, pixels have no codes, or there are too
-    many shutters for a codebook.
-    """
+    many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
     if container.machine is not None or codes is None:
         raise NotJoined("programs with pixels that look keep their own slots")

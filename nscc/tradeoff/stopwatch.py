@@ -16,8 +16,7 @@ class Stopwatch:
     """Measures run times by kind and setting, without first runs, which compile, load and allocate.
 
     Runs of one `kind` share this overhead, for example one method on data of one shape; `setting`
-    distinguishes them. `clock` returns seconds.
-    """
+    distinguishes them. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         self._clock = clock
@@ -38,8 +37,7 @@ class Stopwatch:
 
         Before the first run of a kind, `first` is called (by default `run`). A short first run of a
         setting is repeated. So a long run is repeated at most once for its kind, and not at all if
-        `first` is shorter.
-        """
+        `first` is shorter."""
         if kind not in self._seen:
             if first is None:
                 run()

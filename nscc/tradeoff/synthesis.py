@@ -35,8 +35,7 @@ DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 class SynthesisCase:
     """A program to compile in all variants.
 
-    Paths in it are relative to `base`; `target` replaces its own target.
-    """
+    Paths in it are relative to `base`; `target` replaces its own target."""
 
     name: str
     source: Source
@@ -71,8 +70,7 @@ class SynthesisMeasurements:
 
 def builtin_cases() -> tuple[SynthesisCase, ...]:
     """Return programs of classes b to e and a random codebook, in sizes for a chip with 13
-    registers.
-    """
+    registers."""
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
     rules = {
         **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
@@ -110,8 +108,7 @@ def measure(
 
     Each repeat compiles all variants in turn, to spread disturbances. Results in `rows` are not
     measured again. Raises Rejected for an invalid program; variants that do not fit are listed as
-    refused.
-    """
+    refused."""
     rows = rows or Rows()
     watch = Stopwatch()
     times_ms: dict[CompileVariant, list[float]] = {way: [] for way in ways}
@@ -148,8 +145,7 @@ def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any
 
 def refusals_text(refused: Sequence[tuple[CompileVariant, str]]) -> list[str]:
     """Return why programs have no point in a lowering, one line for all levels with the same
-    reason.
-    """
+    reason."""
     levels: dict[tuple[str, str, str], list[str]] = {}
     for way, reason in refused:
         key = (way.case.name, way.lowering, reason)
@@ -169,8 +165,7 @@ def every_way(
 
 def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
     """Return the compiled program, or the error if it does not fit; raise Rejected for other
-    errors.
-    """
+    errors."""
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
@@ -188,8 +183,7 @@ def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
 def _words(compiled: Compiled, count: Count) -> tuple[int, int | None]:
     """Return the number of words and its lower bound, None if unknown.
 
-    The bound is that of the logic, plus the analog words of the plan if all words count.
-    """
+    The bound is that of the logic, plus the analog words of the plan if all words count."""
     choice, proof = compiled.choice, compiled.proof
     assert choice is not None
     assert proof is not None

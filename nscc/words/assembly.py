@@ -54,8 +54,7 @@ _MOST_PIECES = 1 << 14
 def assemble(source: Source, base: Path) -> Container:
     """Assemble a text to a container; its files are relative to the folder `base`.
 
-    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors.
-    """
+    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     return link(draft, base, faults)
@@ -63,8 +62,7 @@ def assemble(source: Source, base: Path) -> Container:
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
     """Return the words of all kernels of a text in order; the text may consist of instructions
-    only.
-    """
+    only."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
@@ -154,8 +152,7 @@ def _grammar() -> Lark:
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
     """Return the pieces of a line after the first piece, with their places.
 
-    Results are memoized, because kernels repeat lines.
-    """
+    Results are memoized, because kernels repeat lines."""
     tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
     return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in tokens)
 

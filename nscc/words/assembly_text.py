@@ -1,8 +1,7 @@
 """Elements of assembly text (names, numbers, times, ranges): writing and reading.
 
 Each `read_*` function reads exactly what its `*_text` partner writes, and returns None for
-malformed text.
-"""
+malformed text."""
 
 from __future__ import annotations
 
@@ -57,8 +56,7 @@ def read_time_us(text: str) -> float | None:
 
 def ranges_text(values: Sequence[int]) -> str:
     """Return ascending integers as ranges joined by commas: `0..15`, `1..63/2` (every
-    second), `4`.
-    """
+    second), `4`."""
     texts: list[str] = []
     at = 0
     while at < len(values):
@@ -79,8 +77,7 @@ def ranges_text(values: Sequence[int]) -> str:
 def read_ranges(text: str, most: int) -> list[range] | None:
     """Return the ranges in a text of `ranges_text`.
 
-    None for malformed or empty ranges and for values beyond `most`.
-    """
+    None for malformed or empty ranges and for values beyond `most`."""
     ranges: list[range] = []
     for range_text in text.split(","):
         match = _RANGE.fullmatch(range_text)
@@ -98,8 +95,7 @@ def read_ranges(text: str, most: int) -> list[range] | None:
 def slots_text(slots: NDArray[np.bool_]) -> str:
     """Return open slots, bool (slots,), as text: ranges, `never`, or `x` and hexadecimal digits.
 
-    The hexadecimal form, used if shorter, has slot 8 k + i in bit i of byte k.
-    """
+    The hexadecimal form, used if shorter, has slot 8 k + i in bit i of byte k."""
     if not slots.any():
         return "never"
     turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
@@ -137,8 +133,7 @@ def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
 def block_text(lines: Sequence[str]) -> list[str]:
     """Return lines of free text, each after a bar.
 
-    Unprintable lines and lines with trailing blanks are written as JSON.
-    """
+    Unprintable lines and lines with trailing blanks are written as JSON."""
     return [
         f"| {line}" if line.isprintable() and not line.endswith(" ") and line
         else "|" if not line

@@ -31,8 +31,7 @@ class Launch:
     """The start of kernel number `kernel` at boundary `instant` (0..N; before the light of that
     slot).
 
-    `level` is the number of steps to which IN is set before; None leaves IN unchanged.
-    """
+    `level` is the number of steps to which IN is set before; None leaves IN unchanged."""
 
     instant: int
     kernel: int
@@ -43,8 +42,7 @@ class Launch:
 class Readout:
     """A bucket's readout: after the frame, its exposure in electrons is `register` times `gain`.
 
-    For a chip without logic `register` is a tap, and the electrons are those at the converter.
-    """
+    For a chip without logic `register` is a tap, and the electrons are those at the converter."""
 
     register: str
     bucket: str
@@ -57,8 +55,7 @@ class DecodeTable:
 
     `codes` int64 (codes, fields) are the field values of every code. `shutter_of_code` int32
     (codes,) is the index of each code's shutter. `shutters` bool (shutters, buckets, slots) are the
-    distinct shutters in each bucket. A program without fields has one code without fields.
-    """
+    distinct shutters in each bucket. A program without fields has one code without fields."""
 
     fields: tuple[str, ...]
     codes: NDArray[np.int64]
@@ -92,8 +89,7 @@ class Container:
     and pixel codes (`nscc.stream.lay`), and is None without pixel codes.
 
     `pictures` are images and planes that are computed after the last slot; their words run after
-    all `launches`. `readouts` then name the registers of the exposures before these words.
-    """
+    all `launches`. `readouts` then name the registers of the exposures before these words."""
 
     target: Target
     slot_us: tuple[float, ...]
@@ -162,8 +158,7 @@ class Container:
 
     def planes(self) -> dict[str, NDArray[np.bool_]]:
         """Return the bit planes of the code (rows, cols), by register; empty without
-        `pixel_codes`.
-        """
+        `pixel_codes`."""
         if self.pixel_codes is None:
             return {}
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
@@ -187,8 +182,7 @@ def packed_shutters(
     `shutters` is bool (distinct shutters, buckets, N), in the order of the decode table. The first
     result is uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the
     lowest bit. The second is (buckets, rows, cols, N). Raises ValueError for a container without
-    pixel codes.
-    """
+    pixel codes."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no shutters on the array")
     packed = np.packbits(shutters, axis=-1, bitorder="little")

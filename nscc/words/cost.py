@@ -28,8 +28,7 @@ class FrameCost:
 
     `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with
     `launches` kernel launches. `frame_us` is the sum of all slots, `busiest_us` the longest time of
-    words at one boundary.
-    """
+    words at one boundary."""
 
     stored_words: int
     words: int
@@ -71,8 +70,7 @@ def refresh_count(words: Sequence[Op]) -> int:
     """Return the number of `words` that only refresh registers.
 
     These are REFRESH pairs, and the words that allow refreshing the masked register (SET of its
-    mask, whose code is saved in FLAG).
-    """
+    mask, whose code is saved in FLAG)."""
     count = 0
     for i, word in enumerate(words):
         if not word.operation.name.startswith("REFRESH"):

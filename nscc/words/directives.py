@@ -1,7 +1,6 @@
 """The directives of assembly text: functions that add the tokens of a line to the draft.
 
-The grammar, `assembly.lark`, has checked the number and form of the tokens.
-"""
+The grammar, `assembly.lark`, has checked the number and form of the tokens."""
 
 from __future__ import annotations
 
@@ -32,8 +31,7 @@ class Directive:
     """A directive of assembly text.
 
     `read` takes its name, the tokens after it, the draft and the errors, and returns the block for
-    the following lines with bars, or None. `needs` and `usage` describe the tokens in messages.
-    """
+    the following lines with bars, or None. `needs` and `usage` describe the tokens in messages."""
 
     read: Read
     needs: str

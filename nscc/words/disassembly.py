@@ -1,8 +1,7 @@
 """Conversion of a container to assembly text; `nscc.words.assembly` gives the same container again.
 
 First come the parts for readers (source, kernels, schedule), then the data: decode table, encoding,
-pixel codes.
-"""
+pixel codes."""
 
 from __future__ import annotations
 
@@ -57,8 +56,7 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
     """Return the lines of a kernel: (index of the first word, instruction, comment).
 
     An in-place pair is one line. A word without an instruction on this target is a `.word`, with
-    the reason as comment.
-    """
+    the reason as comment."""
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
@@ -251,8 +249,7 @@ def _pixels(container: Container) -> Iterator[str]:
 def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
     """Return the smallest tile whose repetition, cut at the edges, is `plane` (rows, cols).
 
-    None if the tile is too large.
-    """
+    None if the tile is too large."""
     rows = _period(plane)
     cols = _period(plane[:rows].T)
     return plane[:rows, :cols] if rows * cols <= _LARGEST_TILE else None

@@ -128,8 +128,7 @@ class Draft:
     def add(self, line: Instruction, faults: Faults) -> None:
         """Add a line to the current kernel; without `.kernel` this is `main`.
 
-        Raises Rejected (NS0718) with all errors if there are too many words.
-        """
+        Raises Rejected (NS0718) with all errors if there are too many words."""
         if not self.kernels:
             self.kernels.append(KernelDraft(Token(_IMPLIED_KERNEL, line.span)))
         self.kernels[-1].lines.append(line)

@@ -6,8 +6,7 @@ and up belong to registers R13.. of chips whose word format is not published: th
 bits 19..31 that the integers 1..4 leave unused, line 80 + k in integer 1 + k // 13, bit 19 + k %
 13.
 
-Inside this module a word is one 160-bit integer, with the first 32-bit integer lowest.
-"""
+Inside this module a word is one 160-bit integer, with the first 32-bit integer lowest."""
 
 from __future__ import annotations
 
@@ -130,8 +129,7 @@ def encode(operation: Op) -> Word:
 def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | None:
     """Return the operation that encodes to exactly this word, or None if there is none.
 
-    `target_operations` are a target's own words, in addition to the table's.
-    """
+    `target_operations` are a target's own words, in addition to the table's."""
     if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
         return None
     bits = _joined(word)
@@ -165,8 +163,7 @@ def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
 def decode(word: Word, place: str = "") -> Op:
     """Return the operation of the table that encodes to this word; messages name its `place`.
 
-    Raises Rejected (NS0701) if no operation encodes to it.
-    """
+    Raises Rejected (NS0701) if no operation encodes to it."""
     operation = matching(word)
     if operation is None:
         raise Rejected(no_operation(word, place))
@@ -203,8 +200,7 @@ def word_lines(word: Word) -> tuple[int, ...]:
 
 def word_text(word: Word) -> str:
     """Return the five integers in the usual notation: `0x` and lower-case hexadecimal, five
-    digits.
-    """
+    digits."""
     return " ".join(f"0x{integer:05x}" for integer in word)
 
 
@@ -214,8 +210,7 @@ class Masks(NamedTuple):
     `fixed` are the lines that every word of an operation raises, `read` those of a source,
     `written` those of a destination; `write` is the line that identifies a destination.
     `kind_analog` and `kind_digital` are the lines that distinguish operations of analog and of
-    digital words.
-    """
+    digital words."""
 
     fixed: dict[str, Word]
     read: dict[str, Word]

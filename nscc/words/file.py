@@ -12,8 +12,7 @@ version.
     32  SHA-256 of everything before it
 
 A container has exactly one form: `from_bytes` refuses bytes that `to_bytes` would not write, so
-that reading and writing a file does not change it.
-"""
+that reading and writing a file does not change it."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ from nscc.words.stream import Stream
 MAGIC = b"\x89ICW\r\n\x1a\n"
 VERSIONS = (1, 2, 3, 4)
 """File versions: fixed shutters, pixels that look, chips without logic, and programs with
-images.
-"""
+images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
@@ -50,8 +48,7 @@ _CHUNK = 1 << 20
 
 class _Array(NamedTuple):
     """An array of the file; `bits` means that booleans are packed, eight per byte, lowest bit
-    first.
-    """
+    first."""
 
     name: str
     dtype: str
@@ -99,8 +96,7 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
 
 def to_bytes(container: Container) -> bytes:
     """Return the container as a file; ValueError for an inconsistent container (a bug of its
-    maker).
-    """
+    maker)."""
     problems = faults(container)
     if problems:
         raise ValueError(f"unsound container: {problems[0]}")
@@ -209,8 +205,7 @@ def from_bytes(data: bytes, name: str) -> Container:
     Everything is checked, and sizes before memory is allocated. Raises Rejected: NS0702 for data
     that is not a container, NS0704 for another version, NS0705 for a truncated file or data after
     its end, NS0706 for a wrong checksum, NS0707 for inconsistent contents. Words are not checked;
-    `nscc.words.legality.decoded` checks them.
-    """
+    `nscc.words.legality.decoded` checks them."""
     header_length = _check_frame(data, name)
     try:
         header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])

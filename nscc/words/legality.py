@@ -2,8 +2,7 @@
 
 A container file may contain any five integers as a word. `decoded` converts words to operations and
 refuses a word without operation (NS0701), half-words without their partner (NS0703) and words that
-the container's target does not support (NS0708).
-"""
+the container's target does not support (NS0708)."""
 
 from __future__ import annotations
 
@@ -21,8 +20,7 @@ _MOST_SHOWN = 10
 
 def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
     """Raise NS0510 (status 1) for a chip without logic, which has no words; `refusal` is half a
-    sentence.
-    """
+    sentence."""
     if target.streamed:
         raise rejected(
             "NS0510",
@@ -48,8 +46,7 @@ def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     """Return the operations of every kernel, in order.
 
-    Raises Rejected with the errors of the first ten invalid words.
-    """
+    Raises Rejected with the errors of the first ten invalid words."""
     diagnostics: list[Diagnostic] = []
     kernels: list[tuple[Op, ...]] = []
     faults: dict[Op, str | None] = {}
@@ -80,8 +77,7 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
 def picture_words(container: Container) -> list[tuple[Op, int | None]]:
     """Return the words of images and planes in execution order, each with the value of IN in steps.
 
-    The value is None if IN is not set. Raises Rejected as `decoded` does.
-    """
+    The value is None if IN is not set. Raises Rejected as `decoded` does."""
     pictures, target = container.pictures, container.target
     diagnostics: list[Diagnostic] = []
     kernels: list[list[Op]] = []
@@ -110,8 +106,7 @@ def target_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support this word during the exposure, as half a sentence, or
     None.
 
-    Words that reach neighbours run after the exposure: see `picture_fault`.
-    """
+    Words that reach neighbours run after the exposure: see `picture_fault`."""
     digital = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
     if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
         return "only the words of images and planes reach neighbours, after the last slot"
@@ -120,8 +115,7 @@ def target_fault(operation: Op, target: Target) -> str | None:
 
 def picture_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support this word after the exposure, as half a sentence, or
-    None.
-    """
+    None."""
     known = (
         *target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT",
         *(NEIGHBOURS if "NEWS" in target.analog_registers else ()),

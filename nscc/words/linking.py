@@ -36,8 +36,7 @@ NO_TABLE = {"table": "none"}
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
     """Return the container of a draft; raise Rejected with all errors, including those in
-    `faults`.
-    """
+    `faults`."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -259,8 +258,7 @@ def _loading_order(
     faults: Faults,
 ) -> tuple[str, ...]:
     """Return the order in `.load`; by default the masked register comes first, while its
-    mask is 1.
-    """
+    mask is 1."""
     if stated and set(stated) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
@@ -270,8 +268,7 @@ def _loading_order(
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
     """Return a table without open slots, for pixels of which only register contents are known.
 
-    Without planes all codes share one shutter, else each code has its own.
-    """
+    Without planes all codes share one shutter, else each code has its own."""
     return DecodeTable(
         ("code",) if planes else (),
         np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),

@@ -3,8 +3,7 @@
 Boundaries are 0..N; boundary n is before slot n. A look is a boundary at which signals are compared
 with levels. Between two looks a pixel is in a node; the answers of a look lead to a node of the
 next stage. A node defines in which slots the shutter is open and PIX is reset, until the next look.
-The arrays define the program: proof, emulator and host use them instead of the program's text.
-"""
+The arrays define the program: proof, emulator and host use them instead of the program's text."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ class Comparison:
     level?
 
     `signal` is LIGHT, the charge of PIX since the start of the frame or its last reset, or the
-    index of a bucket, the light of its completed open slots.
-    """
+    index of a bucket, the light of its completed open slots."""
 
     boundary: int
     signal: int
@@ -40,8 +38,7 @@ class State:
 
     `is_kept` states survive the frame; `read` states are read out with the frame. `boolean` means
     that it was declared as bit. `sense` marks the latest answer of a sense, which was not declared
-    as a state but is needed after its look.
-    """
+    as a state but is needed after its look."""
 
     name: str
     low: int
@@ -69,8 +66,7 @@ class StateMachine:
     * `open_us` float64 and `open_slots` int32 (nodes, buckets), the open time of a pixel that ends
       the frame in a node; -1 in earlier stages
 
-    `comparisons` are in the order of their boundaries.
-    """
+    `comparisons` are in the order of their boundaries."""
 
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]
@@ -111,8 +107,7 @@ class StateMachine:
         """Return the indices of a boundary's comparisons in the order of the words.
 
         If two signals are the same light, such as PIX and a bucket that is still open, only this
-        order determines which of them a word compares.
-        """
+        order determines which of them a word compares."""
         comparisons = self.at(boundary)
         return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
@@ -136,8 +131,7 @@ class StateMachine:
 @dataclass(frozen=True, eq=False)
 class StatePlanes:
     """The registers of a state: `bits` bool (values, registers) encode each of its possible
-    `values`.
-    """
+    `values`."""
 
     registers: tuple[str, ...]
     values: tuple[int, ...]

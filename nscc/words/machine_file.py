@@ -152,8 +152,7 @@ def _levels(container: Container) -> list[int | None]:
 
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
     """Return machine, state encodings and levels of launches from `.machine` lines; None if
-    invalid.
-    """
+    invalid."""
     try:
         data = b64decode(text, validate=True)
         size = int.from_bytes(data[:4], "little")

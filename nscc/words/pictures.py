@@ -2,8 +2,7 @@
 
 An image is a value of every pixel, a plane a bit of every pixel. Both are evaluated once, after the
 last slot. The expressions are trees of frozen nodes; `to_plain` and `from_plain` convert them to
-and from lists for a file.
-"""
+and from lists for a file."""
 
 from __future__ import annotations
 
@@ -23,8 +22,7 @@ class Weights:
 
     `rows` contain the numerators of the weights; all are divided by `divisor`. The weight in (row
     i, column j) belongs to the pixel that is j minus the centre column to the right and i minus the
-    centre row down.
-    """
+    centre row down."""
 
     name: str
     rows: tuple[tuple[int, ...], ...]
@@ -128,8 +126,7 @@ class Joined:
 class Near:
     """Whether any, or all, of a pixel's neighbours under a convolution kernel have a 1.
 
-    Bits outside the array are the program's `outside`.
-    """
+    Bits outside the array are the program's `outside`."""
 
     kind: Literal["any", "all"]
     condition: Condition
@@ -168,8 +165,7 @@ class PlaneReport:
     """A report about a plane, which the host receives instead of the plane.
 
     It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), or the
-    `box` around them.
-    """
+    `box` around them."""
 
     kind: Literal["any", "events", "box"]
     plane: str
@@ -180,8 +176,7 @@ class PlaneReport:
 class TailLaunch:
     """The start of kernel number `kernel` after the exposure, with IN at `level` steps.
 
-    The level is None if the kernel does not read IN.
-    """
+    The level is None if the kernel does not read IN."""
 
     kernel: int
     level: int | None
@@ -193,8 +188,7 @@ class PictureCost:
 
     `words` include shared words only for the first image that uses them. `peak_gain` is its largest
     value relative to the largest exposure. `noise_gain` is the standard deviation of its error if
-    each word has an error with standard deviation 1.
-    """
+    each word has an error with standard deviation 1."""
 
     name: str
     words: int
@@ -210,8 +204,7 @@ class Pictures:
     bit is read. `limits_e` are the largest assumed exposures in electrons, by bucket. `reads` are
     the images, planes and buckets that are read out with the frame. `kernels` run in the order of
     `launches`, after all words of the exposure; `registers` then contain the images and planes that
-    are read or reported.
-    """
+    are read or reported."""
 
     weights: tuple[Weights, ...]
     items: tuple[Picture, ...]
@@ -232,8 +225,7 @@ class Pictures:
     @property
     def outputs(self) -> tuple[str, ...]:
         """The names of all images, planes and buckets that are read or reported, without
-        repetition.
-        """
+        repetition."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property

@@ -30,8 +30,7 @@ def read_planes(
     """Return the bit planes, bool (rows, cols), by register, in the order of the target's
     registers.
 
-    Reports NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete.
-    """
+    Reports NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -57,8 +56,7 @@ def codes_of_planes(
     """Return the distinct register contents of pixels, bool (codes, registers), and the row of each
     pixel.
 
-    Without planes there is one code with all registers 0, and the second result is None.
-    """
+    Without planes there is one code with all registers 0, and the second result is None."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)

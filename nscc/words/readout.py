@@ -3,8 +3,7 @@
 A converter that is symmetric around 0 would use only half of its codes for an exposure x >= 0. If a
 register is free, 2 x - w is converted instead, with the full well w, so that all codes are used.
 This takes three words with IN = -w. Two compute w - x in the scratch register and in the free
-register; the third adds both to IN and inverts the sum.
-"""
+register; the third adds both to IN and inverts the sum."""
 
 from __future__ import annotations
 
@@ -18,8 +17,7 @@ from nscc.words.container import Container
 SPREADING_ERRORS = 3 / 4
 """The variance that these words add to an exposure, relative to that of one word.
 
-It is that of three errors, on twice the exposure.
-"""
+It is that of three errors, on twice the exposure."""
 
 
 @dataclass(frozen=True)
@@ -45,8 +43,7 @@ def preparation_of(container: Container) -> Preparation:
 
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
     """Return words that replace a register's content x by 2 x minus a full well, using the register
-    `copy`.
-    """
+    `copy`."""
     scratch = target.analog_scratch
     return (
         op("bus", [copy], [register, "IN"]),
@@ -58,8 +55,7 @@ def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
 def converter_of(container: Container) -> Target:
     """Return the container's target with the conversion that is used.
 
-    It is the converter's own if no register is free for spreading.
-    """
+    It is the converter's own if no register is free for spreading."""
     target = container.target
     if target.readout != "spread" or target.streamed or _free(container) is not None:
         return target
@@ -73,8 +69,7 @@ def _free(container: Container) -> str | None:
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:
     """Return the last analog register that keeps a value and is not in `read`; None if there is
-    none.
-    """
+    none."""
     unavailable = {*read}
     free = [name for name in target.analog_available if name not in unavailable]
     return free[-1] if free else None

@@ -17,8 +17,7 @@ class Shutters:
     """The shutters of a figure, in order.
 
     `rows` bool (rows, buckets, N) are the shutters, with `labels`. `rank` int (shutters of the
-    table,) is the row of each shutter, -1 if no pixel has it.
-    """
+    table,) is the row of each shutter, -1 if no pixel has it."""
 
     rows: NDArray[np.bool_]
     labels: tuple[str, ...]
@@ -27,8 +26,7 @@ class Shutters:
 
 def shutters_of(container: Container) -> Shutters:
     """Return the distinct used shutters (all if there are no pixel codes), sorted by opening and
-    length.
-    """
+    length."""
     table = container.table
     codes = container.pixel_codes
     used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)

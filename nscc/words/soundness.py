@@ -20,8 +20,7 @@ def faults(container: Container) -> list[str]:
     """Return the errors of a container, each as part of a sentence; empty if it is consistent.
 
     Of the words it only checks that each is five 32-bit integers and that all fit the target's
-    store (see `nscc.words.legality`).
-    """
+    store (see `nscc.words.legality`)."""
     checks = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
         machine_file.faults, _stream_faults, pictures_file.faults,
@@ -131,8 +130,7 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 def _stream_faults(container: Container) -> Iterator[str]:
     """Yield errors of bit planes: a chip without logic has planes if pixels have codes, and no
-    words.
-    """
+    words."""
     target, sent = container.target, container.stream
     if not target.streamed:
         if sent is not None:
@@ -150,8 +148,7 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 def _text_faults(container: Container) -> Iterator[str]:
     """Yield errors of free text, which may contain all characters except halves of
-    surrogate pairs.
-    """
+    surrogate pairs."""
     for place, text in (
         ("its program's source", "".join(container.source_lines)),
         ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),

@@ -2,8 +2,7 @@
 
 In a slot a pixel's light goes to one destination: a tap, or the drain. Its bit chooses between two
 destinations that are the same for all pixels: `ones` if it is 1, `zeros` if it is 0. Bucket b of a
-program is tap b.
-"""
+program is tap b."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ class Stream:
     """The bit planes of a frame.
 
     `planes` uint8 (N, rows, ceil(cols / 8)) contain the bits of each row, first pixel in the lowest
-    bit, padded with 0. `ones` and `zeros` int8 (N,) are the index of a tap, or DRAIN.
-    """
+    bit, padded with 0. `ones` and `zeros` int8 (N,) are the index of a tap, or DRAIN."""
 
     planes: Bits
     ones: NDArray[np.int8]
@@ -43,8 +41,7 @@ class Stream:
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
         """Return the destination of each pixel's light in a slot (rows, cols): the index of a tap,
-        or DRAIN.
-        """
+        or DRAIN."""
         destinations: NDArray[np.int8] = np.where(
             self.bits(slot, cols), self.ones[slot], self.zeros[slot]
         )
@@ -54,8 +51,7 @@ class Stream:
         """Return the open slots of each pixel, uint8 (buckets, rows, cols, ceil(N / 8)), as in a
         frame file.
 
-        They are packed with the first slot in the lowest bit.
-        """
+        They are packed with the first slot in the lowest bit."""
         shape = self.planes.shape[1], cols
         packed = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
         for slot in range(self.slots):
@@ -71,8 +67,7 @@ class Loading:
     acts.
 
     A chip with two latches per pixel loads the plane in the previous slot (the first plane before
-    the frame), and all rows act at once. A chip with one latch drains the light while it loads.
-    """
+    the frame), and all rows act at once. A chip with one latch drains the light while it loads."""
 
     load_us: float
     acts_us: float

@@ -7,8 +7,7 @@
     run.reconstruct(frame)                  # float32 (rows, cols); clips (T, rows, cols)
 
 Functions on tensors need torch (`pip install 'nscc[train]'`), which is imported on first use.
-`docs/python.md` describes the whole interface.
-"""
+`docs/python.md` describes the whole interface."""
 
 from __future__ import annotations
 

@@ -20,8 +20,7 @@ KEYS = ("image", "video", "truth_e", "light", "orig")
 
 _MOST_BYTES = 1 << 28
 """Largest size of an array in bytes; a comparison of two arrays needs several times as much
-memory.
-"""
+memory."""
 
 ARRAYS = (".mat", ".npy", ".npz")
 
@@ -32,8 +31,7 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
     Accepts `.npy`, `.npz` and `.mat` files; `key` names one of several arrays. The arrays `orig`
     and `video` of .mat files are (rows, cols, T) and are transposed. Also accepts linear pictures,
     as luminance, and grey display pictures, as stored. Raises Rejected: NS0801 for a file that
-    cannot be read, NS0802 for other shapes, NS0804 for values that are not finite.
-    """
+    cannot be read, NS0802 for other shapes, NS0804 for values that are not finite."""
     array = _read(path, key)
     if array.dtype.kind not in "uifb":
         raise rejected(
@@ -109,8 +107,7 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 def _pages(path: Path) -> list[NDArray[Any]]:
     """Return the pictures of a file; raise an error if several pictures exceed the size limit of
-    arrays.
-    """
+    arrays."""
     from nscc_runtime.scenes.picture_files import open_pages
 
     pages: list[NDArray[Any]] = []

@@ -19,5 +19,4 @@ pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that 
 `gumbel` (codebooks; `sigmoid` for other classes) uses soft shapes and a random soft choice of them.
 `tried` uses hard shutters without a gradient; the loop tries other codes around them
 (`nscc_training.loop.trials`). `search` moves many places of a code together; the decoder, which is
-not trained meanwhile, compares the results (`nscc_training.loop.searching`).
-"""
+not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""

@@ -1,6 +1,5 @@
 """Training configurations as TOML: read them, reporting all errors with their places, and write
-them.
-"""
+them."""
 
 from __future__ import annotations
 
@@ -19,16 +18,14 @@ def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
     """Read the settings in a file, with `changes`, each SECTION.KEY=VALUE.
 
     Raises Rejected (status 2) with all errors at once: NS0813 for a file that cannot be read or is
-    not TOML, NS0814 for unknown keys, NS0815 for invalid values.
-    """
+    not TOML, NS0814 for unknown keys, NS0815 for invalid values."""
     values, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
     return _settings(values, problems, changes)
 
 
 def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
     """Return the settings in a dictionary of sections, with changes and errors as in
-    `load_config`.
-    """
+    `load_config`."""
     return _settings(*SCHEMA.read(values), changes)
 
 

@@ -2,8 +2,7 @@
 
 Each function takes a numpy array or a torch tensor and returns the same type and precision. It
 computes in float64, because a float32 logarithm of 1e8 already has an error of 1e-6. Below their
-domain the curves continue as straight lines, so that values and gradients stay finite.
-"""
+domain the curves continue as straight lines, so that values and gradients stay finite."""
 
 from __future__ import annotations
 
@@ -25,21 +24,18 @@ _PU21 = (
     0.09150303166, 0.9099517204, 596.3148142,
 )  # fmt: skip
 """Coefficients of Mantiuk and Azimi, Picture Coding Symposium 2021: the fit with banding
-and glare.
-"""
+and glare."""
 
 
 def mu_law(x: Array, mu: float = MU) -> Array:
     """Return log(1 + mu x) / log(1 + mu), which maps 0 to 0 and 1 to 1; x is relative to the data
-    range.
-    """
+    range."""
     return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
 
 
 def log_curve(x: Array, floor: float) -> Array:
     """Return log(1 + x / floor), for relative errors well above `floor` and absolute errors
-    below.
-    """
+    below."""
     xp, wide = _library(x), _wide(x)
     scaled = wide / floor
     return _as(x, xp.where(wide >= 0, xp.log1p(xp.clip(scaled, 0.0, None)), scaled))
@@ -69,8 +65,7 @@ def pu21(luminance: Array) -> Array:
     """Return the perceptually uniform encoding (PU21) of a luminance in cd/m2.
 
     It is about 256 at 100 cd/m2 and 0 at 0.005 cd/m2. Outside `PU21_LOW`..`PU21_HIGH` it continues
-    as a straight line with the slope at that end.
-    """
+    as a straight line with the slope at that end."""
     xp, wide = _library(luminance), _wide(luminance)
     inside = xp.clip(wide, PU21_LOW, PU21_HIGH)
     low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))

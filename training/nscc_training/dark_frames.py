@@ -25,8 +25,7 @@ class Dark:
 
     `offset` (rows, cols), for two buckets (2, rows, cols), is the mean code above the ADC's offset.
     `meta` is that of the file. `slot_us` (N,) are the slot lengths, None if unknown. `saturated` is
-    the fraction of saturated pixels.
-    """
+    the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]
@@ -41,8 +40,7 @@ class Dark:
 
         `size` (rows, cols) is the size of the array. Raises Rejected (NS0819) if the dark frame has
         another program or contains light; with `force` these are warnings. A dark frame of another
-        size cannot be subtracted and is not checked.
-        """
+        size cannot be subtracted and is not checked."""
         if self.offset.shape[-2:] != tuple(size):
             return ()
         severity = Severity.WARNING if force else Severity.ERROR
@@ -84,8 +82,7 @@ class Dark:
 
     def _bright(self) -> Iterator[Diagnostic]:
         """Yield a warning (NS0844) if pixels are saturated and it is unknown whether the scene has
-        light.
-        """
+        light."""
         if self.saturated > _LIT and self._is_lit() is None:
             yield Diagnostic(
                 "NS0844",
@@ -109,8 +106,7 @@ def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
     """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols).
 
-    The offset is repeated if the codes cover several arrays side by side.
-    """
+    The offset is repeated if the codes cover several arrays side by side."""
     times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
     rows, cols = codes.shape[-2:]
     return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
@@ -118,8 +114,7 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
 
 def read_dark(path: Path, buckets: int) -> Dark:
     """Read a dark frame file; Rejected (NS0819) for another number of buckets or a missing ADC
-    offset.
-    """
+    offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:
@@ -135,6 +130,5 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
     """Return the mean code above the ADC's offset from dark codes (repeats, buckets, rows,
-    cols).
-    """
+    cols)."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

@@ -12,8 +12,7 @@
 
 Needs `nscc[deepinv]`. Clips have the layout of deepinv's other dynamic operators (batch, channels,
 time, rows, cols). Therefore operators for four-dimensional pictures, such as
-`LinearPhysicsMultiScaler`, accept stills only.
-"""
+`LinearPhysicsMultiScaler`, accept stills only."""
 
 from __future__ import annotations
 

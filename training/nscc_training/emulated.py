@@ -3,8 +3,7 @@
 The emulator exposes a program once to constant light at many levels. For every place of the tile,
 the frames give the mean code and its standard deviation over noise and chips. They include gains
 and offsets of words, register compression, dark current, noise and the range of the converter.
-Crosstalk depends on neighbouring pixels, so it is applied to the light, as in the emulator.
-"""
+Crosstalk depends on neighbouring pixels, so it is applied to the light, as in the emulator."""
 
 from __future__ import annotations
 
@@ -44,8 +43,7 @@ class EmulatedSensor:
     `light_e` (K,) increases from 0, in electrons over the frame. `code` and `spread` (K, r, c) are
     the mean and standard deviation of codes above the ADC's offset, before rounding. `full` (K, r,
     c) is the fraction of pixels marked as saturated. `crosstalk` is the fraction of charge that
-    each of the four neighbours receives.
-    """
+    each of the four neighbours receives."""
 
     light_e: Tensor
     code: Tensor
@@ -71,8 +69,7 @@ class EmulatedSensor:
 
         `exposure_e` (float64) is in electrons of the open slots. `share` (r, c) is the open
         fraction of the frame, as a tile. Without a generator there is neither noise nor pixel
-        variation. `model` defines the range of codes.
-        """
+        variation. `model` defines the range of codes."""
         rows, cols = exposure_e.shape[-2:]
         open_share = laid(share, rows, cols).to(exposure_e)
         steady = exposure_e / open_share.clamp(min=1e-9)
@@ -94,8 +91,7 @@ class EmulatedSensor:
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
         """Interpolate a table (K, r, c) between entries `after` - 1 and `after`; return (batch,
-        rows, cols).
-        """
+        rows, cols)."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
@@ -107,8 +103,7 @@ class EmulatedSensor:
 def captures_on(device: torch.device) -> str | None:
     """Return the `torch_device` for captures beside networks on a device; None on the CPU.
 
-    On the CPU, compiled loops simulate frames faster.
-    """
+    On the CPU, compiled loops simulate frames faster."""
     return None if device.type == "cpu" else str(device)
 
 
@@ -122,8 +117,7 @@ def emulated_sensor(
     `effects` and its errors are as for `--effects`. The measurement takes seconds, or half a minute
     if each place has its own shutter. Fewer `chips` are faster, but sample less of the variation
     between chips. `torch_device` is as for `nscc_runtime.capture`; results are equal up to
-    rounding.
-    """
+    rounding."""
     chosen = selected(effects)
     assert container.pixel_codes is not None
     slot_s = np.asarray(container.slot_us)
@@ -155,8 +149,7 @@ def _measured(
     r, c).
 
     Light levels are exposed side by side, each on columns of whole tiles, in as many scenes as
-    needed.
-    """
+    needed."""
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))

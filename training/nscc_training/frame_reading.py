@@ -32,8 +32,7 @@ class FrameRead:
     cols), with one colour or red, green, blue. `saturated` marks saturated codes. `shutter` (N,
     rows, cols) are the first bucket's shutters, `slot_us` (N,) the slot lengths, None if not
     stored. `opened` (colours, rows, cols) is the number of open slots of pixels that looked, else
-    None.
-    """
+    None."""
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
@@ -51,8 +50,7 @@ class FrameRead:
 def read_frame(path: Path) -> FrameRead:
     """Read a frame file with one exposure, or one per colour, and one or two buckets.
 
-    Raises Rejected (NS0819) for another file.
-    """
+    Raises Rejected (NS0819) for another file."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -74,8 +72,7 @@ def read_frame(path: Path) -> FrameRead:
 
 def refuse_missing(path: Path) -> None:
     """Raise Rejected (NS0819) for a file that cannot be opened, before slow packages are
-    imported.
-    """
+    imported."""
     try:
         path.open("rb").close()
     except OSError as error:
@@ -85,8 +82,7 @@ def refuse_missing(path: Path) -> None:
 def by_colour(values: Array, in_colours: bool) -> Array:
     """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`.
 
-    The result is (colours, rows, cols), for two buckets (colours, 2, rows, cols).
-    """
+    The result is (colours, rows, cols), for two buckets (colours, 2, rows, cols)."""
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]
@@ -94,8 +90,7 @@ def by_colour(values: Array, in_colours: bool) -> Array:
 
 def frame_arrays(path: Path) -> FrameRead:
     """Return the arrays of a frame file as stored, with shutters unpacked; NS0819 for
-    another file.
-    """
+    another file."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)

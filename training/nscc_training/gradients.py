@@ -1,7 +1,6 @@
 """Functions with steps or corners, and surrogate gradients for them.
 
-They save tensors in `setup_context`, as `torch.func` requires.
-"""
+They save tensors in `setup_context`, as `torch.func` requires."""
 
 from __future__ import annotations
 
@@ -77,8 +76,7 @@ def opened(x: Tensor, width: float = 1.0) -> Tensor:
 
     The gradient is a triangle of unit area from -`width` to `width`. For an edge between slots, x
     is its distance from the middle of the slot. With width 1, the gradient is the physical one for
-    constant light in the slot.
-    """
+    constant light in the slot."""
     return _apply(_Step, x, width, True)
 
 

@@ -1,6 +1,5 @@
 """Conversion of masks into programs: the smallest tile, and the cheapest class that
-represents it.
-"""
+represents it."""
 
 from __future__ import annotations
 
@@ -34,8 +33,7 @@ class ImportedMask:
 
     `text` is the program, `codes` the content of its code file (empty if not needed), `kind` its
     class, and `tile` its size (rows, cols). `reasons` explain why the other classes were not
-    chosen.
-    """
+    chosen."""
 
     text: str
     codes: bytes
@@ -149,8 +147,7 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
 def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None) -> Bits:
     """Return the mask as (slots, rows, cols).
 
-    Time is the axis that does not match the array; for a tile, the last axis, as in MATLAB.
-    """
+    Time is the axis that does not match the array; for a tile, the last axis, as in MATLAB."""
     if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
         last = mask.shape[2] == slots
     else:
@@ -161,8 +158,7 @@ def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None)
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
     """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest tile.
 
-    Raises NS0847 for a tile that is too large for a program.
-    """
+    Raises NS0847 for a tile that is too large for a program."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -196,8 +192,7 @@ def _candidates(
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
     """Yield the classes that represent all shutters, with their codes.
 
-    The reasons against the other classes are appended to `reasons`.
-    """
+    The reasons against the other classes are appended to `reasons`."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
@@ -236,8 +231,7 @@ def _candidates(
 
 def _check_same(compiled_program: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
     """Raise ValueError (an internal error) if the compiled program does not open the mask's
-    shutters.
-    """
+    shutters."""
     container = compiled_program.container
     assert container is not None
     assert container.pixel_codes is not None

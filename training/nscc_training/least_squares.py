@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 class LeastSquares:
     """The solution with the smallest norm, the matrix's `rank`, and its `condition` number.
 
-    The condition number is inf for a matrix without full rank.
-    """
+    The condition number is inf for a matrix without full rank."""
 
     solution: NDArray[np.float64]
     rank: int
@@ -25,8 +24,7 @@ def solve(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> LeastSquar
 
     Uses the singular value decomposition, because normal equations would square the condition
     number. Singular values below max(m, n) ulps of the largest count as 0. Raises ValueError for
-    values that are not finite.
-    """
+    values that are not finite."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise ValueError("least squares of values that are not finite")
     limit = np.finfo(np.float64).eps * max(matrix.shape)

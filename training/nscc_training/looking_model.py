@@ -1,8 +1,7 @@
 """Sensor model for training pixels that look: from light to codes and open times.
 
 The light is constant. A look compares the charge of the pixel, plus the comparator's offset and
-noise, with the level. The first look above its level closes the pixel.
-"""
+noise, with the level. The first look above its level closes the pixel."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ def looked(
 
     Noise is drawn from `generator`, the same amount for all fields, so that two captures with equal
     generators differ only by the fields. Without a generator there is no noise. If fields have
-    gradients, the exposure of a pixel is the drawn one, with the gradient of its probability.
-    """
+    gradients, the exposure of a pixel is the drawn one, with the gradient of its probability."""
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()
@@ -55,8 +53,7 @@ def _charge_at_looks(
     """Return the charge at the photodiode at each look and at the end (batch, looks + 1, rows,
     cols).
 
-    Photon noise is drawn for the intervals between looks and accumulated.
-    """
+    Photon noise is drawn for the intervals between looks and accumulated."""
     charge = light[:, None] * share
     if generator is not None and sensor.shot_noise:
         between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
@@ -69,8 +66,7 @@ def _charge_at_looks(
 def _first(above: Tensor) -> Tensor:
     """Return whether (or with what probability) a pixel takes each exposure (batch, looks + 1, ..).
 
-    The exposure ends at the first look above its level, or at the end of the frame.
-    """
+    The exposure ends at the first look above its level, or at the end of the frame."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

@@ -23,8 +23,7 @@ NITS = 1000.0
 
 def l1(prediction: Tensor, truth: Tensor) -> Tensor:
     """Return the mean absolute error of linear light, as in the paper; bright pixels
-    dominate it.
-    """
+    dominate it."""
     return (prediction - truth).abs().mean()
 
 
@@ -32,8 +31,7 @@ def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
     """Return minus a tenth of the PSNR in dB.
 
     Errors are averaged over the batch, so patches of one exposure ([data] together) belong in one
-    batch.
-    """
+    batch."""
     return torch.log10((prediction - truth).square().mean() + LEAST_ERROR)
 
 
@@ -46,8 +44,7 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
     """Return a loss that applies a curve to both arguments.
 
-    The curve of the truth is kept for the next call with the same truth.
-    """
+    The curve of the truth is kept for the next call with the same truth."""
     known: list[Tensor] = []
 
     def both(prediction: Tensor, truth: Tensor) -> Tensor:

@@ -25,8 +25,7 @@ _MOST = 1e15
 def array_names(path: Path) -> list[str]:
     """Return the names of the arrays in a .mat or .npz file; empty for an .npy file.
 
-    Raises Rejected (NS0845) for another file.
-    """
+    Raises Rejected (NS0845) for another file."""
     return _read(path, None)[0]
 
 
@@ -54,8 +53,7 @@ def real_array(path: Path, name: str) -> Floats:
 
 def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
     """Return the names in a file, and the array `name` or the only array; None without that
-    array.
-    """
+    array."""
     reads(path)
     suffix = path.suffix.lower()
     if suffix not in ENDINGS or not path.is_file():

@@ -31,8 +31,7 @@ class Measured(Generic[Array]):
     `value` (batch, B, rows, cols) is the sum over N of `mask` (batch or 1, B, N, rows, cols) times
     the light, plus noise of `variance` (shape of `value`). The unit of light is such that white is
     about 1. Where `saturated`, the value is a lower bound. `mask` may be weighted, for example by
-    slot lengths.
-    """
+    slot lengths."""
 
     value: Array
     mask: Array
@@ -52,8 +51,7 @@ class Measured(Generic[Array]):
     ) -> Measured[NDArray[Any]]:
         """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
 
-        `masks` are (B, N, rows, cols).
-        """
+        `masks` are (B, N, rows, cols)."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -83,8 +81,7 @@ class Measured(Generic[Array]):
     def missing(self, predicted: Array, target: Array) -> Array:
         """Return the difference between target and predicted frames.
 
-        At saturated pixels, a prediction above the target has the difference 0.
-        """
+        At saturated pixels, a prediction above the target has the difference 0."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
@@ -93,8 +90,7 @@ class Measured(Generic[Array]):
         """Return the fraction of a difference that is due to the clip's error instead of noise.
 
         It has the shape of `value`. The error of the clip has the standard deviation `sigma`
-        (batch,).
-        """
+        (batch,)."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
         error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share
@@ -103,8 +99,7 @@ class Measured(Generic[Array]):
         """Return the most likely correction of a clip whose frames differ from the target by `gap`.
 
         The error of the clip has the standard deviation `sigma` everywhere. Without noise, and with
-        frames that share no light, this is the projection onto all clips that match the frames.
-        """
+        frames that share no light, this is the projection onto all clips that match the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
             shares = gap / (self.energy + noise).clip(min=1e-6)
@@ -122,8 +117,7 @@ class Measured(Generic[Array]):
 
     def _joint(self, sigma: Array) -> Array:
         """Return the covariance (batch, rows, cols, B, B) of each pixel's frames, divided by sigma
-        squared.
-        """
+        squared."""
         of = namespace(self.mask)
         masks = of.moveaxis(self.mask, (1, 2), (3, 4))
         noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
@@ -140,8 +134,7 @@ class Measured(Generic[Array]):
 
     def mean(self) -> Array:
         """Return the mean light (batch, rows, cols) in each pixel's open slots, 0 for pixels
-        without any.
-        """
+        without any."""
         total = self.mask.sum((1, 2))
         light = self.value.sum(1) / total.clip(min=1e-6)
         known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
@@ -151,8 +144,7 @@ class Measured(Generic[Array]):
         """Return the inputs of a denoiser, (batch, 3, N, rows, cols).
 
         They are the mask summed over frames, the value divided by the mask, and its standard
-        deviation, at most 1. Only the mask differs between slots.
-        """
+        deviation, at most 1. Only the mask differs between slots."""
         import torch
 
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)

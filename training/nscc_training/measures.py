@@ -21,8 +21,7 @@ NITS = 1000.0
 LARGEST = 1e60
 """Largest data range and value; the smallest data range is its inverse.
 
-Fourth powers of such numbers fit float64.
-"""
+Fourth powers of such numbers fit float64."""
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
@@ -57,8 +56,7 @@ def measures(
 ) -> dict[str, Any]:
     """Return every metric of a checked pair as JSON values, for clips also for each frame.
 
-    Infinite dB become the text "inf". `psnr_db` of a clip is the mean over its finite frames.
-    """
+    Infinite dB become the text "inf". `psnr_db` of a clip is the mean over its finite frames."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
     values: dict[str, Any] = {

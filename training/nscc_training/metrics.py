@@ -25,8 +25,7 @@ def mean_square_error(truth: Array, result: Array) -> float:
     """Return the mean of the squared differences, computed in float64.
 
     Like all metrics here, raises WrongArgument for arrays of different shapes, for empty arrays,
-    and for values that are not finite.
-    """
+    and for values that are not finite."""
     truth, result = _pair(truth, result)
     difference = truth.astype(np.float64) - result.astype(np.float64)
     return float(np.mean(np.square(difference)))
@@ -127,8 +126,7 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
 def finite_mean(scores_db: Iterable[float]) -> float:
     """Return the mean of the finite scores, without +inf, the score of identical pictures.
 
-    The mean is +inf if all scores are. Raises WrongArgument for an empty sequence, NaN or -inf.
-    """
+    The mean is +inf if all scores are. Raises WrongArgument for an empty sequence, NaN or -inf."""
     scores = list(scores_db)
     if not scores or any(math.isnan(score) or score == -math.inf for score in scores):
         raise wrong_argument(f"a mean is taken of numbers of dB, not of {scores[:5]}")
@@ -142,8 +140,7 @@ class FrameScores:
 
     `mean` and `sd` leave out identical frames (infinite dB), which `infinite` counts; if all frames
     are identical, the mean is +inf. `of_mean_mse` is the PSNR of the mean square error over all
-    frames.
-    """
+    frames."""
 
     mean: float
     sd: float

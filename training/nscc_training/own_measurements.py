@@ -24,8 +24,7 @@ class NoiseModel:
     """Noise of a measurement, in the unit of the measurement.
 
     `read_sd` is the standard deviation of the readout noise. The variance of the photon noise is
-    `gain` times the measured value.
-    """
+    `gain` times the measured value."""
 
     read_sd: float = 0.0
     gain: float = 0.0
@@ -58,8 +57,7 @@ class NoiseModel:
 class Measurement:
     """K measurements (K, rows, cols) with the same mask (slots, rows, cols).
 
-    `axes` describes how the axes of the files were interpreted.
-    """
+    `axes` describes how the axes of the files were interpreted."""
 
     values: Floats
     mask: Floats
@@ -68,8 +66,7 @@ class Measurement:
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
     """Return whether a file is a measurement: .mat, .npy, .npz with `meas`, or any file with a mask
-    file.
-    """
+    file."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True

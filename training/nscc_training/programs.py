@@ -69,8 +69,7 @@ class Chip:
 class ProgramFiles:
     """A program's `text`, and the bytes of its code file (empty if the text names no file).
 
-    The code file contains every field on the tile, and a codebook's digits as `book`.
-    """
+    The code file contains every field on the tile, and a codebook's digits as `book`."""
 
     text: str
     codes: bytes
@@ -109,8 +108,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
     """Return the program of codes, with `remark` as a comment at the top.
 
     Codes for every pixel are stored in the code file, and so are tiles of more than 4096 places,
-    repeated over the array, as the compiler requires.
-    """
+    repeated over the array, as the compiler requires."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to the current folder, not to the program, so it is an option
@@ -136,8 +134,7 @@ def compiled(
 ) -> Compiled:
     """Compile and prove a program; raise the compiler's errors.
 
-    `every_code` compiles for all codes that the class allows, instead of the used codes.
-    """
+    `every_code` compiles for all codes that the class allows, instead of the used codes."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -151,8 +148,7 @@ class Begun:
     """The start of a run: `codes` by field on the tile, with a codebook's digits as `book`.
 
     `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for these codes;
-    None if they depend on the light.
-    """
+    None if they depend on the light."""
 
     codes: dict[str, NDArray[np.int64]]
     opened: NDArray[np.bool_] | None
@@ -162,8 +158,7 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     """Return the codes of a program on the places of a tile, for pixels that look times and levels.
 
     Raises ValueError for a program with other slots, fields, levels or buckets, or whose pixels are
-    not a repetition of this tile, and the compiler's errors.
-    """
+    not a repetition of this tile, and the compiler's errors."""
     target = chip.table or load_target(chip.target, Path())
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container
@@ -206,8 +201,7 @@ def _fields(spec: ShutterSpec) -> tuple[str, ...]:
 
 def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
     """Return the codes of the tile (rows, cols) that repeats over the array; ValueError without
-    one.
-    """
+    one."""
     rows, cols = pixels.shape
     tile_codes = pixels[: tile[0], : tile[1]]
     repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
@@ -230,8 +224,7 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 def words_per_slot(compiled_program: Compiled) -> float:
     """Return the mean number of words per slot: digital, analog and refresh; 0 for a chip without
-    words.
-    """
+    words."""
     if compiled_program.sending is not None:
         return 0.0
     assert compiled_program.lowered is not None
@@ -242,8 +235,7 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
     """Return all codes (codes, fields) that the class and `require` allow; Rejected if there are
-    none.
-    """
+    none."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):

@@ -46,8 +46,7 @@ class Protocol:
         illuminance.
 
         None if scenes are scaled to a full well. A lens with f-number A passes 1 / (4 A^2) of the
-        light of a matt surface to the sensor.
-        """
+        light of a matt surface to the sensor."""
         if "illuminance_lux" not in self.values:
             return None
         lux = self["illuminance_lux"] * self["reflectance"] / (4 * self["f_number"] ** 2)

@@ -42,8 +42,7 @@ def reconstruct(
 
     Raises Rejected: the errors of `load_run`; NS0819 for a file that is not a frame, for a frame of
     another program or sensor (with `force` a warning, unless its size differs), and for a dark
-    frame of another program or with light (with `force` a warning).
-    """
+    frame of another program or with light (with `force` a warning)."""
     folder = load_run(run, trust_code=trust_code)
     read, begin = read_frame(frame), working_s()
     offset: NDArray[np.float64] | None = None
@@ -64,8 +63,7 @@ def reconstructed(
     """Return the picture or clip of a frame, colours last, and warnings.
 
     Messages call the frame `name`; `offset` (rows, cols) is the array's dark offset. Raises
-    Rejected (NS0819) as `reconstruct` does.
-    """
+    Rejected (NS0819) as `reconstruct` does."""
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
@@ -109,8 +107,7 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
     """Return whether a digest is that of the run's program, compiled at any level, likely levels
-    first.
-    """
+    first."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)

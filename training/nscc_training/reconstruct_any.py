@@ -28,8 +28,7 @@ def reconstruct_any(
     dark frame file of the program, with many repeats. Without `kind` the result is an image if all
     shutters open at the start of the frame (class b), else a clip. `method` "merge" is for images,
     "gap-tv" for clips; the default is the network if torch is installed. Each colour is decoded
-    separately. Raises Rejected as `read_coded_frames` does.
-    """
+    separately. Raises Rejected as `read_coded_frames` does."""
     kind = kind or _KINDS.get(method or "network")
     doubts: list[Diagnostic] = []
     coded_frames = read_coded_frames(frame, program, dark, doubts.append)

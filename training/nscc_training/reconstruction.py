@@ -22,8 +22,7 @@ class Reconstruction:
     `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
     cols) in electrons per slot; with `colour` the last axis is red, green, blue. `messages` are
     warnings about the frame. `decode_s` is the decoding time in seconds. `method` names the method
-    of the decoder for any code, else it is empty.
-    """
+    of the decoder for any code, else it is empty."""
 
     light: NDArray[np.float32]
     still: bool

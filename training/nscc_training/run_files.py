@@ -36,8 +36,7 @@ class RunCapture:
     """The conditions under which a run's decoder expects frames to be captured.
 
     `exposure` is in the form of `--exposure`. `still` means that scenes are stills. `sensor` and
-    `target` are files of the run; None means the default sensor and the program's target.
-    """
+    `target` are files of the run; None means the default sensor and the program's target."""
 
     program: Path
     still: bool

@@ -32,8 +32,7 @@ class RunFolder:
     """A loaded run.
 
     `setup` contains the learned codes and weights, `program` is the text of `shutter.nsl`, `result`
-    is `result.json`. `seen_digests` are the digests of the training and validation files.
-    """
+    is `result.json`. `seen_digests` are the digests of the training and validation files."""
 
     path: Path
     setup: TrainingSetup
@@ -47,8 +46,7 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
 
     Raises Rejected (NS0818) for a missing or unfinished run. A run may name Python code of its
     author, `module:name`, as decoder or loss. Loading executes this code, which needs `trust_code`;
-    otherwise Rejected (NS0823) is raised.
-    """
+    otherwise Rejected (NS0823) is raised."""
     from safetensors.torch import load_file
 
     path = run_path(path)

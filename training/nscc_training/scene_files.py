@@ -27,8 +27,7 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
     """Return the files with one of `endings`, sorted by name; empty if the folder does not exist.
 
     `folder` may join several folders by +, contain * for any name, and end in #K,L/N, which selects
-    the files at positions K and L (from 0) of every N files.
-    """
+    the files at positions K and L (from 0) of every N files."""
     if folder.is_dir():
         return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
     matching = []

@@ -1,7 +1,6 @@
 """A differentiable capture from light and shutters to a frame.
 
-Light is float32; sums and all steps up to the ADC are float64, whatever the network's precision.
-"""
+Light is float32; sums and all steps up to the ADC are float64, whatever the network's precision."""
 
 from __future__ import annotations
 
@@ -143,8 +142,7 @@ class SensorModel:
         """The electrons at which a pixel saturates: a full well, or the converter's range if that
         is less.
 
-        Decoders represent them as 1.
-        """
+        Decoders represent them as 1."""
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
@@ -202,8 +200,7 @@ class Captured(NamedTuple):
     """The result of a capture: electrons before saturation and noise, and the codes of the frame.
 
     Both are (batch, rows, cols), for two buckets (batch, 2, rows, cols). `exposure_e` is float64,
-    `frame` is float32 with whole numbers from 0 to the largest code.
-    """
+    `frame` is float32 with whole numbers from 0 to the largest code."""
 
     exposure_e: Tensor
     frame: Tensor
@@ -278,8 +275,7 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
     """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols).
 
     `seed` determines the noise. `light` and `tile` are as in `differentiable_capture`, without the
-    batch.
-    """
+    batch."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
@@ -320,8 +316,7 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
     """Return the shutters (N, rows, cols), or for two buckets (2, N, rows, cols).
 
-    The second bucket is the complement of the first.
-    """
+    The second bucket is the complement of the first."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
@@ -329,8 +324,7 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
     """Return the light in the open slots of each pixel: electrons (batch, rows, cols), float64.
 
     `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
-    buckets, rows, cols).
-    """
+    buckets, rows, cols)."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
@@ -355,8 +349,7 @@ def read_out(
 ) -> Tensor:
     """Return the codes of a frame with noise, saturation, rounding half to even, and clipping.
 
-    `exposure` is float64 in electrons, of any shape; the result is float32.
-    """
+    `exposure` is float64 in electrons, of any shape; the result is float32."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)
@@ -378,8 +371,7 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
     `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` is bool, `shutters`
     ([buckets,] N, r, c) is a repeating tile. The photodiode also fills while a shutter is not yet
     open. If constant light fills it just when the shutter closes for the last time, the frame
-    contains only the open fraction of a full well.
-    """
+    contains only the open fraction of a full well."""
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
     least = opened.sum(dim=-3) / (opened * slots).amax(dim=-3).clamp(min=1)

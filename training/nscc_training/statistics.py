@@ -46,8 +46,7 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
 
     `groups` names the scene of each value. The interval is a bootstrap over scenes, because crops
     of one scene are not independent. It is None for a single scene; all three are None without
-    finite values. Raises ValueError for NaN.
-    """
+    finite values. Raises ValueError for NaN."""
     if any(np.isnan(value) for value in values):
         raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
@@ -80,8 +79,7 @@ def paired(
 ) -> dict[str, Any]:
     """Return the gain of second scores over first scores on their common items, matched by name.
 
-    Infinite scores are excluded and counted. `ci95` is a bootstrap over scenes.
-    """
+    Infinite scores are excluded and counted. `ci95` is a bootstrap over scenes."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

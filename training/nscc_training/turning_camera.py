@@ -1,7 +1,6 @@
 """A camera that rotates inside a panorama: high-speed video with known radiance.
 
-Rotation causes neither parallax nor occlusion, so additional objects cross the picture.
-"""
+Rotation causes neither parallax nor occlusion, so additional objects cross the picture."""
 
 from __future__ import annotations
 
@@ -24,8 +23,7 @@ def turned(
     cols).
 
     The camera starts near the horizon and rotates uniformly. One to three objects, other parts of
-    the panorama, cross the picture.
-    """
+    the panorama, cross the picture."""
     import cv2
 
     def somewhere() -> tuple[float, float]:

@@ -19,8 +19,7 @@ _WHITE = 0.995
 
 def method_for(still: bool, method: Method | None = None) -> Method:
     """Return the given method, or the default: the network; without torch merging, for clips
-    GAP-TV.
-    """
+    GAP-TV."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"
@@ -30,8 +29,7 @@ def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
 
     The weight of total variation assumes that white is 1. The 99.5 % quantile of the light of
-    opened pixels counts as white.
-    """
+    opened pixels counts as white."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = np.quantile(light, _WHITE).clip(min=1e-6) if light.size else 1.0
@@ -42,8 +40,7 @@ def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     """Return the light over the frame (rows, cols) from a batch of one, in its unit.
 
-    Each pixel is the mean of the measurements in its neighbourhood, weighted by precision.
-    """
+    Each pixel is the mean of the measurements in its neighbourhood, weighted by precision."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)

@@ -51,8 +51,7 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
     """Draw the PSNR values of a run's result (`robustness`) or an evaluation (`items`), worst
-    first.
-    """
+    first."""
     changes = _changes(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)

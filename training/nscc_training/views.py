@@ -1,7 +1,6 @@
 """Pictures of nscc's files: frames, reconstructions, runs, results and sensors.
 
-Programs are drawn by `nscc_runtime.pictures.shutter_sheet`.
-"""
+Programs are drawn by `nscc_runtime.pictures.shutter_sheet`."""
 
 from __future__ import annotations
 
@@ -47,8 +46,7 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     a result (.json) or sensor (.toml) file.
 
     `tone` names a tone curve for light. Raises Rejected: NS0801 for another file, and the errors of
-    the readers for damaged files.
-    """
+    the readers for damaged files."""
     folder = run_path(path)
     if folder.is_dir():
         if not (folder / "metrics.csv").is_file():
@@ -156,8 +154,7 @@ def frame_view(
 ) -> Figure:
     """Draw every bucket of a frame file: codes, electrons, saturation.
 
-    Of repeated frames the first is drawn; of colour frames all colours.
-    """
+    Of repeated frames the first is drawn; of colour frames all colours."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:

@@ -12,8 +12,7 @@ def bitmap(plane: NDArray[np.bool_]) -> bytes:
     """Return a 24-bit Windows bitmap that is white where `plane` bool (rows, cols) is 1.
 
     The width is rounded up to a multiple of 8 with black pixels, because the devkit packs eight
-    pixels of a row into a byte.
-    """
+    pixels of a row into a byte."""
     rows, cols = plane.shape
     width = image_width(cols)
     pixels = np.zeros((rows, width, 3), dtype=np.uint8)

@@ -4,8 +4,7 @@ images.
 Digital registers lose their content after some time, and drawing an image takes 0.1 to 0.3 s.
 Therefore all code registers are refreshed after each plane is loaded, while waiting for an image,
 and every few rows of a drawing. The masked register is loaded first, while its mask is 1, and the
-mask's own plane last.
-"""
+mask's own plane last."""
 
 from __future__ import annotations
 
@@ -31,8 +30,7 @@ class PlaneLoad:
     """How one code register is loaded.
 
     Without `patterns`, its plane is loaded from the image `file`. `scratch` is a register that
-    holds each pattern before it is added; without it, several patterns are drawn pixel by pixel.
-    """
+    holds each pattern before it is added; without it, several patterns are drawn pixel by pixel."""
 
     register: str
     masked: bool
@@ -116,8 +114,7 @@ class CodeLoading:
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
     """Choose how to load `planes`, which are in loading order.
 
-    The file names of images start with `stem`.
-    """
+    The file names of images start with `stem`."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -204,7 +201,6 @@ def _operands(match: Match) -> str:
 def loading_rate(target: Target) -> int:
     """Return the rate in Hz of the loop that waits for images.
 
-    It refreshes registers several times within the retention time.
-    """
+    It refreshes registers several times within the retention time."""
     life_us = RETENTION_SHARE * target.digital_retention_us
     return max(1, ceil(_REFRESHES_IN_A_LIFE * 1e6 / life_us))

@@ -22,8 +22,7 @@ def _templates() -> dict[str, str]:
 
 def template_lines(name: str, **values: object) -> list[str]:
     """Return the lines of the section `name` of `parts.cpp`, with each `@KEY@` replaced by its
-    value.
-    """
+    value."""
     text = _templates()[name]
     for key, value in values.items():
         text = text.replace(f"@{key}@", str(value))
@@ -33,8 +32,7 @@ def template_lines(name: str, **values: object) -> list[str]:
 def safe(text: str) -> str:
     """Return `text` for a `//` comment: one line of printable ASCII.
 
-    Backslashes and `??/` are replaced, because they would continue the comment on the next line.
-    """
+    Backslashes and `??/` are replaced, because they would continue the comment on the next line."""
     shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
     return shown.replace("\\", "/").replace("??", "? ?").strip()
 

@@ -20,8 +20,7 @@ class Devkit:
     """The library of a chip's devkit.
 
     Names in the library start with `library`. It has `digital` one-bit registers R0, R1, ...
-    `tables` means that the layout of its constant kernel tables is public.
-    """
+    `tables` means that the layout of its constant kernel tables is public."""
 
     name: str
     library: str

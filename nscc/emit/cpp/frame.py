@@ -2,8 +2,7 @@
 
 Times are measured from the frame's first word, so that errors of waits, launches and words do not
 accumulate. The exposure begins a whole number of microseconds after the first word. Each launch
-happens in the first whole microsecond after its boundary, never before the boundary.
-"""
+happens in the first whole microsecond after its boundary, never before the boundary."""
 
 from __future__ import annotations
 
@@ -38,8 +37,7 @@ class Row:
     """A row of the schedule: `times` launches of a kernel at equal intervals.
 
     The first launch is `at` microseconds after the frame's first word, each next one `interval_us`
-    later. A row with `kernel` None only waits. `instants` are the boundaries of the launches.
-    """
+    later. A row with `kernel` None only waits. `instants` are the boundaries of the launches."""
 
     at: Fraction
     interval_us: Fraction

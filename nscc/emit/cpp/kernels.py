@@ -4,8 +4,7 @@ tables.
 A call is used only if `nscc.macros` expands it to exactly these words and the library accepts the
 number of operands. If any word of a kernel has no call, the whole kernel becomes a constant table.
 If the layout of tables is unknown, as in the devkit's simulator, several equivalent calls replace
-such a word (`nscc.emit.cpp.narrow`).
-"""
+such a word (`nscc.emit.cpp.narrow`)."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ _MOST_OPERANDS = 4
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
     """Return the library calls that record exactly `ops`, each with its words; None if a word has
-    no call.
-    """
+    no call."""
     recorded: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
@@ -69,8 +67,7 @@ def kernel_lines(
     """Yield the C++ function `name`, which launches a kernel of the words `ops`.
 
     `narrow` are equivalent words that all have calls, or None. They replace words without a call in
-    the simulator, and on chips without public `tables`.
-    """
+    the simulator, and on chips without public `tables`."""
     recorded = calls(ops)
     if recorded is not None:
         yield from _recorded(name, recorded)

@@ -1,8 +1,7 @@
 """Splitting of words that have more sources than a library call accepts.
 
 Partial results accumulate in the destination register, which the native words do not read. FLAG
-cannot accumulate, so a WHERE with many sources needs a register that the program does not use.
-"""
+cannot accumulate, so a WHERE with many sources needs a register that the program does not use."""
 
 from __future__ import annotations
 
@@ -64,8 +63,7 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
 
 def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
     """Yield words that write `kind` (OR or NOR) of `sources`, which do not include `register`, to
-    it.
-    """
+    it."""
     most = MOST_SOURCES["OR"]
     if len(sources) <= most:
         yield op(kind, (register,), sources)
@@ -86,8 +84,7 @@ def _in_place(read: Op, write: Op) -> Iterator[Op]:
 
 def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
     """Yield words that write `kind` of `register` and `sources` to `register`, one source at a
-    time.
-    """
+    time."""
     for source in sources[:-1]:
         yield from pair("OR", register, (register, source))
     yield from pair(kind, register, (register, sources[-1]))

@@ -1,8 +1,7 @@
 """Bit planes as unions of address patterns; the chip sets all pixels of a pattern at once.
 
 The devkit counts rows from the top and columns from the right: pixel (row y, column x) has the
-address (y, cols - 1 - x). A pattern fixes some address bits and ignores the others.
-"""
+address (y, cols - 1 - x). A pattern fixes some address bits and ignores the others."""
 
 from __future__ import annotations
 
@@ -18,8 +17,7 @@ MOST_BITS = 12
 """Most address bits of a plane that is loaded by patterns: a tile of 64 x 64 pixels.
 
 Such a plane needs up to about 700 patterns. With more bits, drawing an image pixel by pixel is as
-fast.
-"""
+fast."""
 
 _SIDE = 1 << ADDRESS_BITS
 _OPEN = _SIDE - 1
@@ -47,8 +45,7 @@ def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
     """Return `plane` bool (rows, cols) as address patterns; None if it depends on too many address
     bits.
 
-    Addresses outside the array are don't-cares.
-    """
+    Addresses outside the array are don't-cares."""
     rows, cols = plane.shape
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]
@@ -73,8 +70,7 @@ _Cube = tuple[int, int]
 
 def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:
     """Return the address bits that the planes depend on, lowest first, and both truth tables over
-    them.
-    """
+    them."""
     cube = (2,) * (2 * ADDRESS_BITS)
     on, off = on.reshape(cube), off.reshape(cube)
     bits: list[_Bit] = []
@@ -94,8 +90,7 @@ def _table(plane: NDArray[np.bool_]) -> int:
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
     """Return an irredundant union of cubes between two truth tables, and its table (Minato,
-    Morreale).
-    """
+    Morreale)."""
     if not needed:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:

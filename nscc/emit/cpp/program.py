@@ -1,8 +1,7 @@
 """A compiled program as one C++ file for the SCAMP-5d or SCAMP-7 devkit.
 
 The executed words come from the container, so they are the proved words; the program and its
-lowering only supply comments.
-"""
+lowering only supply comments."""
 
 from __future__ import annotations
 
@@ -63,8 +62,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
 
     Raises Rejected: NS0520 if the devkit's chip cannot run the program, because of its registers or
     array size, missing pixel data, or no room for the kernels that load codes; NS0521 for words
-    that the devkit's library lacks.
-    """
+    that the devkit's library lacks."""
     refuse_pictures(container, "there is no C++ of this program", "run it on the emulator")
     program, target = lowered.program, container.target
     devkit = devkit_of(target)

@@ -1,6 +1,5 @@
 """Moving of work to earlier boundaries, because the boundary with most words limits the
-slot time.
-"""
+slot time."""
 
 from __future__ import annotations
 
@@ -40,8 +39,7 @@ def balance(
     """Move gates to earlier boundaries without adding words to the frame.
 
     `other_words` are the words at each boundary 0..N besides the solution's gates. The words of the
-    largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move.
-    """
+    largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move."""
     frame, items = flatten(solution, problem, machine)
     try:
         run = TrackedRun(frame, items, budget)
@@ -127,8 +125,7 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
 
 def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
     """Apply a rewriting if the boundary then has fewer than `most` words and no other reaches
-    `most`.
-    """
+    `most`."""
     words = loads.counted(
         [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
     )

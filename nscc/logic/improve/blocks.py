@@ -2,8 +2,7 @@
 
 This is Re-Pair (Larsson and Moffat, Proc. IEEE 2000). Improving a whole sequence gains more than
 improving its segments separately. But every sequence that is treated separately has its own
-segments in the store.
-"""
+segments in the store."""
 
 from __future__ import annotations
 
@@ -21,8 +20,7 @@ FEWEST = 2
 @dataclass(frozen=True, slots=True)
 class SegmentToken:
     """The items[start:end] of a run: a segment, or one check; tokens with equal `key` do
-    the same.
-    """
+    the same."""
 
     start: int
     end: int
@@ -57,8 +55,7 @@ def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
 def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
     """Return the distinct sequences, most words per frame first.
 
-    All their segments take at most `room` words. Without room, every segment is a sequence.
-    """
+    All their segments take at most `room` words. Without room, every segment is a sequence."""
     tokens = tokens_of(items)
     merger = _Merger(frame, items, tokens)
     while merger.merge(room):
@@ -106,8 +103,7 @@ class _Merger:
 
     def _pairs(self) -> Counter[tuple[int, int]]:
         """Return the counts of neighbouring pairs; overlapping pairs of equal symbols count
-        once.
-        """
+        once."""
         pairs: Counter[tuple[int, int]] = Counter()
         run = 1
         for first, second in pairwise(self.sequence):

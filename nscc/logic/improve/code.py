@@ -3,8 +3,7 @@
 Registers are numbered in the order planes, states, scratch, FLAG. Since all shutters are known, the
 content of a register is a truth vector, or None if it is unknown. The code has no branches, so one
 run over truth vectors is exact: two values are equal if and only if their vectors are equal, and a
-change is checked by running on from it.
-"""
+change is checked by running on from it."""
 
 from __future__ import annotations
 
@@ -35,8 +34,7 @@ class GateOp:
 
     `place` is the answer that the operation belongs to, or OPENING or CLOSING; `segment` is its
     segment there. `reads` is the bit mask of registers that the result depends on: sources and, if
-    masked, also mask and destination.
-    """
+    masked, also mask and destination."""
 
     inverted: bool
     destination: int
@@ -55,8 +53,7 @@ class GateOp:
 class Check:
     """A point, at the end of `place`, at which FLAG must equal `need` (if not None).
 
-    `forgets` is the bit mask of registers whose contents are unknown afterwards.
-    """
+    `forgets` is the bit mask of registers whose contents are unknown afterwards."""
 
     need: int | None
     forgets: int
@@ -72,8 +69,7 @@ class FrameContext:
 
     Operations that write `masked` (if not None) are masked: they write only where `mask` is 1. For
     a whole frame `ends` is None, and the planes must be restored at its end. For a part of a frame
-    `ends` is the bit mask of registers that are read afterwards.
-    """
+    `ends` is the bit mask of registers that are read afterwards."""
 
     solution: Solution
     problem: Problem
@@ -105,8 +101,7 @@ class FrameContext:
 
     def total(self, items: Sequence[Item]) -> int:
         """Return the words of a frame, including refresh of planes that are not written in all
-        pixels.
-        """
+        pixels."""
         left_alone = self.writes(items).count(0) if self.ends is None else 0
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
@@ -214,8 +209,7 @@ def flatten(
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | None]:
     """Return the number of possible scratch registers, and the masked register and its mask.
 
-    The register numbers are None if the machine has no masked pair.
-    """
+    The register numbers are None if the machine has no masked pair."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     room = machine.registers - planes - states
     mask = planes + states if scratch else None

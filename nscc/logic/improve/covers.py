@@ -4,8 +4,7 @@ A target is (ones, zeros): the shutters in which the result must be 1 and those 
 0. An OR computes it if its sources avoid `zeros` and together cover `ones`; a NOR if they avoid
 `ones` and cover `zeros`. So a gate exists if all sources that may be read cover the target. Covers
 are made small greedily; their size matters only if the number of sources is limited, because a word
-costs the same with any number of sources.
-"""
+costs the same with any number of sources."""
 
 from __future__ import annotations
 
@@ -58,8 +57,7 @@ def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tupl
     """Return at most `limit` sources that cover `target`, by exhaustive search; None if there are
     none.
 
-    Each step tries the sources that contain the first uncovered shutter.
-    """
+    Each step tries the sources that contain the first uncovered shutter."""
     if not target:
         return ()
     if limit == 0:
@@ -114,8 +112,7 @@ def inner(
     """Return gates that would be 1 on `ones` and 0 on `zeros` with one additional source.
 
     Each is (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1 and
-    0. The gate also reads all other registers that it may read.
-    """
+    0. The gate also reads all other registers that it may read."""
     ways = []
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)

@@ -1,8 +1,7 @@
 """Use of free registers for values that the host loads before the frame.
 
 A plane that no word writes costs only its refresh, and can be in the masked register. So a free
-register can hold any truth vector from the start.
-"""
+register can hold any truth vector from the start."""
 
 from __future__ import annotations
 
@@ -80,8 +79,7 @@ def _shortened(
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
     """Return the solution with a free register, obtained by recolouring if necessary; None if
-    impossible.
-    """
+    impossible."""
     used = len(solution.planes) + solution.states + solution.scratch
     if used < machine.registers:
         return solution
@@ -111,8 +109,7 @@ def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counte
 
     The result contains the items that write each vector, the items whose values each item reads,
     and the number of readers of each item. A plane that holds an item's value at the end counts as
-    a reader.
-    """
+    a reader."""
     frame = run.frame
     makers: dict[int, list[int]] = {}
     feeds: list[set[int]] = []
@@ -135,8 +132,7 @@ def _saved(
 ) -> int:
     """Return the words of items that become unused if their results are available elsewhere.
 
-    This is the fan-out-free cone of the items.
-    """
+    This is the fan-out-free cone of the items."""
     readers_left: dict[int, int] = {}
     # FLAG must be loaded in any case.
     written = [item.destination for k in numbers if isinstance(item := run.items[k], GateOp)]

@@ -2,8 +2,7 @@
 
 The problem of a sequence of segments has one shutter for each pair of shutter and place: the truth
 vectors of all places are concatenated. A rewriting that is correct for these is correct in every
-place, and all passes work unchanged.
-"""
+place, and all passes work unchanged."""
 
 from __future__ import annotations
 
@@ -26,8 +25,7 @@ def improve_kernels(
 ) -> list[Item]:
     """Shorten each kernel by the pass `shorten`, in the same way in all places.
 
-    Sequences of kernels are improved together if `room` allows (see `blocks_of`).
-    """
+    Sequences of kernels are improved together if `room` allows (see `blocks_of`)."""
     run = TrackedRun(frame, items, budget)
     # The current items for each original item: rewriting a block replaces them.
     replacements: list[list[Item]] = [[item] for item in run.items]

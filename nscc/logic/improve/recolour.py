@@ -6,8 +6,7 @@ end.
 
 In straight-line code live ranges are intervals, so this is interval colouring from left to right
 (linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It fails only if registers are excluded or
-banned for values. The choice among free registers determines the number of words.
-"""
+banned for values. The choice among free registers determines the number of words."""
 
 from __future__ import annotations
 
@@ -38,8 +37,7 @@ class _Value:
 def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
     """Return the same operations with other registers; None if there are too few registers.
 
-    Every result must be read. The registers `without` (a bit mask) are not used.
-    """
+    Every result must be read. The registers `without` (a bit mask) are not used."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]
@@ -111,8 +109,7 @@ class _Painter:
 
     def paint(self) -> list[Item] | None:
         """Return the items with new registers and copies of planes to their homes; None if that
-        fails.
-        """
+        fails."""
         out: list[Item] = []
         for k, item in enumerate(self.items):
             if isinstance(item, Check):
@@ -175,8 +172,7 @@ class _Painter:
 
         This is a parallel move. A plane is copied after the plane in its home has left, which is a
         topological order of the graph "plane -> plane in its home". For each cycle of this graph,
-        one plane waits in a free register.
-        """
+        one plane waits in a free register."""
         frame = self.frame
         current_place = {
             value.home: self.place[number]

@@ -62,8 +62,7 @@ def refine(
 ) -> P:
     """Return the best candidate after improvement, at levels 2 and 3.
 
-    `store_words` is the number of words that all kernels may take.
-    """
+    `store_words` is the number of words that all kernels may take."""
     # With more demands than stored words, kernels must repeat: few distinct kernels matter more
     # than few words.
     scarce = len(problem.demands) > store_words
@@ -95,8 +94,7 @@ class _Refinery(Generic[P]):
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
         """Return the improved candidate, and whether equal segments had to stay equal.
 
-        Unless `patient`, segments may differ, and a result that does not fit is given up.
-        """
+        Unless `patient`, segments may differ, and a result that does not fit is given up."""
         if self.scarce:
             return self._improve_keeping_kernels(candidate.solution, steps), True
         improved = self._form(self._improved(candidate.solution, steps))
@@ -121,8 +119,7 @@ class _Refinery(Generic[P]):
 
     def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
         """Improve a solution with equal segments kept equal, with and without room for more
-        segments.
-        """
+        segments."""
         priced_solutions = []
         for room in sorted({self.room, 0}, reverse=True):
             budget = Budget(steps)
@@ -136,8 +133,7 @@ class _Refinery(Generic[P]):
 
     def _form(self, solution: Solution) -> P:
         """Compute a solution's costs; if it does not fit, also with gates and analog words
-        separated.
-        """
+        separated."""
         priced = self.priced(solution)
         return min(priced, self.priced(apart(solution)), key=_PRICE) if priced.price[0] else priced
 
@@ -156,7 +152,6 @@ class _Refinery(Generic[P]):
 def apart(solution: Solution) -> Solution:
     """Return the solution with gates separated from the segments before analog words.
 
-    These segments are then equal in all slots and stored once.
-    """
+    These segments are then equal in all slots and stored once."""
     answers = tuple((*answer, ()) if answer else answer for answer in solution.answers)
     return replace(solution, answers=answers)

@@ -7,8 +7,7 @@ later must stay equal.
 
 This is resubstitution with don't-cares. It is close to the transduction method for NOR networks
 (Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989), which computes a gate's
-permissible functions first; here a change is tried and followed while it makes a difference.
-"""
+permissible functions first; here a change is tried and followed while it makes a difference."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ def rewrite(
     """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after them.
 
     Returns None if this does not save `least` words. With `deepen`, the repair may insert gates.
-    `order` lists the registers by preference as sources.
-    """
+    `order` lists the registers by preference as sources."""
     return _Walk(run, start, least, deepen, order).go(lead, dropped)
 
 
@@ -148,8 +146,7 @@ class _Walk:
     def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
         """Find other sources for operation k, or another gate before it, and update `gain`.
 
-        Returns whether that succeeded.
-        """
+        Returns whether that succeeded."""
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:
@@ -168,8 +165,7 @@ class _Walk:
         """Return (ones, zeros) that a gate must write so that `target` is 1 on `ones` and 0 on
         `zeros`.
 
-        None if a mask prevents it.
-        """
+        None if a mask prevents it."""
         frame = self.frame
         if target != frame.masked or frame.mask is None:
             return ones, zeros
@@ -202,8 +198,7 @@ class _Walk:
 
     def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
         """Insert a gate in a free register, then operation k with other sources; return whether
-        that succeeded.
-        """
+        that succeeded."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]

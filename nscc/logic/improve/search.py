@@ -39,8 +39,7 @@ def improve(
     The encoding is unchanged. The result is deterministic: steps of `budget` are used until nothing
     is gained. Equal segments may become different. With `keep_kernels` they stay equal: kernels are
     rewritten in all places, and repeated sequences of kernels together while all distinct segments
-    take at most `room` words.
-    """
+    take at most `room` words."""
     frame, items = flatten(solution, problem, machine)
     try:
         if keep_kernels:
@@ -70,8 +69,7 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
     """Return the solution of `items` if it is valid and shorter than the frame's solution, else the
     latter.
 
-    With `as_long`, an equally long solution is returned too.
-    """
+    With `as_long`, an equally long solution is returned too."""
     solution = frame.solution
     try:
         candidate = unflatten(frame, items)
@@ -87,8 +85,7 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
 def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
     """Return the items after alternating sweeps and walks of `steps` steps.
 
-    The search ends with the budget or after `patience` walks without gain.
-    """
+    The search ends with the budget or after `patience` walks without gain."""
     try:
         _sweep(run)
         idle = 0

@@ -4,8 +4,7 @@ The state contains the content of every register and the registers that are stil
 computed backwards). For each operation it contains the shutters in which the result matters (the
 complement of the observability don't-cares). These are found by complementing the result and
 running on: the result matters in the shutters where a demand or the frame's end changes. This is
-exact, because bits of different shutters do not interact.
-"""
+exact, because bits of different shutters do not interact."""
 
 from __future__ import annotations
 
@@ -25,8 +24,7 @@ class TrackedRun:
     """Items with their states.
 
     `before[k]` is the state before item k. `live[k]` is the bit mask of registers whose content at
-    that point is read later or required at the end.
-    """
+    that point is read later or required at the end."""
 
     def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
         self.frame = frame
@@ -58,8 +56,7 @@ class TrackedRun:
 
     def free(self, k: int, besides: Collection[int | None]) -> list[int]:
         """Return the digital registers that are not read from item k on, except the masked one and
-        `besides`.
-        """
+        `besides`."""
         busy = (*besides, self.frame.masked)
         return [r for r in range(self.frame.flag) if r not in busy and not self.live[k] >> r & 1]
 
@@ -94,8 +91,7 @@ class TrackedRun:
     def _settle(self, first: int, last: int) -> None:
         """Recompute states from item `first` to `last`, and further while they change.
 
-        Contents that are not live may differ.
-        """
+        Contents that are not live may differ."""
         if first:
             state = list(self.before[first - 1])
             self.frame.apply(self.items[first - 1], state)
@@ -112,8 +108,7 @@ class TrackedRun:
     def _revive(self, start: int, end: int) -> int:
         """Recompute liveness backwards from `end`, beyond `start` while it changes.
 
-        Operations whose result is not live are dropped. Returns the first changed place.
-        """
+        Operations whose result is not live are dropped. Returns the first changed place."""
         frame = self.frame
         dead: list[int] = []
         for k in range(end - 1, -1, -1):
@@ -137,8 +132,7 @@ class TrackedRun:
 
     def _follow(self, k: int) -> tuple[int, int]:
         """Return the shutters in which operation k's result matters, and the number of items it
-        influences.
-        """
+        influences."""
         frame, items, before = self.frame, self.items, self.before
         everything, flag = frame.everything, frame.flag
         source = items[k]

@@ -4,8 +4,7 @@ Every step drops one to three operations, or moves one, and keeps the repaired r
 costs more words. The random sequence is fixed.
 
 Most changes save nothing, but they move values to other registers and times, so that another point
-of the plateau may have a cheaper neighbour. Costlier neighbours are never accepted.
-"""
+of the plateau may have a cheaper neighbour. Costlier neighbours are never accepted."""
 
 from __future__ import annotations
 

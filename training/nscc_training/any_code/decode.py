@@ -56,8 +56,7 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
 
     If one of several readouts was always open, `joined` adds static content from all readouts. A
     last step brings the clip closer to the frames. The denoiser expects white to be 1, so the
-    measurement is first divided by an estimate of white.
-    """
+    measurement is first divided by an estimate of white."""
     unit = white(measured)
     measured = measured.over(unit)
     number = always_open(measured)
@@ -71,8 +70,7 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
 def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
     """Return the mean of the clips after stages `first` to `count`, corrected towards the frames.
 
-    White is 1 in the unit of light.
-    """
+    White is 1 in the unit of light."""
     clip, target = gap_tv_of(measured)
     mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
@@ -87,8 +85,7 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
     """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, in `count`
-    stages.
-    """
+    stages."""
     # A well is filled by the largest value there is, nearly: by 1, as the stages want it.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
@@ -102,8 +99,7 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
 def white(measured: Measured[Tensor]) -> Tensor:
     """Return an estimate of white (batch,): the light at the 99.5 % quantile of the opened pixels.
 
-    The result is 1 if no pixel is ever open.
-    """
+    The result is 1 if no pixel is ever open."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)

@@ -20,8 +20,7 @@ _STAGES = {"paper": 8, "small": 4}
 _NOISE = (1e-5, 3e-5)
 """Variance of a dark pixel, and its increase up to a full pixel, relative to the squared full well.
 
-The values fit a full well of 30,000 electrons and 8 bits. Runs use their own noise.
-"""
+The values fit a full well of 30,000 electrons and 8 bits. Runs use their own noise."""
 
 
 def any_code(channels: Sequence[int], task: DecoderTask, size: str) -> AnyCode:
@@ -36,8 +35,7 @@ class AnyCode(nn.Module):
     Inputs: frames (batch, rows, cols), or of two buckets (batch, 2, rows, cols), in full wells and
     saturated at 1; shutters (N, r, c) of the first bucket, as a tile. Output: light in full wells
     over the frame (batch, rows, cols), or for clips in full wells / N per slot (batch, N, rows,
-    cols). Clips start from GAP-TV, which passes no gradient.
-    """
+    cols). Clips start from GAP-TV, which passes no gradient."""
 
     def __init__(self, channels: Sequence[int], still: bool, stages: int) -> None:
         super().__init__()

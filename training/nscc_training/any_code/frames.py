@@ -38,8 +38,7 @@ class CodedFrame:
     `value_e` and `variance_e2` (B, rows, cols) are the light of the open slots and its variance.
     `saturated` (B, rows, cols) marks values that are lower limits. `opened` (shutters, B, N)
     contains the shutters, `row` (rows, cols) the index of each pixel's shutter, `slot_us` (N,) the
-    slot lengths.
-    """
+    slot lengths."""
 
     value_e: NDArray[np.float32]
     variance_e2: NDArray[np.float32]
@@ -52,8 +51,7 @@ class CodedFrame:
     def is_still(self) -> bool:
         """Return whether all shutters open at the start and differ only in their end (class b).
 
-        Such codes are for stills with a high dynamic range, not for motion.
-        """
+        Such codes are for stills with a high dynamic range, not for motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
@@ -77,8 +75,7 @@ class CodedFrame:
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
         """Return the measurement with shutter weights (shutters, B, N); ValueError if it is too
-        large.
-        """
+        large."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -96,8 +93,7 @@ def read_coded_frames(
     if the file contains no shutters. `dark` is a frame file of the same program without light: each
     pixel's dark value replaces the mean offset of the words. `warn` receives warnings about `dark`.
     Raises Rejected: NS0819 for an invalid file or missing shutters, and the errors of loading
-    `program`.
-    """
+    `program`."""
     try:
         arrays, meta = read_frame_arrays(
             path, lambda name: name == "saturated" or name.startswith("decode_")
@@ -176,8 +172,7 @@ def coded_frame(
     """Convert the arrays and `meta` of a frame file, of one frame or of repeated frames.
 
     `dark` (B, rows, cols) is the array's dark value in codes above the ADC's offset. Raises
-    KeyError, ValueError, IndexError or TypeError for arrays that are missing or do not match.
-    """
+    KeyError, ValueError, IndexError or TypeError for arrays that are missing or do not match."""
     codes = arrays["frame"]
     codes = codes[None] if codes.ndim == 3 else codes
     saturated = arrays.get("saturated", arrays["frame"] == _TOP)
@@ -219,8 +214,7 @@ def coded_frame(
 
 def _counts_photons(meta: Mapping[str, Any]) -> bool:
     """Return whether the frame has photon noise; only simulations without the effect `shot`
-    do not.
-    """
+    do not."""
     plan = meta.get("plan")
     if plan is None:
         return True
@@ -252,8 +246,7 @@ def _is_exposed_by(
     """Return whether the frame was exposed with the shutters of the program, whose arrays are
     `table`.
 
-    Compares the shutters in the frame file, or the digest of the program if the file has none.
-    """
+    Compares the shutters in the frame file, or the digest of the program if the file has none."""
     if "decode_row" in arrays:
         same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
         opened, table_shutters = (

@@ -1,7 +1,6 @@
 """Training examples ("lessons") of the decoder for any code: noisy clips, coded clips and stills.
 
-Seed and step determine light and shutters. Noise is drawn on the device of the training.
-"""
+Seed and step determine light and shutters. Noise is drawn on the device of the training."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ class Lesson(NamedTuple):
 
     `light` is a batch of clips (batch, T, rows, cols) from 0 to 1 in display encoding, or of stills
     (batch, 1, rows, cols) in full wells; `mask` has the same shape. `exact` means no measurement
-    noise, as in benchmarks. `filmed` means a camera's view: linear light with unknown white.
-    """
+    noise, as in benchmarks. `filmed` means a camera's view: linear light with unknown white."""
 
     light: Tensor
     mask: Tensor
@@ -95,8 +93,7 @@ def measured_lesson(
     White is only returned for filmed lessons, whose errors are measured in display encoding. Their
     full well is set near the light of an always open pixel at the brightest percent of places, as
     in protocol video-v1, so that noise is realistic for short shutters. The full well of a still is
-    1; in other lessons some pixels may saturate.
-    """
+    1; in other lessons some pixels may saturate."""
     light, mask = lesson.light, lesson.mask
     if lesson.filmed:
         light = srgb_inverse(light)
@@ -150,8 +147,7 @@ def _stops_drawn(generator: Generator, size: int) -> Mask:
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     """Return random shutters (frames, size, size) of some class; every pixel opens at least once.
 
-    The classes are bits, bumps, tiles of bumps, codebooks and stops.
-    """
+    The classes are bits, bumps, tiles of bumps, codebooks and stops."""
     kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
@@ -185,8 +181,7 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
     """Return random shutters: half of the time of any class, else bumps in a 4 x 4 tile.
 
     The bumps take a quarter of the frame and open one after another: within the frame, in two
-    phases, or wrapping around its end.
-    """
+    phases, or wrapping around its end."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)
@@ -211,8 +206,7 @@ def _read_out(
     `Measured`.
 
     `full` (batch,) is the value of a full well; without it, the well is drawn so that some pixels
-    may saturate.
-    """
+    may saturate."""
     wide = (-1, 1, 1, 1)
 
     def drawn(limits: tuple[float, float]) -> Tensor:

@@ -23,8 +23,7 @@ class ClipDenoiser(nn.Module):
     deviation `sigma` (batch,). `seen` (batch, SEEN, T, rows, cols) describes the measurement; it is
     0 if unknown. Each block moves a quarter of its channels to the next frame and a quarter to the
     previous one (temporal shift; Lin, Gan and Han, ICCV 2019). Thereby 2D convolutions respond to
-    motion, and the weights do not depend on the number of frames.
-    """
+    motion, and the weights do not depend on the number of frames."""
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
         super().__init__()
@@ -85,8 +84,7 @@ class ClipDenoiser(nn.Module):
 
 class FrameExchangeBlock(nn.Module):
     """A residual block of two convolutions after an exchange of channels between neighbouring
-    frames.
-    """
+    frames."""
 
     def __init__(self, width: int) -> None:
         super().__init__()
@@ -103,16 +101,14 @@ def exchanged(x: Tensor, frames: int) -> Tensor:
     """Return `x` (batch * T, channels, rows, cols) with half of its channels moved between frames.
 
     A quarter of the channels comes from the previous frame and a quarter from the next. At the ends
-    of the clip, the first and last frames replace the missing ones.
-    """
+    of the clip, the first and last frames replace the missing ones."""
     output: Tensor = _Exchanged.apply(x, frames)  # type: ignore[no-untyped-call]
     return output
 
 
 class _Exchanged(torch.autograd.Function):
     """`exchanged` with its own gradient, because the gradient of slices takes a fifth of the
-    training.
-    """
+    training."""
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
@@ -146,7 +142,6 @@ def _pair(width: int) -> nn.ModuleList:
 
 def bf16_where_multiplied() -> AbstractContextManager[object]:
     """Return an autocast to bfloat16 on processors with bfloat16 multiplication, else no
-    autocast.
-    """
+    autocast."""
     knows = [torch.cpu._is_avx512_bf16_supported(), torch.cpu._is_amx_tile_supported()]
     return torch.autocast("cpu", torch.bfloat16) if any(knows) else nullcontext()

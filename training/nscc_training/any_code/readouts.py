@@ -2,8 +2,7 @@
 
 Without motion all readouts measure the same light, and their mean has less noise than an ordinary
 frame. If they differ by more than their noise, the clip decoded from the coded readouts is used.
-This needs no training, because the noise of every readout is known.
-"""
+This needs no training, because the noise of every readout is known."""
 
 from __future__ import annotations
 
@@ -17,8 +16,7 @@ FIRST_STAGE = 4
 """The first stage whose clip enters the mean of clips.
 
 The errors of the stages differ, because each sees the clip mirrored in another way. The mean gains
-0.2 dB in moving and 4 dB in static regions.
-"""
+0.2 dB in moving and 4 dB in static regions."""
 _WIDE, _NARROW, _AROUND = 9, 5, 15
 """Window sides in pixels: for two measures of motion, and for the error of the clip's mean."""
 _STILL, _MOVING = 0.25, 0.6
@@ -28,8 +26,7 @@ _STILL, _MOVING = 0.25, 0.6
 def always_open(measured: Measured[Tensor]) -> int | None:
     """Return the index of the readout whose shutters never close; None if there is no such readout.
 
-    None is also returned if all readouts are always open.
-    """
+    None is also returned if all readouts are always open."""
     opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
     if bool(opened.all()) or not bool(opened.any()):
         return None
@@ -42,8 +39,7 @@ def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
     Readout `number` is always open. The static light is the mean of all readouts, weighted by
     precision. It is moved towards the mean of `clip` if their difference is within the noise. Its
     error is therefore close to the noise of the readouts at most, and it is smooth if `clip` is
-    right.
-    """
+    right."""
     opened = measured.mask.sum(dim=2)
     light = measured.value / opened.clamp(min=1e-9)
     variance = measured.variance / opened.clamp(min=1e-9).square()
@@ -71,8 +67,7 @@ def motion(deviation: Tensor) -> Tensor:
 
     A deviation is the difference of a coded readout from the static prediction, in standard
     deviations. The measure adds the mean square in a wide window minus 1 and the squared mean in a
-    narrow one.
-    """
+    narrow one."""
     wide = _around(deviation.square(), _WIDE) - 1
     return (wide + _around(deviation, _NARROW).square()).mean(dim=1)
 

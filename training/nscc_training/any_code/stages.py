@@ -32,8 +32,7 @@ def stage(
 ) -> tuple[Tensor, Tensor]:
     """Return clip and target after one stage of accelerated GAP (Liao, Li and Carin 2014).
 
-    The target is the frames plus the residuals of earlier stages, which accelerates convergence.
-    """
+    The target is the frames plus the residuals of earlier stages, which accelerates convergence."""
     level = clip.new_full((len(clip),), sigma)
     clip, target = gap_step(measured, clip, target, level)
     return denoiser(clip, measured.planes(), level), target
@@ -43,8 +42,7 @@ def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
     """Return the denoiser for stage `number`, which sees the clip mirrored.
 
     Alternating mirrors prevents directional errors of the network from accumulating. This gains 0.2
-    dB and takes no time.
-    """
+    dB and takes no time."""
     axes = _MIRRORS[number % len(_MIRRORS)]
 
     def denoised(clip: Tensor, planes: Tensor, level: Tensor) -> Tensor:

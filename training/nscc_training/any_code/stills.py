@@ -2,8 +2,7 @@
 
 A still is denoised as `log(1 + light / floor)`, in which errors of bright and dark pixels have
 equal weight. Its frames have masks of one slot: the fraction of the frame for which a pixel was
-open.
-"""
+open."""
 
 from __future__ import annotations
 
@@ -23,8 +22,7 @@ _SIGMA = (0.05, 0.02)
 """Assumed error of the logarithm before the first and the last stage, if there are several."""
 _FLOOR = 1e-3
 """Floor of the logarithm, relative to the light 1, which about fills a well over the whole
-frame.
-"""
+frame."""
 _SPAN = log(1 + 200 / _FLOOR)
 """Scale that maps the logarithm of the light 200, which few scenes exceed, to 1."""
 
@@ -33,8 +31,7 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
     """Return a first estimate of the light over the frame (batch, rows, cols).
 
     Each pixel is the mean of its own and its neighbours' measurements, weighted by precision. A
-    saturated pixel has at least the light at which it saturates.
-    """
+    saturated pixel has at least the light at which it saturates."""
     mask = measured.mask[:, :, 0]
     opened = (mask > 0).expand_as(measured.value)
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0)
@@ -59,8 +56,7 @@ def still_stage(
 ) -> Tensor:
     """Return the light after one stage: the most likely light given estimate and frames, denoised.
 
-    The unit of light is such that about 1 fills a well.
-    """
+    The unit of light is such that about 1 fills a well."""
     spread = sigma * _SPAN * (light + _FLOOR)
     mask = measured.mask[:, :, 0]
     data_precision = mask.square() / measured.variance.clamp(min=1e-12)
@@ -88,8 +84,7 @@ def _planes(measured: Measured[Tensor]) -> Tensor:
     """Return the denoiser's inputs (batch, 3, 1, rows, cols) from a measurement.
 
     These are the open fraction, the light of each pixel alone, and its noise, all as logarithms; of
-    several frames the one with the least noise is used at each pixel.
-    """
+    several frames the one with the least noise is used at each pixel."""
     mask = measured.mask[:, :, 0]
     opened = mask > 0
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)

@@ -34,8 +34,7 @@ def dictionary_clip(
     blocks.
 
     `atoms` (T * SIDE * SIDE, K) come from `learned`. Raises ValueError for a picture smaller than a
-    block, or atoms of another length.
-    """
+    block, or atoms of another length."""
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
         raise ValueError(f"{mask.shape} with atoms of {len(atoms)} numbers")
@@ -56,8 +55,7 @@ def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArra
     """Solve matrix @ weights = right with at most `sparsity` nonzero weights (K,).
 
     Orthogonal matching pursuit stops when the residual is small, and never selects a column that
-    depends linearly on the selected ones.
-    """
+    depends linearly on the selected ones."""
     weights = np.zeros(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
@@ -144,6 +142,5 @@ def _unit(atoms: Matrix) -> Matrix:
 
 def _places(size: int) -> list[int]:
     """Return the first pixel of each block along an axis: every `STRIDE`, and the last that
-    fits.
-    """
+    fits."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

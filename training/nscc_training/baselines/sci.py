@@ -58,8 +58,7 @@ def bilinear(clip: Clip, mask: Clip) -> Clip:
     """Interpolate each coded frame, before integration, with tent weights that grow until they find
     data.
 
-    This is a reference method: it uses the ground truth instead of the measurement.
-    """
+    This is a reference method: it uses the ground truth instead of the measurement."""
     return np.stack(
         [
             _inpainted(frame * open_mask, open_mask)
@@ -74,8 +73,7 @@ _STEP = 4
 def thin_out(clip: Clip) -> Clip:
     """Keep every fourth pixel in x and y in all frames, and interpolate linearly.
 
-    This is a reference method: it uses the ground truth instead of the measurement.
-    """
+    This is a reference method: it uses the ground truth instead of the measurement."""
     rows, cols = clip.shape[1:]
     down, right = _between(rows, _STEP), _between(cols, _STEP)
     return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)

@@ -37,8 +37,7 @@ def sparse_coded(
     blurred.
 
     All three are (rows, cols); the pictures are square roots of light relative to a full well.
-    `filters` (K, 1, side, side) come from `made_filters`.
-    """
+    `filters` (K, 1, side, side) come from `made_filters`."""
     base = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
     target = mask * (torch.from_numpy(measured).float()[None, None] - base)
@@ -63,8 +62,7 @@ def coded_still(
     result.
 
     Photon noise of the square root of light depends on the open time alone, which is the confidence
-    of a pixel. A saturated pixel has confidence 0, and at least the light that saturates it.
-    """
+    of a pixel. A saturated pixel has confidence 0, and at least the light that saturates it."""
     share = np.where(open_share > 0, open_share, 1.0)
     relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
@@ -96,8 +94,7 @@ def made_filters(seed: int = 0) -> Tensor:
 
 def summed(maps: Tensor, filters: Tensor) -> Tensor:
     """Return the picture (1, 1, rows, cols): the sum of maps (1, K, rows, cols) convolved with
-    filters.
-    """
+    filters."""
     return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
 
 
@@ -118,8 +115,7 @@ def blurred(picture: Tensor) -> Tensor:
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
     """Return an upper bound of the largest eigenvalue of the masked sum of filters times its
-    adjoint.
-    """
+    adjoint."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):

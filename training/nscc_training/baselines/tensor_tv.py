@@ -14,8 +14,7 @@ def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> T
     """Denoise clips (batch, T, rows, cols) as `nscc_training.baselines.tv.tv_denoise` does.
 
     On the CPU a compiled loop is used, because torch's operators read the memory fifteen times as
-    often. Other devices use torch's operators. No gradient passes.
-    """
+    often. Other devices use torch's operators. No gradient passes."""
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))

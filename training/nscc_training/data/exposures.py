@@ -62,8 +62,7 @@ class Batch:
     @cached_property
     def most(self) -> Tensor:
         """Return the upper limit of predictions over the peak: 1 where the truth reaches it, else
-        infinity.
-        """
+        infinity."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
     @cached_property
@@ -77,8 +76,7 @@ class Exposures(NamedTuple):
     `light` is (E, rows, cols) for stills and (E, N, rows, cols) for clips. Each exposure is rotated
     by `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
     power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
-    exposure `source[k]` at `corner[k]` (row, column).
-    """
+    exposure `source[k]` at `corner[k]` (row, column)."""
 
     light: Tensor
     share: Tensor
@@ -143,8 +141,7 @@ class ExposureSet(Dataset[Exposures]):
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
         """Return the light of a random region, the fraction of a still's pixels that saturates, and
-        its place.
-        """
+        its place."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
@@ -223,8 +220,7 @@ def _cut(
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     """Return the quantile of each row of `values` (batch, count), float64 (batch,).
 
-    `quantile` is a number or (batch,). The result is interpolated as by numpy.
-    """
+    `quantile` is a number or (batch,). The result is interpolated as by numpy."""
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)

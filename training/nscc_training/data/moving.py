@@ -1,8 +1,7 @@
 """Synthetic clips made of photographs: layers that pan, rotate, zoom, bend and cross one another.
 
 Few videos have a free licence, but many photographs do. The photographs provide detail. The layers
-provide independent motion, with edges that cover and uncover the background.
-"""
+provide independent motion, with edges that cover and uncover the background."""
 
 from __future__ import annotations
 
@@ -39,8 +38,7 @@ def moving(
 
     Pictures have 8 bits and are larger than `size`. The background and up to three objects come
     from different pictures. Half of the clips have motion blur. The values are in display encoding,
-    or raised to a random power.
-    """
+    or raised to a random power."""
     layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
         layers.append(_Layer.drawn(pictures, generator, size, background=False))
@@ -64,8 +62,7 @@ class _Layer:
 
     At time t, place p of the clip shows `picture` at centre + turn(t) (p - size / 2 - velocity t) *
     scale * zoom^t, distorted by waves. `outline` contains the radii of a polygon around `middle`;
-    it is None for a background.
-    """
+    it is None for a background."""
 
     picture: Picture
     centre: NDArray[np.float64]
@@ -186,8 +183,7 @@ def pictures_below(folder: Path) -> list[Path]:
 def light_of_picture(path: Path) -> NDArray[np.float32]:
     """Return the light of a picture, halved until its shorter side is below 1000 pixels.
 
-    The reduction gives as much detail per pixel as small cameras have.
-    """
+    The reduction gives as much detail per pixel as small cameras have."""
     import cv2
 
     light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)

@@ -49,8 +49,7 @@ class SourceScene:
     """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
     White is 1 in clips from display files. `sha256` is the digest of the file, or of the array if
-    there is no file.
-    """
+    there is no file."""
 
     name: str
     sha256: str
@@ -81,8 +80,7 @@ def load_scenes(
     With `pictures`, the training scenes are the light of all pictures in a folder and its
     subfolders. `tell` is called with messages on the validation split and on changes of a scene.
     Raises Rejected: NS0811 for a folder without suitable scenes, or if training and validation
-    would share a scene; NS0812 for an import path.
-    """
+    would share a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
     if settings.val or pictures or settings.train == "procedural":
@@ -199,8 +197,7 @@ def _turned(
 ) -> list[SourceScene]:
     """Return clips of a camera that turns in a panorama; file and seed determine its paths.
 
-    The clips are in display encoding if the settings treat stored values as light.
-    """
+    The clips are in display encoding if the settings treat stored values as light."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
     for index, generator in enumerate(_generators(digest, kind)):
@@ -215,8 +212,7 @@ def _turned(
 def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
     """Return synthetic clips whose layers all come from one photograph.
 
-    Clips of different files share no content, so that training and validation stay separate.
-    """
+    Clips of different files share no content, so that training and validation stay separate."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     picture = shown_picture(light_of_picture(path))
     transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"

@@ -5,7 +5,6 @@ by the largest code. `shutters` (N, r, c) is a tile that repeats over the frame 
 corner (`nscc_training.sensor_model.laid`); for pixels that look it is (batch, 1, rows, cols), the
 fraction of the frame for which each pixel was open. A decoder returns light over the frame (batch,
 rows, cols) for stills, or per slot (batch, N, rows, cols) for clips. The unit is a full well, for a
-slot a full well / N. Inputs and outputs are float32, whatever the network's own precision.
-"""
+slot a full well / N. Inputs and outputs are float32, whatever the network's own precision."""
 
 from __future__ import annotations

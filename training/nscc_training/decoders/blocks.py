@@ -29,8 +29,7 @@ def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: S
     """Return the sums of overlapping blocks in pictures (batch, *size): the adjoint of
     `unfold_blocks`.
 
-    The block size is a multiple of the step, and the blocks fill the pictures.
-    """
+    The block size is a multiple of the step, and the blocks fill the pictures."""
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
     again = block[0] // step[0], block[1] // step[1]
@@ -77,8 +76,7 @@ class BlockNet(nn.Module):
 
     Blocks overlap by a tile in both directions; each pixel is the average over the blocks that
     contain it. The network does not receive the code, but blocks always begin at the corner of a
-    tile. `overlapping` (down, across) may be switched off after training to use fewer blocks.
-    """
+    tile. `overlapping` (down, across) may be switched off after training to use fewer blocks."""
 
     def __init__(self, hidden: int, slots: int, tile: tuple[int, int]) -> None:
         super().__init__()

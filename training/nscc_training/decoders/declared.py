@@ -17,8 +17,7 @@ class DecoderTask:
 
     `kind` is "still" or "clip". The frame has `slots` slots, coded by a tile (rows, cols), in one
     or two `buckets`. `sees_code` means that the network receives the shutters as input. `guess`
-    means that a U-Net starts from a first guess; None leaves this to the decoder's size.
-    """
+    means that a U-Net starts from a first guess; None leaves this to the decoder's size."""
 
     kind: str
     slots: int

@@ -1,8 +1,7 @@
 """First guesses from a frame and its code, without training, which networks improve.
 
 Each pixel is a weighted mean of the measurements around it (normalised averaging). Where weights
-are small, wider neighbourhoods count more. Gradients pass.
-"""
+are small, wider neighbourhoods count more. Gradients pass."""
 
 from __future__ import annotations
 
@@ -30,8 +29,7 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
 
     `share` is the open fraction of the frame of each pixel, of the same shape or without the batch.
     Measurements are weighted by their precision. Saturated measurements have weight 0; a saturated
-    pixel gets at least the light that saturates it.
-    """
+    pixel gets at least the light that saturates it."""
     opened = share.clamp(min=1e-6)
     alone = frame / opened
     refuse_not_finite(frame, "frame")
@@ -55,8 +53,7 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
 
 def refuse_not_finite(values: Tensor, name: str) -> None:
     """Raise ValueError for values that are not finite; averages would spread them over the
-    picture.
-    """
+    picture."""
     # A sum is finite only of finite values; one that overflows is looked at again. What is compiled
     # cannot branch on values.
     if not torch.compiler.is_compiling() and not bool(torch.isfinite(values.detach().sum())):

@@ -39,8 +39,7 @@ class UNet(nn.Module):
     """A U-Net with `widths` channels from the finest level to the coarsest.
 
     The input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the result is
-    cut to the size of the input.
-    """
+    cut to the size of the input."""
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
         super().__init__()
@@ -96,8 +95,7 @@ class _Convolution3d(nn.Conv3d):
     """A 3D convolution that uses float32 on CPUs if only two slots remain.
 
     In bfloat16, torch 2.13 returns uninitialised memory for some gradients of its weights on
-    processors with AVX512-BF16.
-    """
+    processors with AVX512-BF16."""
 
     def forward(self, x: Tensor) -> Tensor:
         if x.device.type != "cpu" or x.shape[2] != 2:
@@ -114,8 +112,7 @@ class StillUNet(nn.Module):
 
     Output: the logarithm of the light of a still, or one channel per slot of a clip (`slots`). With
     `guesses`, the first guess is another input, and the network predicts a correction to it, for
-    clips also a gain (`gated`); this needs `sees_code`.
-    """
+    clips also a gain (`gated`); this needs `sees_code`."""
 
     def __init__(
         self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False,
@@ -162,8 +159,7 @@ class ClipUNet(nn.Module):
     """A 3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
 
     With `guesses`, the first guess is another input, and the network predicts its correction and
-    its gain (`gated`).
-    """
+    its gain (`gated`)."""
 
     def __init__(
         self, widths: Sequence[int], slots: int, guesses: bool = False, buckets: int = 1
@@ -185,8 +181,7 @@ def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
     """Return `guess * (1 + extra_share) + added`.
 
     A clip's guess contains the pattern of the code. Removing it by addition would make the network
-    reproduce the pattern; a gain removes it with one number.
-    """
+    reproduce the pattern; a gain removes it with one number."""
     return added + guess * (1 + extra_share)
 
 
@@ -194,8 +189,7 @@ def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], 
     """Return S^T E (batch, N, rows, cols) of each bucket, and the shutters of the buckets (N, rows,
     cols).
 
-    The buckets stay separate, because their sum has light in every slot.
-    """
+    The buckets stay separate, because their sum has light in every slot."""
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
     array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
     opened = (

@@ -1,6 +1,5 @@
 """Exposure of a demo's scene: with coded shutters, with an ordinary camera, and dark frames of
-both.
-"""
+both."""
 
 from __future__ import annotations
 
@@ -45,8 +44,7 @@ LOOKING = "float_pixel"
 """The example whose pixels look at their light, with which a still is exposed as well."""
 DARK_FRAMES, DARK_SEED = 16, 1 << 20
 """Number of dark frames, whose mean is subtracted, and the distance of their seed from the
-scene's.
-"""
+scene's."""
 _BRIGHTER = ("@99", "@100")
 """Percentiles tried for the exposure if the scene is dark at the run's percentile."""
 
@@ -57,8 +55,7 @@ class Settings:
 
     `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
     uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
-    which needs torch; otherwise neighbours are merged.
-    """
+    which needs torch; otherwise neighbours are merged."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -79,8 +76,7 @@ class Looked:
     """A still exposed by pixels that look.
 
     `light` is in electrons over the frame. `open_us` (rows, cols) is the open time of each pixel,
-    averaged over colours. `seconds` is the simulation time.
-    """
+    averaged over colours. `seconds` is the simulation time."""
 
     light: NDArray[np.float64]
     open_us: NDArray[np.float64]
@@ -96,8 +92,7 @@ class Exposed:
     `usual_dark` are their dark frames. `seconds` is the simulation time of the coded frame.
     `looked` is a still exposed by pixels that look. `fair` is a frame and dark frames of an
     ordinary camera at its best: a still with the best single stop, or a clip in a burst of as many
-    frames as `program` has readouts, if there are several.
-    """
+    frames as `program` has readouts, if there are several."""
 
     run: Path | None
     program: Path
@@ -119,8 +114,7 @@ class Exposed:
 
     def truth(self) -> NDArray[Any]:
         """Electrons over the frame (rows, cols), or per slot (T, rows, cols); colours are the last
-        axis.
-        """
+        axis."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid
@@ -144,8 +138,7 @@ class Exposed:
 
     def files(self) -> tuple[FrameFile, FrameFile]:
         """Return the files of the coded frame and its dark frames; a grey frame includes the ground
-        truth.
-        """
+        truth."""
         keep = ("truth",) if len(self.laid) == 1 else ()
         return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 
@@ -154,8 +147,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     """Expose a still with its run's program, or a clip with the program for its number of readouts.
 
     Uses the default sensor and the effects that `auto` selects. Raises Rejected for a scene that is
-    dark or cannot be read.
-    """
+    dark or cannot be read."""
     like = run_capture(RUNS[subject.still])
     program = like.program if subject.still else settings.program
     compiled = compile_file(program, Options()).container
@@ -245,8 +237,7 @@ def camera(
     """Return the program of an ordinary camera with `slots` of `slot_us`.
 
     All shutters are open in all slots, or until slot `stop`. With several `frames`, the slots are
-    divided among consecutive buckets.
-    """
+    divided among consecutive buckets."""
     rules = f"open when n < {stop or slots}\n"
     if frames > 1:
         ends = [slots * k // frames for k in range(frames + 1)]

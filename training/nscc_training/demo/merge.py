@@ -22,8 +22,7 @@ def dark_codes(dark: Taken) -> NDArray[np.float64]:
 def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[np.float64]:
     """Return the array's offsets (rows, cols), repeated to the size of `codes`.
 
-    `codes` (rows, cols) or (rows, cols, colours) may cover several arrays side by side.
-    """
+    `codes` (rows, cols) or (rows, cols, colours) may cover several arrays side by side."""
     size = codes.shape[:2]
     times = [-(-side // most) for side, most in zip(size, offset.shape, strict=True)]
     tiled = np.tile(offset, times)[: size[0], : size[1]]
@@ -37,8 +36,7 @@ def merged_light(
 
     The light is in electrons over the frame (rows, cols) for a still, or per slot (T, rows, cols)
     for a clip; colours are the last axis. `offset` is the dark value of the array in converter
-    codes.
-    """
+    codes."""
     frame, container = capture.simulated.frame, capture.container
     assert container.pixel_codes is not None  # it has been exposed
     lanes = container.table.shutter_of_code[container.pixel_codes]

@@ -31,8 +31,7 @@ class Demo:
 
     `files` are the written files, the sheet first. PSNR in dB is given for always open pixels, the
     reconstruction, a still with pixels that look, and an ordinary camera at its best (one stop for
-    a still, a burst of `readouts` frames for a clip). `commands` do the same step by step.
-    """
+    a still, a burst of `readouts` frames for a clip). `commands` do the same step by step."""
 
     files: tuple[Path, ...]
     open_db: float
@@ -50,8 +49,7 @@ def demo(
 
     For a still, writes `picture_sheet.png`, `picture.hdr` and `picture.png`; for a clip,
     `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
-    `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark.
-    """
+    `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark."""
     settings, listener = settings or Settings(), listener or Listener()
     clips = run_capture(Path("clip"))
     scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
@@ -92,8 +90,7 @@ def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
     """Return the light in the shape of the ground truth, the seconds it took, and the method's
-    name.
-    """
+    name."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 

@@ -38,8 +38,7 @@ class Shown:
 
     `light` is the reconstruction of `exposed_scene`, in the shape of the ground truth. `how` names
     the method, which took `decode_s` seconds. `display` means that the scene is in display
-    encoding. `tone` names a tone curve.
-    """
+    encoding. `tone` names a tone curve."""
 
     exposed_scene: Exposed
     display: bool
@@ -131,8 +130,7 @@ class Shown:
 
         Clips and display scenes are compared in display encoding, averaged over frames. Linear
         light with a high dynamic range is compared by mu-law PSNR, with the 99.9th percentile as
-        peak.
-        """
+        peak."""
         truth = np.asarray(self.truth, np.float64)
         if self.measure == "PSNR-mu":
             peak = float(np.percentile(truth, _PEAK_PERCENTILE)) or float(truth.max()) or 1.0

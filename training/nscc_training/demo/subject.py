@@ -37,8 +37,7 @@ class Subject:
     """A scene before its exposure is chosen.
 
     `still` tells a still from a clip. `chosen` describes the chosen part of a clip, or is empty.
-    `in_electrons` means that the scene is in electrons and needs no exposure.
-    """
+    `in_electrons` means that the scene is in electrons and needs no exposure."""
 
     scene: Scene
     still: bool
@@ -51,8 +50,7 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
     """Classify a scene; a clip must fill `slots` in `frame_s` seconds.
 
     In a longer clip, the frames with the most motion are chosen, one per slot; a shorter clip is
-    slowed down. Raises Rejected as the scene readers do.
-    """
+    slowed down. Raises Rejected as the scene readers do."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):
@@ -107,8 +105,7 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
     """Return the first of `count` consecutive frames with the most motion in a clip (T, rows,
     cols).
 
-    Parts without cuts are preferred.
-    """
+    Parts without cuts are preferred."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])

@@ -3,8 +3,7 @@
 from nscc_training.design import Frame, design_looks
 
 made = design_looks([light_e], 5, Frame(slots=256, slot_us=125))
-print(made.text)
-"""
+print(made.text)"""
 
 from __future__ import annotations
 

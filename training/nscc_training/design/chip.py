@@ -27,13 +27,11 @@ PERCENTILE = 99.9
 _POINTS, _REACH = 37, 4.5
 """Number of points of the sum over noise, and its range in standard deviations.
 
-A Gauss-Hermite rule with few points would be wrong by 1 %, because clipping has a kink.
-"""
+A Gauss-Hermite rule with few points would be wrong by 1 %, because clipping has a kink."""
 _READS, _WORDS = 2, 3
 """Reads and words of an exposure: PIX and its reset level are each read once, with three words.
 
-Four words are needed if shutters open again.
-"""
+Four words are needed if shutters open again."""
 _COPIES = 2
 """Copies that a look compares: PIX, and its reset level."""
 
@@ -65,8 +63,7 @@ class DesignChip:
     @cached_property
     def full_e(self) -> float:
         """The largest exposure in electrons, limited by full well, converter codes, and register
-        linearity.
-        """
+        linearity."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
         soft = self.effects.find_part(Soft)
@@ -74,8 +71,7 @@ class DesignChip:
 
     def exposed_sd_e(self, electrons: Values) -> Values:
         """Return the standard deviation of an exposure's estimate, in electrons at the
-        photodiode.
-        """
+        photodiode."""
         sensor, effects = self.sensor, self.effects
         fixed_e2 = converter_e2(sensor, effects)
         times = {"reads": _READS, "words": _WORDS, "resets": 0}
@@ -89,8 +85,7 @@ class DesignChip:
         """Return the mean square error (groups, shares) of estimating light from exposures.
 
         `light_e` (groups,) is in electrons over the frame; an exposure collects a `share` of it.
-        The error is measured on `curve`.
-        """
+        The error is measured on `curve`."""
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)
@@ -111,8 +106,7 @@ class DesignChip:
 
     def compared_sd_e(self, electrons: Values) -> Values:
         """Return the standard deviation of one comparison, from comparator, copies and photon
-        noise.
-        """
+        noise."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
         copies = sum(_COPIES * errors.sigma_e(self.sensor) ** 2 for errors in self._small())
         return np.sqrt(noise_e**2 + copies + electrons)
@@ -142,8 +136,7 @@ def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Va
     """Return light on the curve on which errors are measured.
 
     "mu" and "linear" divide by the peak and clip to 0..1. "log" is the natural logarithm, limited
-    below at `dark_e`.
-    """
+    below at `dark_e`."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)

@@ -4,8 +4,7 @@ A pixel closes at the first look that finds its light above the look's level. Fo
 and each of several comparator offsets o, the model follows the fraction S of pixels that are still
 open. Look k at time t closes the fraction p = P(x t + o + noise > level) of them; their light is
 then estimated from the exposure of length t. The expected error is the mean over the scene's light
-of the sum over k of S p e(x, t).
-"""
+of the sum over k of S p e(x, t)."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ class Expected:
     """The expected mean square error of a schedule on each curve, and the fractions of closing
     pixels.
 
-    `closing` has one value for each look; the last value is for the end of the frame.
-    """
+    `closing` has one value for each look; the last value is for the end of the frame."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]
@@ -66,8 +64,7 @@ class LookModel:
 
     def exposure_errors(self, curve: Curve) -> Values:
         """Return the error (groups, slots + 1) of exposures up to each boundary; infinity at
-        boundary 0.
-        """
+        boundary 0."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -77,8 +74,7 @@ class LookModel:
 
     def closed(self, at: int) -> NDArray[np.float32]:
         """Return the fraction of pixels (levels, groups, offsets) above each level at boundary
-        `at`.
-        """
+        `at`."""
         if at not in self._closed:
             if len(self._closed) == _MOST_KEPT:
                 self._closed.clear()
@@ -110,8 +106,7 @@ class LookModel:
         The search begins with several geometric schedules. It moves one look after the other and
         gives it the best level, with the other looks fixed, until no move reduces the error. The
         best result is returned; the same input gives the same schedule. With several scenes, each
-        scene's error is divided by its error before the search, so that no scene dominates.
-        """
+        scene's error is divided by its error before the search, so that no scene dominates."""
         worth, schedule = min(
             (self._descended(start, curve) for start in self._starts(looks)),
             key=lambda outcome: outcome[0],
@@ -152,8 +147,7 @@ class LookModel:
     def _starts(self, looks: int) -> list[LookSchedule]:
         """Return initial schedules: geometric times from several first times, with equal levels.
 
-        The level lets the exposure at the next look nearly fill the well.
-        """
+        The level lets the exposure at the next look nearly fill the well."""
         starts: dict[tuple[int, ...], LookSchedule] = {}
         first = 1
         while first == 1 or first * 4 <= self.slots:

@@ -36,8 +36,7 @@ class Frame:
     """The frame for which a program is designed.
 
     It has `slots` equal slots of `slot_us`. `target` is a chip's name or file, `sensor` its sensor
-    (None: the default sensor), and `level` the compiler's optimisation level.
-    """
+    (None: the default sensor), and `level` the compiler's optimisation level."""
 
     slots: int = 256
     slot_us: float = 125.0
@@ -60,8 +59,7 @@ class Frame:
         """The target's name for the program text; None for a file, which is a compiler option
         instead.
 
-        A program would resolve the file's path relative to itself instead of the working folder.
-        """
+        A program would resolve the file's path relative to itself instead of the working folder."""
         return None if self._from_file else self.target
 
     @property
@@ -72,8 +70,7 @@ class Frame:
 @dataclass(frozen=True, eq=False)
 class Design:
     """A designed program: its `text`, the compiler's result, and `lines` that describe the
-    design.
-    """
+    design."""
 
     text: str
     compiled: Compiled
@@ -110,8 +107,7 @@ def design_looks(
 
     Each pixel has one of `exposures` exposure times; the last ends with the frame. `scenes` are
     (rows, cols), in electrons of an always open pixel over the frame, and have equal weight. Raises
-    Rejected: NS0824 for a scene without light, and the compiler's errors.
-    """
+    Rejected: NS0824 for a scene without light, and the compiler's errors."""
     frame = frame or Frame()
     chip = frame.chip()
     slot_us = [frame.slot_us] * frame.slots
@@ -138,8 +134,7 @@ def design_looks(
 def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
     """Design the 2 x 2 tile of stops with the least risk (`nscc_training.design.tile`) on a curve.
 
-    `scenes` and errors are as for `design_looks`.
-    """
+    `scenes` and errors are as for `design_looks`."""
     frame = frame or Frame()
     chip = frame.chip()
     tile, tile_count = best_tile(chip, scenes, frame.slots, curve)
@@ -164,8 +159,7 @@ def design_pattern(
     counted.
 
     `nscc_training.design.stop_patterns` lists the patterns. `scenes` and errors are as for
-    `design_looks`.
-    """
+    `design_looks`."""
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:

@@ -24,8 +24,7 @@ class Histogram:
 
     `light_e` is the light of the group in electrons over the frame, `peak_e` the peak of its scene,
     `weight` its fraction of all pixels, with equal weight for every scene. `scene` is the index of
-    its scene.
-    """
+    its scene."""
 
     light_e: Values
     peak_e: Values
@@ -41,8 +40,7 @@ class Histogram:
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
     """Return the histogram of scenes (rows, cols), in electrons over the frame.
 
-    Raises Rejected (NS0824) for a scene without light.
-    """
+    Raises Rejected (NS0824) for a scene without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
     histograms = []
     for number, scene in enumerate(scenes):
@@ -67,8 +65,7 @@ def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve
 
     Of half stops from one slot to all slots, it has the smallest expected error on `curve` over the
     light's histogram. `light_e` (rows, cols) is in electrons over all slots. Raises Rejected as
-    `histogram` does.
-    """
+    `histogram` does."""
     light = histogram([light_e])
     stops = stops_tried(slots)
     errors = chip.errors(light.light_e, light.peak_e, np.array(stops) / slots, curve)

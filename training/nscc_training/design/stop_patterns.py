@@ -3,8 +3,7 @@
 Searches that change codes in small steps never change the number of exposure levels. This search
 tries every pattern of 1 to 8 geometric levels and compares them by merging neighbours, which
 favours no pattern. Pixels of class b do not depend on each other's shutters. The frame of a pattern
-is therefore composed of emulated frames in which all pixels have the same stop.
-"""
+is therefore composed of emulated frames in which all pixels have the same stop."""
 
 from __future__ import annotations
 
@@ -53,8 +52,7 @@ class Pattern:
 
 def shapes() -> dict[str, Levels]:
     """Return the level of every place of a tile, by the pattern's name; 0 is the longest
-    exposure.
-    """
+    exposure."""
     levels_of_shape = {
         "uniform": np.array([[0]]),
         "checkerboard": np.array([[0, 1], [1, 0]]),
@@ -88,8 +86,7 @@ def judged(
     """Return all patterns with their PSNR after merging, simulated with all effects, best first.
 
     `scenes` are in electrons over the frame (rows, cols). `compiled` returns the program in which
-    all pixels have a given stop.
-    """
+    all pixels have a given stop."""
     candidates = patterns(slots)
     sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):

@@ -25,8 +25,7 @@ def looking_text(
 ) -> str:
     """Return the program whose pixels close at the first look above its level.
 
-    `chip` is the target's name; None leaves the target to the compiler's options.
-    """
+    `chip` is the target's name; None leaves the target to the compiler's options."""
     levels = [level_text(steps, target) for steps in schedule.steps]
     level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
     at = ", ".join(map(str, schedule.at))
@@ -59,8 +58,7 @@ def tile_text(
 def level_text(steps: int, target: Target) -> str:
     """Return a level of `steps` steps of IN as percent of a full well.
 
-    It has the fewest decimals from which the compiler gets the same number of steps.
-    """
+    It has the fewest decimals from which the compiler gets the same number of steps."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
     candidates = (f"{percent:.{digits}f}" for digits in count())
     return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)

@@ -4,8 +4,7 @@ The criterion is that of spatially varying exposures (Qu, Chi and Chan, "Spatial
 with 2-by-2 Multiplexing: Optimality and Universality", 2023, SVE-Risk). An ideal decoder uses for
 each pixel the best measurement in its tile, and knows which one is best. The remaining error is the
 risk. It includes the measurement's noise and clipping, and the difference between the light of the
-two pixels.
-"""
+two pixels."""
 
 from __future__ import annotations
 
@@ -40,8 +39,7 @@ def best_tile(
     """Return the tile with the smallest mean risk over the scenes, and the number of tried tiles.
 
     Scenes are in electrons over the frame (rows, cols). Raises Rejected (NS0824) for a scene
-    without light.
-    """
+    without light."""
     stops = stops_tried(slots)
     tiles = list(combinations_with_replacement(range(len(stops)), _PLACES))
     risks = np.zeros(len(tiles))
@@ -70,8 +68,7 @@ def _tables(
     """Return the tables from which the risk is computed, for each tile of the scene.
 
     The first is the error of each place's own light by stop (tiles, places, stops). The second is
-    the squared difference between the light of two places (tiles, places, places).
-    """
+    the squared difference between the light of two places (tiles, places, places)."""
     peak = peak_of(scene.reshape(-1), number)
     # A scene of one row or column has no tiles: it is repeated.
     scene = np.tile(scene, [2 if side == 1 else 1 for side in scene.shape])

@@ -56,8 +56,7 @@ class Bump(Encoder):
 
     `limits` are the legal values of each field; each field is a parameter of that name. `legal`
     (codes, fields), if set, lists the codes that `require` of a program allows: codes snap to the
-    nearest.
-    """
+    nearest."""
 
     width = 1.0
     """Width in slots of the surrogate gradient of an edge; 1 is the physical width."""
@@ -78,8 +77,7 @@ class Bump(Encoder):
         """Allow only the codes `legal` (codes, fields).
 
         Parameters snap to the nearest legal code and stay within the range of each field. With a
-        generator the codes are drawn again, uniformly over the legal codes.
-        """
+        generator the codes are drawn again, uniformly over the legal codes."""
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
             self.fill(*self.codes().values())

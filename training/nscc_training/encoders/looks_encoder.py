@@ -17,8 +17,7 @@ LOOKS = "looks"
 """The name of the class.
 
 Its shutters are represented by fields (2 looks, rows, cols), boundaries followed by levels, because
-the open time depends on the light (`nscc_training.looking_model`).
-"""
+the open time depends on the light (`nscc_training.looking_model`)."""
 _OCTAVES, _WELLS = 0.3, 0.06
 """Standard deviations of trials: of moments in octaves, of levels in full wells."""
 _REACH = 0
@@ -29,8 +28,7 @@ class LooksEncoder(Encoder):
     """Class looks: a tile (1, looks) of boundaries, and of levels in steps of IN.
 
     `spec.levels` is the largest level. The parameters are real: the base-2 logarithm of the
-    boundary, and the level.
-    """
+    boundary, and the level."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -56,8 +54,7 @@ class LooksEncoder(Encoder):
         """Return increasing whole boundaries and whole levels from real fields (2 looks, rows,
         cols).
 
-        The gradient passes straight through.
-        """
+        The gradient passes straight through."""
         moments, levels = fields.chunk(2)
         at = 2.0**moments
         looks, slots = len(at), self.spec.slots
@@ -110,8 +107,7 @@ class LooksEncoder(Encoder):
 
     def start_quad(self) -> None:
         """Set geometric boundaries, and levels at which the exposure at the next look nearly fills
-        the well.
-        """
+        the well."""
         looks = self.spec.tile[1]
         ratio = self.spec.slots ** (1 / looks)
         level = 0.9 * self.most / max(ratio, 2.0)

@@ -1,8 +1,7 @@
 """Initial codes for clips: tiles of bumps with staggered starts, for every class.
 
 A pixel measures the light of its bump, and its neighbours the light of other bumps. The 2 x 2
-pattern has edges at three times within the frame; these tiles have edges at more times.
-"""
+pattern has edges at three times within the frame; these tiles have edges at more times."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
     `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block later by half a bump, or by as much
     as the frame allows. `staggered`: sixteen start times from the beginning of the frame to the
     last at which a bump fits. `cyclic`: sixteen start times around the frame; a bump that reaches
-    the end continues at the beginning.
-    """
+    the end continues at the beginning."""
     if spec.kind not in _CODES:
         raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
     if any(side % _SIDE for side in spec.tile):

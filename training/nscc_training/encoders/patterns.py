@@ -91,8 +91,7 @@ class Codebook(_Digits):
     """K shapes of N digits, and a choice of shape for every pixel of the tile.
 
     With as many shapes as places, the codebook is as free as class e, with any N. The choice is the
-    largest of K scores of the pixel.
-    """
+    largest of K scores of the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -123,8 +122,7 @@ class Codebook(_Digits):
         """Try other digits of each pixel's shape, and one other shape as a whole.
 
         The last field is the difference between the scores of the current shape and of the other
-        shape, which is drawn uniformly.
-        """
+        shape, which is drawn uniformly."""
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             current = scores.argmax(dim=0, keepdim=True)
@@ -151,8 +149,7 @@ class Codebook(_Digits):
         """Return the shutters (N, rows, cols): for each pixel the row `choice` (1, rows, cols) of
         `shapes`.
 
-        `shapes` is (K, N).
-        """
+        `shapes` is (K, N)."""
         # as a product, whose gradient is added up in the same order every time
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)
@@ -201,8 +198,7 @@ class Codebook(_Digits):
 
     def choose(self, rows: NDArray[np.int64]) -> None:
         """Set scores so that each place chooses the given shape, by a margin that training can
-        overcome.
-        """
+        overcome."""
         with torch.no_grad():
             chosen = functional.one_hot(torch.as_tensor(rows), self.rows)
             self.choice.copy_(chosen.to(self.choice.dtype))

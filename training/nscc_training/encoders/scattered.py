@@ -1,8 +1,7 @@
 """Tiles in which equal exposure times are far apart: starts for classes with one field.
 
 The starts are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel
-Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges.
-"""
+Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges."""
 
 from __future__ import annotations
 
@@ -17,8 +16,7 @@ def scattered(
 ) -> Tile:
     """Return one of `levels` (values,) for each place of a tile (rows, cols).
 
-    `name` is one of SCATTERED.
-    """
+    `name` is one of SCATTERED."""
     pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
     chosen: Tile = levels[pattern(len(levels), tile, generator)]
     return chosen
@@ -28,8 +26,7 @@ def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Genera
     """Return a level index for each place; places of one level keep a distance from each other.
 
     Each level in turn takes its share of free places, nearest to the points of a Poisson-disc
-    sampler. Each remaining place gets the level whose own places are farthest away.
-    """
+    sampler. Each remaining place gets the level whose own places are farthest away."""
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile

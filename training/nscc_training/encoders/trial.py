@@ -3,8 +3,7 @@
 The gradient of a parameter is the loss difference of both sides times `moved / (2 spread^2)`. This
 is the gradient of the loss smoothed by normal noise with the standard deviation `spread`. If only a
 sign matters, as for a digit, `moved` is the mean over all draws with the same decision, which has
-less variance (Dong, Mnih and Tucker, NeurIPS 2020, for logistic noise).
-"""
+less variance (Dong, Mnih and Tucker, NeurIPS 2020, for logistic noise)."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ class CodeTrial:
     `fields` (fields, rows, cols) of the patch have gradients; `moved` is their displacement,
     `spread` its standard deviation. `shutters` are the shutters (N, rows, cols) of both sides. A
     field is credited with the losses within `reach` pixels. Only a random fraction `share` of the
-    pixels moves.
-    """
+    pixels moves."""
 
     fields: Tensor
     moved: Tensor
@@ -54,8 +52,7 @@ def decided(
 
     Only a `share` of the pixels gets noise, with the standard deviation `spread`. Returns both
     decisions and the displacement of the first side, averaged over all draws with this decision; it
-    is 0 if both sides decide alike.
-    """
+    is 0 if both sides decide alike."""
     noise = spread * drawn(margins, generator, share)
     first, second = margins + noise > 0, margins - noise > 0
     beyond = margins.abs() / spread

@@ -52,8 +52,7 @@ class Baseline:
     Its codes are `start` (CLASS:START) on a tile of `side` x `side`, or a number of open slots.
     `takes_codes` allows other codes. `best_in` names a metric in which the best of several uniform
     exposures is chosen with the ground truth. `tiles` returns the shutters of several frames;
-    `alone` decodes each frame separately.
-    """
+    `alone` decodes each frame separately."""
 
     method: Method
     start: str = ""
@@ -84,8 +83,7 @@ def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
     """Return the shutters of the frames of a film.
 
-    Bumps lie within a frame, or are `staggered` across its end into the next frame.
-    """
+    Bumps lie within a frame, or are `staggered` across its end into the next frame."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]
@@ -147,8 +145,7 @@ def evaluate_baseline(
     """Return the result of a baseline on a folder of scenes, and its arrays by name.
 
     `codes` names other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends
-    only on the scene's index and `seed`.
-    """
+    only on the scene's index and `seed`."""
     from nscc_training.sensor_model import SensorModel
 
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
@@ -227,8 +224,7 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
     """Return spec and start of `CLASS[:START]`, or those of a run's encoder.
 
     A class without a start has random codes. Raises Rejected (NS0840) if the baseline `name`
-    accepts no other codes, or the protocol does not support them.
-    """
+    accepts no other codes, or the protocol does not support them."""
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.run_files import CONFIG, run_path
     from nscc_training.run_folder import run_codes
@@ -269,8 +265,7 @@ def evaluate_sci8(
     """Return the result of a method on the clips of the benchmark, and the reconstructions by name.
 
     Raises Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown
-    method.
-    """
+    method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(

@@ -28,8 +28,7 @@ class CapturedScene:
 
     `codes` (frames, rows, cols) are above the converter's offset. `tile` (frames, slots, r, c)
     contains the shutters, which repeat over the array. `saturated` (frames, rows, cols) marks
-    saturated codes. `model` is the sensor, None for exact measurements.
-    """
+    saturated codes. `model` is the sensor, None for exact measurements."""
 
     scene: ProtocolScene
     codes: Frames
@@ -65,8 +64,7 @@ class CapturedScene:
     @property
     def white_e(self) -> float:
         """Electrons per slot of the source's white, which is the unit of the total variation's
-        weight.
-        """
+        weight."""
         scene, slots = self.scene, self.tile.shape[1]
         scale_e = scene.scale_e if isinstance(scene, ClipWindow) else 1.0
         return float(scale_e * len(scene.light_e) / slots)

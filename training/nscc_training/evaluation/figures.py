@@ -1,8 +1,7 @@
 """Figs. 3, 5, 6, 7 and 8 of the paper, from the runs that come with nscc.
 
 The emulated chip exposes a still and a clip with a run's shutters and with always open pixels, and
-the run decodes them. Light is in electrons, over the frame or per slot.
-"""
+the run decodes them. Light is in electrons, over the frame or per slot."""
 
 from __future__ import annotations
 
@@ -53,8 +52,7 @@ class _Shot:
     """The images of a scene.
 
     `light` contains arrays by name, (rows, cols) for a still or (T, rows, cols) for a clip.
-    `frames` contains the coded frame and the frame of always open pixels, as grey levels.
-    """
+    `frames` contains the coded frame and the frame of always open pixels, as grey levels."""
 
     name: str
     light: Mapping[str, Field]
@@ -97,8 +95,7 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
     the first crop with the largest ratio of brightest light to median, and the first window with
     the most motion. Files that the run was trained on are not used. Without `data`, or without a
     suitable file, built-in scenes are shown. `effects` are as for `nscc run`. Raises Rejected:
-    NS0756 for unknown effects, NS0811 for a folder without scenes.
-    """
+    NS0756 for unknown effects, NS0811 for a folder without scenes."""
     runs = {still: load_run(path) for still, path in RUNS.items()}
     scenes = {
         kind: None if data is None else _scene_of(folder, data, kind)
@@ -168,8 +165,7 @@ def _shot_of(
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
     """Return the scene of a folder that a figure shows, and its file name; None if there is no
-    scene.
-    """
+    scene."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.setup.target.rows, folder.setup.target.cols)
@@ -198,8 +194,7 @@ def _worth(light_e: Field) -> float:
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
     """Return rows of shutter images for stills and clips: random codes, the 2 x 2 tile, the run's
-    codes.
-    """
+    codes."""
     rows = []
     for still, folder in runs.items():
         spec, row = folder.setup.encoder.spec, []

@@ -2,8 +2,7 @@
 
 The programs are compiled and their words run on the emulator, with the protocol's noise and
 comparator noise, or with other effects. The `designed` methods design a program for each crop
-(`nscc design`).
-"""
+(`nscc design`)."""
 
 from __future__ import annotations
 
@@ -52,8 +51,7 @@ ROWS: dict[str, tuple[tuple[int, ...], float]] = {
 }
 """For each method the boundaries of the looks, and the closing level in percent of a full well.
 
-The last exposure ends with the frame.
-"""
+The last exposure ends with the frame."""
 DESIGNED = {"designed-2": 2, "designed-5": 5}
 """The number of exposures of each designed method."""
 LOOKING = (*ROWS, *DESIGNED)
@@ -73,8 +71,7 @@ def evaluate_looks(
     """Return the result of a method of LOOKING on a folder of panoramas, and its arrays by name.
 
     `effects` replace the protocol's noise and comparator noise; `changes` are sensor values, as for
-    `nscc run`. Programs are designed for the sensor without these changes.
-    """
+    `nscc run`. Programs are designed for the sensor without these changes."""
     protocol = load_protocol("hdr-v1")
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
@@ -103,8 +100,7 @@ def looked_light(
 ) -> NDArray[np.float64]:  # fmt: skip
     """Return the light over the frame in electrons, as measured by pixels that look at `light_e`.
 
-    `seeds` are the seeds of the noise and of the chip.
-    """
+    `seeds` are the seeds of the noise and of the chip."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
@@ -132,8 +128,7 @@ def _target(protocol: Protocol) -> Target:
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
     """Return a function that gives the program for a crop: the method's, or one designed for the
-    crop.
-    """
+    crop."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

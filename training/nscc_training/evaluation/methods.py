@@ -25,8 +25,7 @@ class Method:
 
     `decode` returns electrons over the frame (rows, cols), or per slot (slots, rows, cols). `sees`
     is "capture", or "truth" for reference methods that use the ground truth. `settings` are named
-    options of `decode`, which `nscc tradeoff` compares.
-    """
+    options of `decode`, which `nscc tradeoff` compares."""
 
     decode: Callable[..., Light]
     sees: Literal["capture", "truth"] = "capture"

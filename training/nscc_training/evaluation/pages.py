@@ -3,8 +3,7 @@
 `{{WORD ARGUMENTS}}` in a template calls a method of `Page`, with arguments split as in a shell. A
 result is named after its file, without .json; * in a name matches the results of several seeds. A
 metric may end in /source (each file counts once, however many items it has), in /interval (adds the
-95 % interval of a bootstrap over scenes) or in @SHARE (at that fraction of saturated pixels).
-"""
+95 % interval of a bootstrap over scenes) or in @SHARE (at that fraction of saturated pixels)."""
 
 from __future__ import annotations
 
@@ -36,8 +35,7 @@ class Page:
     """Computes the words of a template from the results in a folder.
 
     A dagger marks runs without weights in the folder `runs` beside the results. `rows` collects the
-    filled rows of the paper's tables, as JSON values.
-    """
+    filled rows of the paper's tables, as JSON values."""
 
     def __init__(self, results: Path) -> None:
         self.results = results
@@ -50,8 +48,7 @@ class Page:
 
     def mean(self, name: str, metric: str) -> str:
         """Return the mean over items, then seeds: dB with two decimals, other metrics with
-        three.
-        """
+        three."""
         results = self._results_of(name)
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
@@ -77,8 +74,7 @@ class Page:
         interval.
 
         A result with one seed is compared with all seeds of the other. With /source only the
-        difference is returned.
-        """
+        difference is returned."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
             return _MISSING
@@ -120,8 +116,7 @@ class Page:
         """Return a table row.
 
         Cells are metrics, keys of `value`, NAME:METRIC for the gain over that result, or = for an
-        empty cell.
-        """
+        empty cell."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")
@@ -146,8 +141,7 @@ class Page:
     def columns(self, label: str, metrics: str, *names: str) -> str:
         """Return a table row with one cell for each result, NAME[@SHARE].
 
-        Metrics are joined by + and shown together in each cell.
-        """
+        Metrics are joined by + and shown together in each cell."""
         cells = []
         for name, at, share in (name.partition("@") for name in names):
             means = (self.mean(name, f"{metric}{at}{share}") for metric in metrics.split("+"))
@@ -217,8 +211,7 @@ def page_of(
     """Return the rows of the paper's tables on a page, and the page's text.
 
     By default, uses the results that come with nscc and a page of the paper's Tables 2 to 4. Raises
-    Rejected (NS0807) for a folder that does not exist.
-    """
+    Rejected (NS0807) for a folder that does not exist."""
     folder = shipped_evaluations() if results is None else results
     if not folder.is_dir():
         hint = "`nscc sweep GRID.toml --out DIR` makes one"

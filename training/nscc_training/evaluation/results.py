@@ -45,8 +45,7 @@ def usable_scenes(
     """Return the usable scenes, and the result's entries for the others.
 
     The index of a scene seeds its noise. Under hdr-v1 only usable scenes are counted; under other
-    protocols None replaces each unusable scene.
-    """
+    protocols None replaces each unusable scene."""
     scenes: list[ProtocolScene | None] = []
     left_out = []
     for scene in candidates:
@@ -66,8 +65,7 @@ def scored(
     """Decode and score every scene.
 
     `decode` takes a scene and its index, which seeds the noise, and returns electrons and seconds.
-    Raises Rejected (NS0804) for a reconstruction with values that are not finite.
-    """
+    Raises Rejected (NS0804) for a reconstruction with values that are not finite."""
     for index, scene in enumerate(scenes):
         if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
@@ -88,8 +86,7 @@ def also_saturated(
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
     """Return means at the other fractions of saturated pixels of hdr-v1; empty for other
-    protocols.
-    """
+    protocols."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
@@ -139,8 +136,7 @@ def result(
     """Return the result of items as JSON values.
 
     `extra_keys` are further keys. `left_out` lists the items that the protocol cannot use, each
-    with `file` and `reason`. Raises Rejected (NS0811) without items.
-    """
+    with `file` and `reason`. Raises Rejected (NS0811) without items."""
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
@@ -229,8 +225,7 @@ def mean_of(
     """Return the mean of a metric over the items of each result, then over results (seeds).
 
     Infinite items are left out. `by_source` first averages the items of each file, so that each
-    file counts once. None if no item is finite.
-    """
+    file counts once. None if no item is finite."""
     means = []
     for result_values in results:
         values: dict[str, list[float]] = {}
@@ -249,8 +244,7 @@ def compare(
     """Return the gain in dB of second results over first results, item by item.
 
     Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Raises Rejected
-    (NS0808) for different protocols, without common items, or without the metric.
-    """
+    (NS0808) for different protocols, without common items, or without the metric."""
     scores: tuple[dict[str, float], dict[str, float]] = ({}, {})
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):

@@ -62,8 +62,7 @@ def evaluate_run(
     Raises Rejected: NS0756 for unknown effects; NS0841 for effects under sci8, whose measurements
     come from files; NS0820 if the run has seen a file of `data`, or with `skip_seen` all files;
     NS0821 if the run was trained for another task than the protocol's; NS0811 for a folder without
-    data.
-    """
+    data."""
     _check_kind(folder, protocol)
     files = files_of(protocol, data)
     seen_files = seen_of(folder, files)
@@ -102,8 +101,7 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
     """Return the result of a run on its validation scenes, with the run's effects.
 
     Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
-    (NS0811) if the scenes of its configuration are missing or have changed.
-    """
+    (NS0811) if the scenes of its configuration are missing or have changed."""
     settings = folder.setup.settings
     scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
@@ -123,8 +121,7 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
     """Return a function that captures a scene and decodes it, as in training or on the emulated
-    chip.
-    """
+    chip."""
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
@@ -139,8 +136,7 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
     """Return a function that decodes a benchmark clip with its own mask, without noise.
 
     As in training, a full well is the 99th percentile of the light of an always open pixel. It is
-    estimated from the measurement by scaling the light of open slots to all slots.
-    """
+    estimated from the measurement by scaling the light of open slots to all slots."""
     setup = folder.setup
 
     @torch.no_grad()

@@ -31,8 +31,7 @@ def evaluate(
 
     Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes and
     NS0841 for effects that the subject does not support, NS0811 for a folder without suitable data,
-    and the errors of `load_run` and `evaluate_run`.
-    """
+    and the errors of `load_run` and `evaluate_run`."""
     chosen = load_protocol(protocol)
     known = (*BASELINES.get(chosen.name, ()), *(LOOKING if chosen.still else ()))
     if subject in LOOKING and chosen.still:

@@ -49,8 +49,7 @@ def artifacts(
     """Return the files of a finished run by name.
 
     The setup is in its best state, reached at `step`. Scores are the protocol's, on the validation
-    scenes `shown`.
-    """
+    scenes `shown`."""
     from safetensors.torch import save
 
     build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
@@ -192,8 +191,7 @@ def _headline(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
 ) -> dict[str, Any]:
     """Return the scores with the sensor of training; with effects also the scores without
-    effects.
-    """
+    effects."""
     effects = setup.settings.sensor.effects
     headline = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
     if effects:
@@ -220,8 +218,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
     """Return the number, rank and condition of the shutters, moved places, and the start's score.
 
-    A place has moved if its shutter differs from the start of the run.
-    """
+    A place has moved if its shutter differs from the start of the run."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

@@ -28,8 +28,7 @@ from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read
 _BLOCK, _MARGIN = 256, 32
 """Side in pixels of the blocks in which large frames are decoded, and the margin of the blocks.
 
-The margin is larger than the receptive field of decoders.
-"""
+The margin is larger than the receptive field of decoders."""
 
 Arrays = NDArray[Any]
 
@@ -51,8 +50,7 @@ def scene_by_model(
     """Capture a scene with the sensor model and decode it; return the light and decoding seconds.
 
     Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
-    `model` replaces the sensor model of training.
-    """
+    `model` replaces the sensor model of training."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:
@@ -79,8 +77,7 @@ def scene_by_chip(
 
     Equals `nscc run` followed by `nscc reconstruct`. `seeds` are the seeds of the noise and of the
     chip. A scene smaller than the array is extended by its edge pixels; of a larger scene the upper
-    left part is exposed.
-    """
+    left part is exposed."""
     array = (container.target.rows, container.target.cols)
     size = tuple(min(pair) for pair in zip(light_e.shape[-2:], array, strict=True))
     visible = light_e[..., : size[0], : size[1]].astype(np.float32)
@@ -110,8 +107,7 @@ def scene_by_words(
 ) -> tuple[NDArray[np.float64], float]:
     """Capture a scene exactly as the words expose it, without noise, and decode it.
 
-    Returns the light and the decoding time in seconds.
-    """
+    Returns the light and the decoding time in seconds."""
     rows, cols = light_e.shape[-2:]
     padded = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
     padded[..., :rows, :cols] = light_e
@@ -147,8 +143,7 @@ def decoded_frame(
 
     Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of each
     pixel, for pixels that look. `corner` is the place of the first pixel on the array. Frames
-    larger than the array are decoded in blocks.
-    """
+    larger than the array are decoded in blocks."""
     rows, cols = frame.shape[-2:]
     light: NDArray[np.float32] | None = None
     array = (setup.target.rows, setup.target.cols)
@@ -198,8 +193,7 @@ def shutters_at(
 ) -> Tensor:
     """Return the run's shutters (N, rows, cols) for a block of pixels at `corner`.
 
-    Beyond the array's edge the array repeats.
-    """
+    Beyond the array's edge the array repeats."""
     target = setup.target
     array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (

@@ -16,8 +16,7 @@ def locked_folder(folder: Path) -> Iterator[None]:
     """Create a folder and lock it against other processes until the end of the block.
 
     Raises Rejected (NS0848) if another process holds the lock. The lock ends with the process and
-    leaves no file.
-    """
+    leaves no file."""
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
     descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)

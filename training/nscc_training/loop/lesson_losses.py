@@ -85,8 +85,7 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
     """Return the error of light and of its logarithm, relative to the 99.9 % quantile.
 
-    The loss is close to the scores of protocol hdr-v1.
-    """
+    The loss is close to the scores of protocol hdr-v1."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
     linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()

@@ -63,8 +63,7 @@ class Log:
     def _writer(self) -> Any:
         """Return the TensorBoard writer, made at first use; None if TensorBoard is not installed.
 
-        Event files contain times and the host name, so they are not products of the run.
-        """
+        Event files contain times and the host name, so they are not products of the run."""
         if self._events is None and find_spec("tensorboard") is not None:
             from torch.utils.tensorboard import SummaryWriter
 

@@ -20,8 +20,7 @@ class Muon(torch.optim.Muon):
     """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices with a row per
     output.
 
-    The matrices share the memory of the weights.
-    """
+    The matrices share the memory of the weights."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         self.weights = list(weights)
@@ -38,8 +37,7 @@ class Muon(torch.optim.Muon):
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
     """Return the optimizers of a run; the key `base` of each parameter group is its initial
-    rate.
-    """
+    rate."""
     settings = setup.settings
     inner, outer = _by_muon(setup.decoder) if settings.train.optimizer == "muon" else (
         [], list(setup.decoder.parameters()))  # fmt: skip

@@ -59,7 +59,6 @@ class Ranks:
         """Leave the process group if it was joined here.
 
         This ends its threads. They may hold gradients of the last step, and the interpreter aborts
-        if it exits first.
-        """
+        if it exits first."""
         if self._ours:
             distributed.destroy_process_group()

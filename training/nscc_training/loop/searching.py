@@ -1,8 +1,7 @@
 """A step of a search: compare moved codes by the decoder's loss.
 
 The decoder is not trained during the search, so that it does not favour codes that were tried
-earlier. The remaining steps (`settle`) train it for the result.
-"""
+earlier. The remaining steps (`settle`) train it for the result."""
 
 from __future__ import annotations
 
@@ -30,14 +29,12 @@ _MEAN_LIGHT = 0.1
 """Mean light, in full wells, that the closed form assumes.
 
 Films have three times as much, but displays show noise mainly in dark regions. With this value the
-closed form ranks codes as the decoder for any code does.
-"""
+closed form ranks codes as the decoder for any code does."""
 _FEWER = 0.9
 """Factor on the number of words per step while codes exceed their limit.
 
 A move or two reduce the words by a tenth; random bits need about twenty steps to reach four words
-per slot.
-"""
+per slot."""
 
 
 def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
@@ -47,8 +44,7 @@ def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
     ones) among those that compile within `shutter.most_words`. The loss is that of the batch's
     patches under the same noise, plus the weighted number of words. A candidate is better if its
     mean gain over patches exceeds the standard error. While codes exceed the limit of words, the
-    best candidate with at least a tenth fewer words is chosen, whatever its loss.
-    """
+    best candidate with at least a tenth fewer words is chosen, whatever its loss."""
     chosen = setup.settings.shutter
     setup.decoder.eval()
     generator = np.random.default_rng([setup.settings.train.seed, 11, step])

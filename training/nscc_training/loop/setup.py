@@ -46,8 +46,7 @@ class TrainingSetup:
     """The objects of a training run.
 
     `still` means that scenes are stills, not clips. `files` are the user's chip and sensor files,
-    by their names in a run folder. `chips` is the number of chips that `emulated` measures.
-    """
+    by their names in a run folder. `chips` is the number of chips that `emulated` measures."""
 
     settings: RunSettings
     protocol: Protocol
@@ -83,8 +82,7 @@ class TrainingSetup:
         """The emulated sensor of the initial shutters, if `[sensor] effects` is set, else None.
 
         Each place keeps its sensor values while its code changes. The computation takes seconds,
-        once, on the run's device.
-        """
+        once, on the run's device."""
         if not self.settings.sensor.effects:
             return None
         seed = self.settings.train.seed
@@ -102,8 +100,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
     """Build the objects of a configuration in their initial state.
 
     Raises Rejected: NS0815 for settings that contradict each other, NS0812 for import paths, and
-    the compiler's errors if the shutters cannot be compiled for the chip.
-    """
+    the compiler's errors if the shutters cannot be compiled for the chip."""
     seed = settings.train.seed if seed is None else seed
     chosen = settings.shutter
     files: dict[str, bytes] = {}
@@ -185,8 +182,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
     """Return the encoder with the initial shutters of a run; Rejected (NS0815) if the start is
-    invalid.
-    """
+    invalid."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -233,8 +229,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
     """Set an encoder to the shutters of a program.
 
-    Raises ValueError if the encoder cannot represent the program, or the compiler's errors.
-    """
+    Raises ValueError if the encoder cannot represent the program, or the compiler's errors."""
     start = begun_with(path, encoder.spec, chip)
     encoder.load_codes(start.codes)
     if start.opened is None:

@@ -31,8 +31,7 @@ class TrainingProgress:
     """Progress of a run after `step` updates.
 
     `best_loss` is the lowest validation loss; `best` contains the tensors of encoder and decoder at
-    that validation.
-    """
+    that validation."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -62,8 +61,7 @@ class TrainingState:
 
     def set(self, tensors: dict[str, Tensor]) -> None:
         """Load the tensors; KeyError, RuntimeError or ValueError if they belong to another
-        network.
-        """
+        network."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -87,8 +85,7 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
     """Load the tensors of `tensors_of`; KeyError or RuntimeError if they belong to another
-    network.
-    """
+    network."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 
@@ -117,8 +114,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
     """Load a checkpoint into `state`, and return its progress.
 
     The settings may have more steps than those of the checkpoint. Raises Rejected (NS0816) for a
-    damaged checkpoint, or another configuration or other scenes.
-    """
+    damaged checkpoint, or another configuration or other scenes."""
     from safetensors import safe_open
 
     try:

@@ -16,8 +16,7 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
     """Return the shutters for a patch: a whole tile, or a random part of the array of free
-    codes.
-    """
+    codes."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -32,8 +31,7 @@ def decoded(
 ) -> Tensor:  # fmt: skip
     """Capture `light` with `shutters`, a tile for the first bucket, and decode it.
 
-    A model without photon noise has no other effects either.
-    """
+    A model without photon noise has no other effects either."""
     if setup.encoder.spec.kind == LOOKS:
         return _decoded_looks(setup, light, shutters, model, generator)
     with torch.autocast(setup.device.type, enabled=False):
@@ -58,8 +56,7 @@ def _decoded_looks(
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
     """Capture with pixels that look, and decode; the decoder gets the open fraction of each
-    pixel.
-    """
+    pixel."""
     step_e = setup.target.electrons_per_step
     with torch.autocast(setup.device.type, enabled=False):
         codes, share = looked(light, fields, setup.slots, step_e, model, generator)
@@ -73,8 +70,7 @@ def _decoded_looks(
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
     """Return the loss, plus the weighted fraction of shutters that change between slots.
 
-    The second term approximates the number of words.
-    """
+    The second term approximates the number of words."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:
@@ -84,16 +80,14 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 def changes_of(shutters: Tensor) -> Tensor:
     """Return the fraction of slot boundaries at which the shutter of each place (N, rows, cols)
-    changes.
-    """
+    changes."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
     """Return prediction and truth relative to the peak, for losses.
 
-    As in metrics, predictions above the peak are clipped where the truth reaches the peak.
-    """
+    As in metrics, predictions above the peak are clipped where the truth reaches the peak."""
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
     return torch.minimum(relative, batch.most), batch.goal
 
@@ -102,8 +96,7 @@ def finite_norm(loss: Tensor, setup: TrainingSetup, names: tuple[str, ...], step
     """Return the norm of all gradients of the decoder.
 
     Raises Rejected (NS0817, status 3) before the update if the loss or a gradient of decoder or
-    codes is not finite. The message names the scenes of the batch.
-    """
+    codes is not finite. The message names the scenes of the batch."""
     decoder, codes = (
         {key: p.grad for key, p in module.named_parameters() if p.grad is not None}
         for module in (setup.decoder, setup.encoder)

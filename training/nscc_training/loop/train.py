@@ -53,8 +53,7 @@ from nscc_training.settings import RunSettings
 class TrainingRun:
     """A run in progress.
 
-    `dataset` contains the random draws of each step, `shown` the validation scenes.
-    """
+    `dataset` contains the random draws of each step, `shown` the validation scenes."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -84,8 +83,7 @@ def train(
     `resume` is auto (continue from a checkpoint in `out` if it has one), never, or a run folder or
     checkpoint. `track` draws a progress bar, and `report` receives a text for each validation and
     at the end; both are used in the first process only. With `stop_after` the run stops after that
-    step and writes a checkpoint.
-    """
+    step and writes a checkpoint."""
     is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
     with locked_folder(out) if is_first else nullcontext():
         _train(settings, out, resume, track, report, stop_after)
@@ -196,8 +194,7 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
     """Return the random draws of steps `first` to `last`, in order, made by `train.workers`
-    processes.
-    """
+    processes."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
@@ -293,8 +290,7 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 class StepLoss(nn.Module):
     """The loss of a batch in one step: shutters, capture, decoder, and a trial of codes.
 
-    It is a module so that gradients are averaged over processes.
-    """
+    It is a module so that gradients are averaged over processes."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
@@ -345,8 +341,7 @@ def anneal(setup: TrainingSetup, step: int) -> None:
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
     """Score the hard shutters, log, and keep the best state whose shutters compile.
 
-    With a moving average of the decoder, the average is scored and kept.
-    """
+    With a moving average of the decoder, the average is scored and kept."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
@@ -379,8 +374,7 @@ def take_best(run: TrainingRun) -> None:
     """Restore the best validated state.
 
     Without such a state, raises the compiler's errors, or Rejected (NS0850) if no code within
-    `shutter.most_words` was found.
-    """
+    `shutter.most_words` was found."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         set_tensors(setup, run.progress.best)

@@ -9,8 +9,7 @@ Computational Mathematics 2017), with one trial per pixel and step.
 
 The decoder learns from the first side, so that it also decodes the codes that are tried. Regular
 patterns then appear worse than they are; to reduce this, only a share of the pixels moves in a
-step. The encoder chooses what moves, and how far (`nscc_training.encoders.trial`).
-"""
+step. The encoder chooses what moves, and how far (`nscc_training.encoders.trial`)."""
 
 from __future__ import annotations
 
@@ -43,8 +42,7 @@ def pull(
     """Return a scalar 0 whose gradient is that of the loss with respect to the codes.
 
     `prediction` is the decoder's output for the first side of the trial; `noise` must be in the
-    state that it had for that prediction.
-    """
+    state that it had for that prediction."""
     with torch.no_grad():
         other_prediction = decoded(setup, batch.light, trial.shutters[1], setup.model, noise)
     sides = [prediction.detach().requires_grad_(), other_prediction.requires_grad_()]

@@ -26,8 +26,7 @@ from nscc_training.statistics import summary
 Decode = Callable[[NDArray[Any], int], tuple[NDArray[np.float64], float]]
 """A function that captures and decodes a scene, given its light in electrons and its index.
 
-Returns electrons and seconds.
-"""
+Returns electrons and seconds."""
 
 
 @dataclass(frozen=True)
@@ -43,8 +42,7 @@ def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScen
     """Return at most `val_items` validation scenes, exposed by the run's protocol.
 
     Clips have as many frames as the run has slots. Raises Rejected (NS0811) if no scene can be
-    exposed.
-    """
+    exposed."""
     protocol: Protocol = setup.protocol
     key = "crop_size" if setup.still else "size"
     side = min(int(protocol[key]), setup.target.rows, setup.target.cols)
@@ -71,8 +69,7 @@ def validated(
     """Score the decoder on scenes, as `nscc evaluate` does; by default captured `as_trained`.
 
     `exposure` is a factor on the light, of which the decoder is not informed; the result is divided
-    by it.
-    """
+    by it."""
     decode = decode or as_trained(setup)
     losses, scores, similar = [], [], []
     for index, scene in enumerate(shown):
@@ -90,8 +87,7 @@ def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0
     """Return a function that captures and decodes under the run's conditions.
 
     It uses the emulated chip if the run has effects, else the sensor model. `sensor` replaces the
-    chip's sensor.
-    """
+    chip's sensor."""
     effects = setup.settings.sensor.effects
     return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
 
@@ -104,8 +100,7 @@ def by_model(
 ) -> Decode:
     """Return a function that captures with the sensor model and decodes.
 
-    `tile` and `model` replace the run's shutters and sensor model.
-    """
+    `tile` and `model` replace the run's shutters and sensor model."""
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 
@@ -113,8 +108,7 @@ def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
     """Return a function that captures with the emulated chip and decodes, with new noise for each
-    scene.
-    """
+    scene."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)

@@ -1,6 +1,5 @@
 """Protocol deblur-v1: views of panoramas by a turning camera; the truth is the light of one
-slot.
-"""
+slot."""
 
 from __future__ import annotations
 
@@ -23,8 +22,7 @@ Picture = NDArray[np.float64]
 
 class DeblurMoment(ProtocolScene):
     """A view of a panorama by a turning camera; the truth is one slot's light, scaled to a
-    frame.
-    """
+    frame."""
 
     @property
     def truth_e(self) -> Picture:
@@ -64,8 +62,7 @@ def exposed_moment(
     path: Path, number: int, clip: Picture, protocol: Protocol
 ) -> DeblurMoment | Unusable:
     """Return a view, scaled so that the median of its light over the frame is the protocol's mid
-    grey.
-    """
+    grey."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")

@@ -32,8 +32,7 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
     """Return the files of a folder that a protocol uses, by name; Rejected (NS0811) if there are
     none.
 
-    For sci8, `folder` may be a file.
-    """
+    For sci8, `folder` may be a file."""
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
     return protocol_files(folder, *_WANTED[protocol.name], protocol.name)
@@ -44,8 +43,7 @@ def scenes_in(
 ) -> Iterator[ProtocolScene | Unusable]:
     """Yield the scenes of files, in order.
 
-    `fraction` replaces the protocol's fraction of saturated pixels.
-    """
+    `fraction` replaces the protocol's fraction of saturated pixels."""
     if protocol.name == "hdr-v1":
         return crops(files, protocol, fraction)
     if protocol.name == "deblur-v1":
@@ -84,8 +82,7 @@ def some_scenes(
 ) -> list[ProtocolScene]:
     """Return at most `count` scenes, equally many per file; without `data`, procedural scenes.
 
-    Raises Rejected (NS0811) if the protocol can expose no scene.
-    """
+    Raises Rejected (NS0811) if the protocol can expose no scene."""
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:

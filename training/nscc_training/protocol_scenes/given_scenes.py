@@ -37,8 +37,7 @@ def exposed_arrays(
     """Return at most `count` scenes from arrays of light, taking one scene of each array in turn.
 
     `lights` are (rows, cols) for stills, (T, rows, cols) for clips. `srgb` measures errors of clips
-    in display encoding.
-    """
+    in display encoding."""
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
     scenes: list[ProtocolScene] = []

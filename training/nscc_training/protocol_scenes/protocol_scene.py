@@ -19,8 +19,7 @@ Array = NDArray[Any]
 @dataclass(frozen=True)
 class Item:
     """A scored picture or frame: its file, its place in the file, and its metrics as JSON
-    values.
-    """
+    values."""
 
     file: str
     crop: list[int] | None
@@ -36,8 +35,7 @@ class ProtocolScene(ABC):
     """A scene of a protocol.
 
     `light_e` is in electrons, over the frame (rows, cols) or per slot (slots, rows, cols). `crop`
-    is its corner in a picture, `frame` its first frame in a clip.
-    """
+    is its corner in a picture, `frame` its first frame in a clip."""
 
     file: Path
     crop: tuple[int, int] | None
@@ -61,8 +59,7 @@ class ProtocolScene(ABC):
 
     def result(self, result_e: Array) -> Array:
         """Return a reconstruction in the form in which it is scored and saved, by default
-        unchanged.
-        """
+        unchanged."""
         return result_e
 
     def items(self, result_e: Array) -> list[Item]:

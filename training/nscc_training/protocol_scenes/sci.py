@@ -26,8 +26,7 @@ class SciClip(ProtocolScene):
     """A benchmark clip with values 0..1 (8, rows, cols), whose frames are scored separately.
 
     `mask` (8, rows, cols) and `measurement` (rows, cols) come from the file. The unit of the
-    measurement is the full scale of one frame.
-    """
+    measurement is the full scale of one frame."""
 
     mask: Clip
     measurement: Clip

@@ -26,8 +26,7 @@ class ClipWindow(ProtocolScene):
     """A window of a clip.
 
     `scale_e` electrons per slot correspond to the light 1 of the source. `srgb` measures errors in
-    display encoding.
-    """
+    display encoding."""
 
     scale_e: float
     srgb: bool

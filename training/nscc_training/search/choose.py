@@ -1,8 +1,7 @@
 """Choice of a code for clips by the motion of the scene, within a limit of words per slot.
 
 No code is best for all scenes: static parts need long exposures, fast parts short exposures at many
-times. The information in a frame is computed in closed form (`nscc_training.search`).
-"""
+times. The information in a frame is computed in closed form (`nscc_training.search`)."""
 
 from __future__ import annotations
 
@@ -45,8 +44,7 @@ _YARDSTICK = "quad, 1/4 of the frame"
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
     """A design for clips: the `name` of its code, and the `expected` information in dB of every
-    code tried.
-    """
+    code tried."""
 
     name: str
     expected: dict[str, float]

@@ -3,8 +3,7 @@
 The light is modelled as a Gaussian texture that moves uniformly. Its correlation falls as exp(-d /
 L) with the distance d that remains after the motion is undone. The light is estimated from a frame
 by linear least squares (Wiener) under the sensor's noise, for a decoder that knows the speed but
-not the direction. The decibels are averaged over several speeds.
-"""
+not the direction. The decibels are averaged over several speeds."""
 
 from __future__ import annotations
 
@@ -22,8 +21,7 @@ _MOST_SLOTS = 16
 """Most time steps; longer frames are averaged to this number."""
 _HEADINGS = 0.3 + np.arange(8) * np.pi / 4
 """Directions of motion in radians, none along an axis or diagonal, where patterns would
-coincide.
-"""
+coincide."""
 
 Opened = NDArray[np.floating]
 Values = NDArray[np.float64]
@@ -36,8 +34,7 @@ class Motion:
     `speeds` are in pixels per frame time, with equal probability. `length` is L in pixels.
     `contrast` is the standard deviation divided by the mean. `noise` is the variance of a frame's
     value and `counts` its increase per unit of light; both are relative to the squared mean light
-    of all slots.
-    """
+    of all slots."""
 
     speeds: tuple[float, ...]
     length: float = 12.0
@@ -50,8 +47,7 @@ def told_db(opened: Opened, motion: Motion) -> float:
     """Return by how many dB a frame reduces the variance of the light, averaged over speeds.
 
     `opened` (N, rows, cols) is a tile of shutters, 0..1. The compared variance is that of the light
-    of one slot at one place.
-    """
+    of one slot at one place."""
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
     decibels = []
     for speed in motion.speeds:
@@ -65,8 +61,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
     """Return the remaining variance of the light in a window's middle, as a fraction of its
     variance.
 
-    `opened` (N, places) are the shutters in the window.
-    """
+    `opened` (N, places) are the shutters in the window."""
     # Covariance of light and measurements (slot, place, measurement), and of measurements.
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
@@ -82,8 +77,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 def _alike(slots: int, speed: float, length: float) -> Values:
     """Return the correlation (N, N, places, places) of light between slots and places of a window.
 
-    It is averaged over directions of a motion of `speed` pixels per frame.
-    """
+    It is averaged over directions of a motion of `speed` pixels per frame."""
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)

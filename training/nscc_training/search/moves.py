@@ -26,8 +26,7 @@ def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
     modulo a period in each direction, or every other block. Their shutters shift in time, lengthen,
     shorten, or take or exchange the codes of neighbouring places. Before that, the tile may become
     copies of one of its blocks, each later than the one before. Codes stay legal for the class; a
-    move may have no effect.
-    """
+    move may have no effect."""
     changed_codes = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
         places = _somewhere(spec.tile, generator)
@@ -133,8 +132,7 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     """Change the choice of rows, the shape of a row, or set all rows to shifted copies of one
-    shape.
-    """
+    shape."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
@@ -150,8 +148,7 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
     """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
 
-    Shutters that would never open stay unchanged.
-    """
+    Shutters that would never open stay unchanged."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:
@@ -211,5 +208,4 @@ _LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
     "codebook": _rows_later,
 }  # fmt: skip
 """The function that shifts shutters around the frame, by class; for stills it shortens
-exposures.
-"""
+exposures."""

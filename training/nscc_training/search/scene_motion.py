@@ -23,8 +23,7 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
     """Return five representative speeds of a clip's blocks, in pixels over the whole clip.
 
     The clip is (T, rows, cols); speeds are measured by phase correlation. All are 0 for a clip of
-    one frame or without contrast.
-    """
+    one frame or without contrast."""
     import cv2
 
     _, rows, cols = clip.shape
@@ -49,8 +48,7 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
     """Return the correlation length of light (rows, cols) in pixels, and its contrast.
 
-    The contrast is the standard deviation divided by the mean.
-    """
+    The contrast is the standard deviation divided by the mean."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
     steps = [np.diff(picture, axis=axis) for axis in (0, 1) if picture.shape[axis] > 1]
@@ -63,8 +61,7 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
 def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
     """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames.
 
-    For slow motion, frames further apart are compared.
-    """
+    For slow motion, frames further apart are compared."""
 
     def median(gap: int) -> float:
         shifts = [

@@ -2,5 +2,4 @@
 
 `grid` reads grids. `kinds` lists the kinds of points and computes their keys. `store` keeps
 results. `work` and `cluster` compute points. `result_table` and `sweep_report` present the results.
-`run_sweep` runs the sweep. Torch and Dask are imported only when a point needs them.
-"""
+`run_sweep` runs the sweep. Torch and Dask are imported only when a point needs them."""

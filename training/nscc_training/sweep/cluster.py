@@ -31,8 +31,7 @@ _AHEAD = 2
 @contextmanager
 def local_workers(workers: int, threads: int) -> Iterator[Executor]:
     """Start `workers` processes with `threads` threads each on this machine, for the `with`
-    block.
-    """
+    block."""
     import dask
     from distributed import Client, LocalCluster
 
@@ -65,8 +64,7 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor]:
 def scheduler_workers(scheduler: str) -> Iterator[Executor]:
     """Use the workers of a scheduler, on which the same files must have the same paths.
 
-    Raises Rejected (NS0835) if the scheduler does not answer.
-    """
+    Raises Rejected (NS0835) if the scheduler does not answer."""
     from distributed import Client
 
     try:
@@ -86,8 +84,7 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor]:
 def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
     """Yield the result of every task when it is finished.
 
-    A task is tried twice if it fails or its worker dies.
-    """
+    A task is tried twice if it fails or its worker dies."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()
@@ -120,8 +117,7 @@ def _finished(future: Future, task: PointTask) -> Done:
     """Return the result of a task, or a failure if its worker died.
 
     Raises ModuleNotFoundError if a package is missing, because other points of the kind would also
-    fail.
-    """
+    fail."""
     if future.status == "finished":
         result: Done = future.result()
         return result

@@ -7,8 +7,7 @@
     slots = [8, 16]
 
 Every table is a part of the grid. The points of a part are all combinations of its keys' values. A
-part may have its own `kind`. The table `[plot]` describes the diagram.
-"""
+part may have its own `kind`. The table `[plot]` describes the diagram."""
 
 from __future__ import annotations
 
@@ -90,8 +89,7 @@ class Grid:
     """A grid, read from the file `name` in `folder`.
 
     `columns` are the keys that occur in any part, in the order of the file; `axes` are those with
-    several values in a part. `text` is the file's text.
-    """
+    several values in a part. `text` is the file's text."""
 
     name: str
     folder: Path
@@ -106,8 +104,7 @@ def read_grid(path: Path) -> Grid:
     """Read a grid from a file.
 
     Raises Rejected (status 2) with all errors at once: NS0830 for a file that cannot be read or is
-    not TOML, NS0831 for unknown keys, NS0832 for invalid values.
-    """
+    not TOML, NS0831 for unknown keys, NS0832 for invalid values."""
     head = _schema({})
     tables, source = file_table(head, file_bytes(head, path), str(path))
     grid_parts: dict[str, dict[str, Any]] = {}
@@ -150,8 +147,7 @@ def read_grid(path: Path) -> Grid:
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     """Return the grid with only the points of `grid_parts`, by default all, and the runs they name.
 
-    Raises Rejected (NS0832) for an unknown part.
-    """
+    Raises Rejected (NS0832) for an unknown part."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:
@@ -309,8 +305,7 @@ def _linked(
     """Return the points, each linked to the points whose runs its values name (`run:NAME`).
 
     Raises Rejected (NS0832) unless exactly one point of kind train has the name, and for circular
-    references.
-    """
+    references."""
     trained = [point for point in points if point.kind == "train"]
     runs = {point.name: point for point in trained}
     count = Counter(point.name for point in trained)
@@ -362,8 +357,7 @@ def _of_part(
 
 def _called(called: str, values: Values) -> str:
     """Return a point's name: `called` with keys replaced by values; "/" in values separates
-    folders.
-    """
+    folders."""
 
     def spelled(value: Any) -> str:
         if not isinstance(value, str):

@@ -29,8 +29,7 @@ def key_of(point: GridPoint, threads: int) -> str:
     Paths are relative to the current folder. The key depends on the values, the content of every
     file that they name, the sources of the packages that compute the point, and the versions of
     their dependencies. If torch computes the point, the key also depends on `threads`, because sums
-    of floats do. Raises Rejected for a program that cannot be read.
-    """
+    of floats do. Raises Rejected for a program that cannot be read."""
     kind = KINDS[point.kind]
     after = [key_of(run_point, threads) for run_point in point.after]
     plain_values = {name: kind_plain(value) for name, value in sorted(point.values.items())}

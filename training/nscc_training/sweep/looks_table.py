@@ -24,8 +24,7 @@ def looks_table(
     table.
 
     `out` is the folder of a sweep, which resumes if interrupted. Raises Rejected (NS0811) if `data`
-    contains no panoramas.
-    """
+    contains no panoramas."""
     files_of(load_protocol("hdr-v1"), data)
     package = files("nscc_training.sweep")
     text = (package / "looks.toml").read_text(encoding="utf-8")

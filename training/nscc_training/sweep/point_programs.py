@@ -1,6 +1,5 @@
 """Programs of points: from files, from rules for any number of slots, or random codes of a
-class.
-"""
+class."""
 
 from __future__ import annotations
 
@@ -93,8 +92,7 @@ def program_keys() -> tuple[Key, ...]:
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
     """Return the error in the values of `program_keys`, or None.
 
-    `named` are the keys that the grid names.
-    """
+    `named` are the keys that the grid names."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -120,8 +118,7 @@ def target_fault(values: Values) -> PointFault | None:
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
     """Return the error of naming a key that has no effect on a point, or None.
 
-    Points that differ only in such a key would be identical.
-    """
+    Points that differ only in such a key would be identical."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -132,8 +129,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 def program_files(values: Values) -> Sequence[Path]:
     """Return the files that determine a program: its text, the files it names, and its chip
-    file.
-    """
+    file."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -161,8 +157,7 @@ def target_of(values: Values) -> Target | None:
 def compiled_of(values: Values) -> Compiled:
     """Compile and prove a point's program, without the cache of searches.
 
-    Raises Rejected for a program that is invalid or does not fit the chip.
-    """
+    Raises Rejected for a program that is invalid or does not fit the chip."""
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],

@@ -17,8 +17,7 @@ class Table:
     """A table by columns; None marks missing values.
 
     The columns are `part`, the keys that the grid names, the results, `code` and `error` of points
-    without results, and `key`.
-    """
+    without results, and `key`."""
 
     columns: dict[str, list[Any]]
     inputs: tuple[str, ...]
@@ -50,8 +49,7 @@ def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
 
 def _input(point: GridPoint, name: str) -> Any:
     """Return the value of a key of a point or of the first run that it names; None if both
-    lack it.
-    """
+    lack it."""
     if name in point.values:
         return plain(point.values[name])
     return _input(point.after[0], name) if point.after else None

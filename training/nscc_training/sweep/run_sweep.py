@@ -36,8 +36,7 @@ class How:
     """How points are computed.
 
     `workers` processes with `threads` threads each run on this machine (0: this process), or a
-    `scheduler` provides the workers. `again` recomputes failed points.
-    """
+    `scheduler` provides the workers. `again` recomputes failed points."""
 
     workers: int = 0
     threads: int = 1
@@ -50,8 +49,7 @@ class Swept:
     """The outcome of a sweep: its table and the files written.
 
     `misfits` is the number of points with a message instead of results, `failed` the number of
-    failed points.
-    """
+    failed points."""
 
     table: Table
     misfits: int
@@ -83,8 +81,7 @@ def sweep(
     same `out` share the work. Paths in the grid, and in the files that it names, are relative to
     its folder. `track` draws progress; `report` receives a text on the work to do. Raises Rejected:
     NS0834 for a damaged store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers
-    have other files or another version of nscc.
-    """
+    have other files or another version of nscc."""
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
     with store_in(out) as store:
@@ -115,8 +112,7 @@ def sweep(
 
 def summary_lines(swept: Swept) -> list[str]:
     """Return the summary of a sweep as lines: numbers of points, reasons for missing results,
-    files.
-    """
+    files."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -213,8 +209,7 @@ def _shared(
 ) -> Iterator[Done]:
     """Yield the results of tasks, and wait for tasks that another process computes.
 
-    A task whose process ended without a result is computed here.
-    """
+    A task whose process ended without a result is computed here."""
     waiting = [*tasks]
     while waiting:
         claimed_tasks: list[PointTask] = []

@@ -48,8 +48,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     """Return the diagram that the grid describes, or a default one.
 
     None for a single point, or without numeric results. Raises Rejected (NS0832) for unknown
-    columns.
-    """
+    columns."""
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -101,8 +100,7 @@ def _lines(
     """Return the points of each line of a panel.
 
     If x is an axis of the grid, they are sorted, and points with the same x are averaged. If x is a
-    result, they keep the order of the table.
-    """
+    result, they keep the order of the table."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):

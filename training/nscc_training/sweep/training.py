@@ -35,8 +35,7 @@ def _settings(values: Values) -> RunSettings:
     """Return a point's training settings: its configuration, or the defaults, with the point's
     changes.
 
-    Raises Rejected as `load_config` does.
-    """
+    Raises Rejected as `load_config` does."""
     changes = [
         f"{key.path} = {written(key.kind.plain(values[key.path]))}"
         for key in SCHEMA.keys

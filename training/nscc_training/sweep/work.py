@@ -24,8 +24,7 @@ FAILED = "NS0833"
 _ONE = Lock()
 """Makes a worker with several threads compute one point at a time.
 
-The current folder, warnings and torch's thread count are shared by the process.
-"""
+The current folder, warnings and torch's thread count are shared by the process."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +32,7 @@ class PointTask:
     """A point to compute.
 
     Its paths are relative to `folder`, and its output file names begin with `files`. `runs` are the
-    run folders that its values name, by value.
-    """
+    run folders that its values name, by value."""
 
     point: GridPoint
     key: str
@@ -49,8 +47,7 @@ class Done:
     """The result row of a task, its time and worker.
 
     `failed` means that it may be tried again. `other_key` is the key that the worker computed, if
-    it differs from the task's key.
-    """
+    it differs from the task's key."""
 
     task: PointTask
     row: PointRow
@@ -70,8 +67,7 @@ def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
 def work(task: PointTask) -> Done:
     """Compute a task in this process.
 
-    Errors become part of the row, except ModuleNotFoundError for a missing package.
-    """
+    Errors become part of the row, except ModuleNotFoundError for a missing package."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what compilers and scenes say of a point
         current_key = key_of(task.point, task.threads)

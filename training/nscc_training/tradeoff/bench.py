@@ -56,8 +56,7 @@ class JointRequest:
     `target_error` is written as for `--tolerance`. `stages` names the stages to measure. `levels`
     of -O are compared; other stages use the words compiled with `options`. Times are medians of
     `repeats`. `run` is the run folder that the program belongs to, None for other programs;
-    `trust_code` allows it to execute its Python code.
-    """
+    `trust_code` allows it to execute its Python code."""
 
     program: Path
     scene: Scene
@@ -79,8 +78,7 @@ class JointRequest:
 class Bench:
     """Values that all stages share, computed when first needed.
 
-    `warn` is called with messages about the program and the scene.
-    """
+    `warn` is called with messages about the program and the scene."""
 
     request: JointRequest
     rows: Rows
@@ -114,15 +112,13 @@ class Bench:
     def ideal_e(self) -> Values:
         """The light (buckets, rows, cols) in electrons that falls while pixels are open.
 
-        For pixels that look it is the light of the whole frame, which they measure.
-        """
+        For pixels that look it is the light of the whole frame, which they measure."""
         return self._ideal_e(self.container, self.light)
 
     @cached_property
     def signal_e(self) -> float:
         """The mean of `ideal_e`, with each value limited to a full well; NS0826 for a dark
-        scene.
-        """
+        scene."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -157,8 +153,7 @@ class Bench:
     def largest(self) -> tuple[tuple[str, float], ...]:
         """The effects with the largest errors in the program's frame, in percent of the signal.
 
-        The errors are predictions of the plan; empty if the frame has no plan.
-        """
+        The errors are predictions of the plan; empty if the frame has no plan."""
         plan = self.capture.plan
         known = [(d.name, d.predicted_rms_e or 0.0) for d in plan.decisions] if plan else []
         known.sort(key=lambda named_error: -named_error[1])
@@ -170,8 +165,7 @@ class Bench:
         It is the root mean square difference from the true light in the worst bucket. `container`
         has codes for its pixels. `original` is the program that it replaces, whose slots have the
         same total length. Known gains and offsets of words are corrected; pixels marked as
-        saturated are left out.
-        """
+        saturated are left out."""
         digest = sha256(to_bytes(container)).hexdigest()[:16]
         return float(self.once(f"frame {digest}", lambda: self._error(container, original)))
 
@@ -193,8 +187,7 @@ class Bench:
     def _light_in(self, container: Container) -> Light:
         """Return the scene's light in the slots of other words, at the same brightness.
 
-        A shorter frame therefore receives less light.
-        """
+        A shorter frame therefore receives less light."""
         if container.slot_us == self.container.slot_us:
             return self.light
         scene_light = self.request.scene.light(container.slot_us, container.target)
@@ -250,8 +243,7 @@ def rms_percent(
     """Return the root mean square difference where `counted`, in percent of the signal.
 
     Arrays are (buckets, rows, cols); the bucket with the largest difference is used. Infinite if a
-    bucket has no counted pixel.
-    """
+    bucket has no counted pixel."""
     mean_squares = [
         float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
         for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)
@@ -268,8 +260,7 @@ def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
 def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
     """Parse a target error: `1%` of the mean signal, `5e`, `0.1lsb`.
 
-    Raises Rejected (NS0827) for other texts, and for an error larger than the signal.
-    """
+    Raises Rejected (NS0827) for other texts, and for an error larger than the signal."""
     reason = None
     try:
         tolerance = tolerance_of(text, sensor, scene)
@@ -305,6 +296,5 @@ def scaled_text(target: str, factor: float) -> str:
 
 def whole_ticks(slot_us: float, tick_us: float = 0.01) -> float:
     """Return the slot length rounded up to a multiple of `tick_us`, so that programs are
-    readable.
-    """
+    readable."""
     return round(max(1, math.ceil(slot_us / tick_us - 1e-6)) * tick_us, 6)

@@ -81,8 +81,7 @@ def slots(bench: Bench) -> StageResult:
     The scene has the same brightness in all cases, so that a shorter frame receives less light. A
     program with fewer slots opens a pixel in a joined slot if the original is open for at least
     half of it. Its error is measured from the ideal frame of the original with the same frame
-    length.
-    """
+    length."""
     if bench.source is None:
         return StageResult((), (Refused("slots", "", "", "NS0743", _COMPILED),))
     points, misfits, measured_settings = [], [], set[tuple[int, float]]()

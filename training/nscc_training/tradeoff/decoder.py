@@ -51,8 +51,7 @@ class DecoderStudySettings:
     """Settings of the measurement.
 
     `data` is a folder of scenes; None uses procedural scenes. `size` is the side of a scene in
-    pixels. Repeats end after `budget_s` seconds, but everything is measured at least once.
-    """
+    pixels. Repeats end after `budget_s` seconds, but everything is measured at least once."""
 
     data: Path | None
     count: int
@@ -67,8 +66,7 @@ class Way:
     """A decoder with its settings.
 
     `run` returns electrons, over the frame or per slot. `device` names a device other than the CPU.
-    `loads` distinguishes settings that load and compile different things.
-    """
+    `loads` distinguishes settings that load and compile different things."""
 
     method: str
     setting: str
@@ -95,8 +93,7 @@ def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Cas
 
     Without runs, the codes are random bits for clips and the 2 x 2 pattern for stills. Raises
     Rejected: NS0811 for a folder without scenes, NS0820 if a run has seen a scene, NS0821 for a run
-    with two buckets, which other methods do not support.
-    """
+    with two buckets, which other methods do not support."""
     for run in runs:
         if run.setup.buckets > 1:
             raise rejected(
@@ -132,8 +129,7 @@ def measure(
     """Return two points for each decoder of each case, and the number of repeats.
 
     The time of a point is for one scene, averaged over the scenes. Each repeat measures all
-    decoders in turn. Measurements in `rows` are reused.
-    """
+    decoders in turn. Measurements in `rows` are reused."""
     rows = rows or Rows()
     watch = Stopwatch()
     turns = [(case, way) for case in todo for way in case.ways]
@@ -175,8 +171,7 @@ def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
     """Return PSNR in dB and SSIM, averaged over the scenes as the protocol defines.
 
     Scenes without error have infinite PSNR and only enter the mean SSIM, unless all scenes are
-    without error.
-    """
+    without error."""
     pairs = zip(case.captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
@@ -229,8 +224,7 @@ def _network(
 
 def names_of(folders: Sequence[RunFolder]) -> list[str]:
     """Return the folder names of runs whose decoders have the same name and size, "" for other
-    runs.
-    """
+    runs."""
     kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in folders]
     return [
         f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""

@@ -31,8 +31,7 @@ class _Way(NamedTuple):
     """A decoder with a setting.
 
     The result of `run` is compared with `truth`; both are (T, rows, cols). `loads` distinguishes
-    settings that load different things.
-    """
+    settings that load different things."""
 
     method: str
     setting: str
@@ -118,8 +117,7 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
     """Return electrons over the frame (1, rows, cols) from merged neighbours, averaged over
-    buckets.
-    """
+    buckets."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [
@@ -137,8 +135,7 @@ def _stages(count: int) -> str:
 def _by_any(measured: Any, stages: int, slots: Values) -> Values:
     """Return the clip (N, rows, cols), electrons per slot, of the decoder for any code.
 
-    `slots` (N, 1, 1) are the slot lengths relative to their mean.
-    """
+    `slots` (N, 1, 1) are the slot lengths relative to their mean."""
     from nscc_training.any_code.decode import decoded_clip
 
     return np.asarray(decoded_clip(measured, stages)[0].numpy() * slots)
@@ -146,8 +143,7 @@ def _by_any(measured: Any, stages: int, slots: Values) -> Values:
 
 def _by_tv(measured: Any, iterations: int) -> Values:
     """Return the clip (N, rows, cols) reconstructed by GAP-TV, with light scaled so that white is
-    1.
-    """
+    1."""
     from nscc_training.any_code.decode import white
     from nscc_training.baselines.sci import gap_tv
 
@@ -164,8 +160,7 @@ def _of_run(
 ) -> Iterator[_Way]:
     """Yield the run's decoder in both number formats, on a `region` of the array.
 
-    Yields nothing if the program does not belong to a run.
-    """
+    Yields nothing if the program does not belong to a run."""
     if bench.request.run is None:
         return
     import torch

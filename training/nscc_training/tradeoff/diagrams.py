@@ -22,8 +22,7 @@ TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 
 def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figure:
     """Draw PSNR and SSIM against the time of one scene, a panel for each case, a line for each
-    decoder.
-    """
+    decoder."""
     panels = [
         Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(points, key=lambda point: point.case)
@@ -40,8 +39,7 @@ def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figur
 
 def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure:
     """Draw PSNR against the shortest slot, or at slots of `slot_us`, with stills apart from
-    clips.
-    """
+    clips."""
 
     def names(point: Point) -> tuple[str, str]:
         """Return the panel and line of a point."""
@@ -70,8 +68,7 @@ def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure
 def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     """Draw the points of all stages on one error axis and one time axis, one line for each stage.
 
-    The name of a line contains the recommended setting, whose point is marked.
-    """
+    The name of a line contains the recommended setting, whose point is marked."""
     advised = {id(advice.point) for advice in joint.advice}
     names = {
         advice.stage: f"{advice.stage}: {', '.join(filter(None, (point.method, point.setting)))}"

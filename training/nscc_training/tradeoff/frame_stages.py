@@ -38,8 +38,7 @@ def effects(bench: Bench) -> StageResult:
     frame.
 
     Errors are differences from the reference with the same random numbers. Raises Rejected (NS0750)
-    for a chip that receives bit planes, whose simulation has no approximations.
-    """
+    for a chip that receives bit planes, whose simulation has no approximations."""
     container, request = bench.container, bench.request
     if container.target.streamed:
         raise planless("comparing tolerances")
@@ -80,8 +79,7 @@ def effects(bench: Bench) -> StageResult:
 
 def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
     """Return PARTS of the target error as tolerances, limited to the allowed range, and notes on
-    limits.
-    """
+    limits."""
     target = bench.target
     tolerances, notes = dict[str, None](), list[str]()
     for share in PARTS:
@@ -125,8 +123,7 @@ class _Truth:
 
     def percent(self, frame: Frame) -> float:
         """Return the error of a frame in percent, over pixels that end in the same states
-        in both.
-        """
+        in both."""
         exposure_e, valid, opened, _ = self._frame
         counted = valid & frame.valid[:, self._rows]
         if opened is not None:

@@ -17,8 +17,7 @@ from nscc_training.tradeoff.stages import StageResult, misfit
 
 NEAR = 1.05
 """If no setting reaches the target, settings within this factor of the least error are
-candidates.
-"""
+candidates."""
 
 STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
     "compile": ("to compile", "the chip's frame", compiling),
@@ -35,8 +34,7 @@ class Advice:
     """The recommended setting of a stage.
 
     It is the fastest within the target, otherwise the fastest near the least error. `point` is None
-    if nothing could be measured.
-    """
+    if nothing could be measured."""
 
     stage: str
     point: Point | None
@@ -50,8 +48,7 @@ class Joint:
     Errors are root mean squares in percent of the mean signal. `target` is the requested error and
     `target_percent` its value in percent of the signal. `stages` were measured. `shot_percent` is
     the light's own shot noise. `largest` are the effects with the largest errors in the chip's
-    frame.
-    """
+    frame."""
 
     program: str
     scene: str
@@ -87,8 +84,7 @@ def measure(
     """Measure the requested stages.
 
     Raises Rejected for an invalid program, scene or target, before anything is timed. A setting or
-    stage that cannot be measured is recorded with its reason.
-    """
+    stage that cannot be measured is recorded with its reason."""
     bench = Bench(request, rows or Rows(), warn)
     target = bench.target
     points: list[Point] = []

@@ -46,8 +46,7 @@ def measure_readouts(
 
     `counts` are numbers of readouts, and of ordinary frames in a burst. The time of a point is that
     of its readouts. Coded readouts are decoded by the decoder for any code; every frame of a burst
-    is shown for as long as it was open.
-    """
+    is shown for as long as it was open."""
     target = load_target(settings.target, Path())
     bench = SensorBench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
     points: list[Point] = []

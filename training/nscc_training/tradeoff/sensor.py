@@ -60,8 +60,7 @@ class SensorStudySettings:
     of each configuration. `sensor` is a sensor file, None for the default sensor; `changes` are
     NAME=VALUE. Codes start as `init` on a `tile`; None uses random codes for clips and 2 x 2 stops
     for stills. Class c is open for `length` slots, None for a quarter of the frame; a codebook has
-    `rows`.
-    """
+    `rows`."""
 
     classes: tuple[str, ...]
     slots: tuple[int, ...]
@@ -90,8 +89,7 @@ class Configuration:
     """A shutter class with a number of slots, compiled in one way.
 
     `exposures` is the number of exposures of a pixel that looks, else None. Programs of pixels that
-    look have one code and one lowering.
-    """
+    look have one code and one lowering."""
 
     kind: Kind
     shutters: str
@@ -152,8 +150,7 @@ def measure(
     """Compile each configuration, capture the scenes with its words, and decode them.
 
     The time of a point is the shortest slot. Measurements in `rows` are reused. Raises Rejected for
-    unsuitable data and for an unknown target.
-    """
+    unsuitable data and for an unknown target."""
     target = load_target(settings.target, Path())
     todo = configurations(settings)
     benches = {
@@ -209,8 +206,7 @@ def compiled_for(
 ) -> Compiled | Diagnostic:
     """Return the configuration compiled for its capture slots, or the message if it does not fit.
 
-    Words depend on the slot length only through refresh, which shorter slots need less often.
-    """
+    Words depend on the slot length only through refresh, which shorter slots need less often."""
     settings = bench.settings
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:
@@ -273,8 +269,7 @@ class SensorBench:
 
     def schedule(self, configuration: Configuration) -> LookSchedule:
         """Return the looks of a configuration: those of a method of hdr-v1, or designed for the
-        scenes.
-        """
+        scenes."""
         assert configuration.exposures is not None
         if configuration.shutters == "looks":
             return row_of(configuration.method, self.target)

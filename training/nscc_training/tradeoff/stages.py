@@ -14,8 +14,7 @@ PERCENT = "percent"
 
 def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError) -> Refused:
     """Return the refusal of a setting, or of a whole stage (setting ""), with the message's
-    reason.
-    """
+    reason."""
     if isinstance(why, ModuleNotFoundError):
         name = why.name or "a package"
         return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")
