@@ -6,8 +6,7 @@
     p.shutters()    # bool (buckets, codes, slots)
 
 `docs/python.md` documents the Python interface. This package is the compiler: it needs lark,
-networkx and numpy, and imports none of the packages above it.
-"""
+networkx and numpy, and imports none of the packages above it."""
 
 from __future__ import annotations
 
@@ -28,7 +27,7 @@ _NAMES = {
     "shutter_program": ("ShutterProgram", "compile", "load"),
     "chips.target": ("Target",),
 }
-"""What is public, by its module."""
+"""The public names, by module."""
 
 __all__ = [
     "Diagnostic",

@@ -1,4 +1,4 @@
-"""Containers from an `.icw` file or from a program that is compiled on the fly."""
+"""Loading of containers from `.icw` files or by compiling programs."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ def is_compiled(path: Path) -> bool:
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Read an `.icw` file, or compile a program; returns the container and the messages. `options`
-    are for the compiler. Raises Rejected if a program does not compile or a file cannot be read."""
+    """Read an `.icw` file, or compile a program with `options`; return container and messages.
+
+    Raises Rejected if a program does not compile or a file cannot be read."""
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
@@ -48,7 +49,9 @@ def with_pixels(
     name: str | Path,
     pixels: Path | Mapping[str, NDArray[Any]] | None = None,
 ) -> Container:
-    """The container with the pixel codes of `pixels` (a file, or arrays by field), or with its own.
+    """Return the container with the pixel codes of `pixels` (a file, or arrays by field), or its
+    own.
+
     Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
     and the errors of `codes_from_file` and `codes_from_arrays`."""
     target, fields = container.target, container.table.fields
@@ -80,11 +83,11 @@ def with_pixels(
 
 
 def _laid(container: Container) -> Container:
-    """Add the bit planes of the codes, for a chip without logic."""
+    """Add the bit planes of the pixel codes, for a chip without logic."""
     return with_planes(container) if container.target.streamed else container
 
 
 def _ranges(container: Container, program: Path) -> Ranges:
-    """The ranges of the fields in the source text that a container carries."""
+    """Return the ranges of the fields in the source text that a container includes."""
     source = Source(program.name, "\n".join(container.source_lines))
     return ranges_of(source, container.target, program.parent)

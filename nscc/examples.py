@@ -41,10 +41,10 @@ pixels stop  = tile [[64, 32],
 
 
 def examples() -> Mapping[str, Path]:
-    """The paths of example programs, configurations and tutorials by name, without `.nsl`.
+    """Return the paths of example programs, configurations and tutorials by name, without `.nsl`.
 
-    A tutorial has the name of its notebook, and the path of the page that `contents` makes it from.
-    """
+    The name of a tutorial is that of its notebook; its path is the page from which `contents` makes
+    the notebook."""
     files = sorted(path for path in _folder("example_files", "examples").iterdir()
                    if path.suffix in _ENDINGS)  # fmt: skip
     known = {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
@@ -58,14 +58,14 @@ def _folder(installed: str, of_sources: str) -> Path:
 
 
 def contents(path: Path) -> tuple[str, bytes]:
-    """The name and the bytes of the file that a user gets of an example."""
+    """Return the name and the bytes of the file that a user receives for an example."""
     if path.suffix != ".md":
         return path.name, path.read_bytes()
     return f"{path.stem}.ipynb", notebook(path.read_text(encoding="utf-8"))
 
 
 def example(name: str) -> Path:
-    """The path of an example; raises Rejected (NS0787) for an unknown name."""
+    """Return the path of an example; raise Rejected (NS0787) for an unknown name."""
     known = examples()
     path = known.get(name.removesuffix(".nsl"))
     if path is None:
@@ -81,8 +81,9 @@ def example(name: str) -> Path:
 
 
 def about(path: Path) -> str:
-    """The description of an example: a tutorial's title, or the first sentence of the comment at
-    the head of a file."""
+    """Return the description of an example.
+
+    It is a tutorial's title, or the first sentence of the comment at the start of a file."""
     lines = path.read_text(encoding="utf-8").splitlines()
     if path.suffix == ".md":
         title = next((line for line in lines if line.startswith("# ")), "")

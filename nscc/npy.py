@@ -1,4 +1,4 @@
-"""Safe reading of untrusted .npy and .npz files: sizes are checked before data is read."""
+"""Safe reading of untrusted .npy and .npz files; sizes are checked before data is read."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _BLOCK_BYTES = 1 << 24
 
 
 class InvalidArrays(ValueError):
-    """The reason why a file of arrays cannot be read."""
+    """Raised if a file of arrays cannot be read; the text is the reason."""
 
 
 class UnsuitableArray(InvalidArrays):
@@ -27,8 +27,9 @@ class UnsuitableArray(InvalidArrays):
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
-    """Version, shape, Fortran order and dtype of an .npy stream. Raises numpy's errors for a
-    damaged header."""
+    """Return version, shape, Fortran order and dtype of an .npy stream.
+
+    Raises numpy's errors for a damaged header."""
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
@@ -38,7 +39,8 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 
 
 def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """`numpy.lib.format.read_array_header_2_0` with a limit on the header's length."""
+    """Read a version 2 header like `numpy.lib.format.read_array_header_2_0`, with a limit on its
+    length."""
     from io import BytesIO
 
     from numpy.lib import format as npy
@@ -53,7 +55,7 @@ def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
-    """The values after the header; None if the stream is too short or too long."""
+    """Return the values after the header; None if the stream is too short or too long."""
     data = memoryview(bytearray(prod(shape) * dtype.itemsize))
     filled = 0
     while block := stream.read(min(len(data) - filled, _BLOCK_BYTES) or 1):
@@ -72,13 +74,12 @@ def npz_arrays(
     is_wanted: Callable[[str], bool] = lambda name: True,
     most_bytes: int = MOST_BYTES,
 ) -> tuple[dict[str, NDArray[Any]], list[str]]:
-    """Read the arrays of an .npz file whose names satisfy `is_wanted`; list all names.
+    """Return the arrays of an .npz file whose names satisfy `is_wanted`, and the names of all
+    arrays.
 
-    Together the arrays may take `most_bytes`, which is checked before anything is unpacked.
-
-    Raises InvalidArrays for an invalid or damaged file, one that is too large, and Python objects;
-    OSError if it cannot be read.
-    """
+    The arrays may take `most_bytes` together, which is checked before anything is unpacked. Raises
+    InvalidArrays for an invalid, damaged or too large file, and for Python objects; OSError if the
+    file cannot be read."""
     from zipfile import BadZipFile, ZipFile
 
     try:

@@ -1,4 +1,4 @@
-"""Programs in Python: compiled from text or a file, or loaded from words.
+"""The Python interface to programs: compile text or files, or load compiled words.
 
     import nscc
 
@@ -8,8 +8,7 @@
     p.save("hdr_2x2.icw")
     p = nscc.load("hdr_2x2.icw")
 
-Options are those of `nscc build`, with its defaults.
-"""
+Options and their defaults are those of `nscc build`."""
 
 from __future__ import annotations
 
@@ -42,7 +41,7 @@ from nscc.words.file import read_container
 
 _DEFAULTS = Options()
 _TEXT = "<text>"
-"""The name in messages of a program without a file."""
+"""The name that messages use for a program without a file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,7 +55,7 @@ class ShutterProgram:
     container : Container
         The words with their launches, planes and decode table, as the runtime executes them.
     compiled : Compiled, optional
-        Everything that the compiler found out; None for a loaded program.
+        All results of the compiler; None for a loaded program.
     options : Options, optional
         The options of the compilation; None for a loaded program.
     """
@@ -68,7 +67,8 @@ class ShutterProgram:
 
     @property
     def target(self) -> Target:
-        """The chip that it is for; `dataclasses.replace(target, rows=64, cols=64)` is another."""
+        """The chip of the program; `dataclasses.replace(target, rows=64, cols=64)` gives another
+        chip."""
         return self.container.target
 
     @property
@@ -83,7 +83,7 @@ class ShutterProgram:
 
     @property
     def buckets(self) -> tuple[str, ...]:
-        """The names of the frames that one exposure gives; mostly there is one."""
+        """The names of the buckets; most programs have one."""
         return self.container.buckets
 
     @property
@@ -100,19 +100,19 @@ class ShutterProgram:
     def codes(self) -> dict[str, NDArray[np.int64]]:
         """The value of each field of the code, int64 (codes,), by the field's name.
 
-        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code.
-        """
+        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code."""
         table = self.container.table
         return {name: table.codes[:, i].copy() for i, name in enumerate(table.fields)}
 
     @property
     def code_at_pixels(self) -> NDArray[np.int32]:
-        """Index of each pixel's code, int32 (rows, cols): `codes[field][code_at_pixels]` is a map.
+        """The index of each pixel's code, int32 (rows, cols): `codes[field][code_at_pixels]` is a
+        map.
 
         Raises
         ------
         Rejected
-            NS0741 if the program has no pixel data. `with_pixels` adds it.
+            NS0741 if the program has no pixel data; `with_pixels` adds it.
         """
         codes = self._with_data.container.pixel_codes
         assert codes is not None  # what has none is rejected
@@ -154,7 +154,7 @@ class ShutterProgram:
 
     @property
     def words_per_frame(self) -> int:
-        """How many words a frame executes."""
+        """The number of words that a frame executes."""
         return self.container.words_per_frame
 
     @cached_property
@@ -291,7 +291,7 @@ class ShutterProgram:
 
     @cached_property
     def _with_data(self) -> ShutterProgram:
-        """The same program, its pixels' codes known; NS0741 where they are not."""
+        """The program with pixel codes; NS0741 if it has none."""
         return replace(self, container=with_pixels(self.container, self.name))
 
     def _as_compiled(self, product: str) -> tuple[Compiled, Options]:
@@ -304,7 +304,7 @@ class ShutterProgram:
         return self.compiled, self.options
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
-        """What a kind of file holds, with the files that go beside it."""
+        """Return the content of a file of some kind, and of the files beside it."""
         if kind == "icw":
             from nscc.words.file import to_bytes
 
@@ -384,7 +384,7 @@ def compile(
 
 
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
-    """Compile a text whose messages have its own name; raises and warns as `compile`."""
+    """Compile a text whose name is used in messages; raises and warns as `compile` does."""
     compiled = compile_source(text, folder, options)
     assert compiled.container is not None  # what does not fit is rejected
     warn(compiled.diagnostics, stacklevel=4)
@@ -418,7 +418,7 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
 
 
 def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
-    """A program's text, and the folder for its relative paths."""
+    """Return a program's text, and the folder for its relative paths."""
     if not isinstance(source, str | os.PathLike):
         raise wrong_argument(
             f"nscc.compile takes a program's path or its text, not {shown(source)}",

@@ -32,7 +32,7 @@ from nscc_cli.support import CommonCommand, say, say_done
               help="Print the result of a compiler pass.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
-    """Compile FILE, prove the words, and write them, or what --emit names."""
+    """Compile FILE, prove the words, and write the container or the products that --emit names."""
     places_by_kind = _kinds(kinds)
     compiled = compile_program(
         file,
@@ -67,7 +67,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
 
 
 def _kinds(text: str) -> dict[str, bool]:
-    """KIND -> whether it goes to standard output."""
+    """Return the kinds in the value of `--emit`; True means that the product is printed."""
     places_by_kind: dict[str, bool] = {}
     for item in filter(None, (item_text.strip() for item_text in text.split(","))):
         kind, _, place = item.partition("=")
@@ -82,7 +82,7 @@ def _kinds(text: str) -> dict[str, bool]:
 
 
 def _printer(after: str | None) -> Callable[[str, Any], None] | None:
-    """An observer that prints what pass `after` made."""
+    """Return an observer of passes that prints the result of the pass named `after`."""
     if after is None:
         return None
     from nscc.pipeline import PASSES

@@ -1,4 +1,4 @@
-"""`nscc demo`: what a coded exposure makes of a photo or a clip, as pictures in a folder."""
+"""`nscc demo`: expose a photo or a clip, reconstruct it, and write pictures into a folder."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ def command(
 ) -> None:  # fmt: skip
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
-    It leaves a sheet of truth, an ordinary exposure, the readout, the reconstruction and its
-    error, and the reconstruction as files that other programs open. Beside them a photo is exposed
-    by pixels that look at the light, which needs no decoder, and a clip in a burst of as many
-    ordinary frames as it has readouts. Without a PHOTO, a scene that is built in.
-    """
+    Writes a sheet with the ground truth, an ordinary exposure, the readout, the reconstruction and
+    its error, and the reconstruction as a separate file. For a photo, the sheet also shows pixels
+    that look at their light, which need no decoder. For a clip with several readouts, it also
+    shows a burst of the same number of ordinary frames. Without PHOTO, a built-in scene is
+    exposed."""
     from nscc_runtime.scenes import Scene
     from nscc_runtime.simulate import Listener
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text

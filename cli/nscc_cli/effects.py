@@ -1,4 +1,4 @@
-"""`nscc effects`: what the sensor model knows, and a sensor file to start from."""
+"""`nscc effects`: describe the sensor model, and print a sensor file to start from."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def command(
     name: str | None, as_json: bool, toml: bool, cost: bool, plan: Path | None, target: str,
     **options: Any,
 ) -> None:  # fmt: skip
-    """List the effects of the sensor, or show all about one (EFFECT)."""
+    """List the effects of the sensor model, or describe one (EFFECT)."""
     from nscc_runtime.effects import effects_json
     from nscc_runtime.sensor import sensor_toml
 
@@ -64,7 +64,7 @@ def command(
 
 
 def listing() -> str:
-    """One line an effect."""
+    """Return a table with one line for each effect."""
     from nscc_runtime.effects import registered
 
     return columns([(effect.name, effect.kind, effect.title) for effect in registered()]) + (
@@ -74,7 +74,7 @@ def listing() -> str:
 
 
 def costs() -> str:
-    """What simulating takes here, measured now, beside the prices that plans are chosen by."""
+    """Measure the simulation costs on this machine and return them beside those that plans use."""
     from nscc_runtime.effects import registered
     from nscc_runtime.planning.measure_prices import measure_prices
 
@@ -95,7 +95,7 @@ def costs() -> str:
 
 
 def details(name: str, sensor: Sensor) -> str:
-    """Everything about one effect, with its parameters; NS0756 for one that there is not."""
+    """Describe one effect and its parameters; raise NS0756 if the effect is unknown."""
     from nscc_runtime.effects import named
 
     effect = named(name)

@@ -1,4 +1,4 @@
-"""`nscc tradeoff decoder`: PSNR and SSIM against milliseconds, on the same captures."""
+"""`nscc tradeoff decoder`: measure PSNR and SSIM against decoding time on the same captures."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 @shared.trust_code_option
 @shared.tradeoff_options
 def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
-    """Measure what decoding time buys: PSNR and SSIM against milliseconds a scene.
+    """Measure PSNR and SSIM against decoding time per scene, in milliseconds.
 
-    Decoders that need no training, by their iterations: GAP-TV, ADMM-TV, a dictionary; for stills
-    neighbours merged and sparse coding. Networks come from run folders, in f32 and bf16, FC-net
-    with 4, 2 and 1 blocks a pixel. All decode the captures of one code: that of the runs, those
-    with other codes apart; without runs random bits, and 2 x 2 stops for stills.
-    """
+    Decoders without training are measured at several numbers of iterations: GAP-TV, ADMM-TV and a
+    dictionary; for stills merging neighbours and sparse coding. Networks come from run folders, in
+    f32 and bf16, FC-net with 4, 2 and 1 blocks a pixel. All decode captures with the same code:
+    that of the runs (runs with another code are compared separately), else random bits, and 2 x 2
+    stops for stills."""
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run

@@ -1,4 +1,4 @@
-"""Errors for wrong arguments of Python calls."""
+"""Errors for invalid arguments of Python calls."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an invalid argument (NS0789, status 2). It is also a ValueError and a
+    """Raised for an invalid argument of a call (NS0789, status 2); also a ValueError and a
     TypeError."""
 
 
 def wrong_argument(
     message: str, *, notes: Sequence[str] = (), helps: Sequence[str] = ()
 ) -> WrongArgument:
-    """The exception for a wrong argument; `message` is one sentence."""
+    """Return the exception for an invalid argument; `message` is one sentence."""
     return WrongArgument(
         Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
@@ -50,7 +50,8 @@ def require_whole_number(
 
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
-    """Issue warnings among diagnostics as Python warnings, by default at the caller's caller."""
+    """Issue the warnings among the diagnostics as Python warnings, located at the caller's
+    caller."""
     for diagnostic in diagnostics:
         if diagnostic.severity is Severity.WARNING:
             warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=stacklevel)
@@ -58,6 +59,7 @@ def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
 
 def shown(value: object) -> str:
     """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
+
     Arrays are recognised by their attributes, so that no array library is imported."""
     if isinstance(value, np.generic):
         value = value.item()

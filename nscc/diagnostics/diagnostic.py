@@ -15,7 +15,7 @@ class Rejected(Exception):
     Parameters
     ----------
     diagnostics : Diagnostic or sequence of Diagnostic
-        All diagnostics found. At least one is an error.
+        All diagnostics; at least one is an error.
     status : int
         Exit status of the command line: 1 for an invalid program, 2 for wrong usage or
         configuration, 3 for a failure of device or emulator.

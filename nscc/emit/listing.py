@@ -24,7 +24,8 @@ from nscc.words.disassembly import disassemble
 
 
 def plan_text(plan: ExposurePlan) -> str:
-    """An exposure plan: the steps of every boundary and their numbers of shutters."""
+    """Return an exposure plan as text: the steps at every boundary and their numbers of
+    shutters."""
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:
@@ -70,7 +71,7 @@ def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
 
 
 def gates_text(decoding: Decoding, target: Target) -> str:
-    """The gates of every demand on virtual registers, and the registers' places."""
+    """Return the gates of every demand on virtual registers, and the chip registers of each."""
     solution, places = decoding.solution, allocate(decoding.solution, target).places
     lines = [f"encoding: {solution.encoding}"]
     for i, holder in enumerate(solution.holders):
@@ -103,7 +104,7 @@ def _segments(lines: list[str], title: str, segments: tuple[tuple[Item, ...], ..
 
 
 def schedule_text(lowered: Lowered) -> str:
-    """Kernels with their words, and the boundaries that launch them."""
+    """Return kernels with their words, and the boundaries that launch them, as text."""
     schedule = lowered.schedule
     lines = [
         f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "
@@ -119,7 +120,7 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """All lowerings with their prices, best first, and the kernels of the best one."""
+    """Return all lowerings with their costs, best first, and the kernels of the best one."""
     lines = []
     for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
@@ -137,25 +138,25 @@ def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
 
 
 def schedule_of(value: Choice | Sending) -> str:
-    """Lowerings with kernels, or the times at which planes are sent."""
+    """Return lowerings with kernels, or the times at which planes are sent, as text."""
     return sending_text(value) if isinstance(value, Sending) else choice_text(value)
 
 
 def container_text(container: Container) -> str:
-    """Words as assembly text, or the planes and readouts of a chip without logic."""
+    """Return words as assembly text, or for a chip without logic the bit planes and readouts."""
     if container.target.streamed:
         return "".join(f"{line}\n" for line in sent_lines(container))
     return disassemble(container)
 
 
 def proof_text(proof: Proof) -> str:
-    """The result of a proof, and its extent."""
+    """Return the result of a proof, and its numbers of codes and slots."""
     verdict = "holds" if proof.holds else f"fails: {proof.failure}"
     return f"proof {verdict}: {proof.codes} codes, {proof.slots} slots\n"
 
 
 def text_after(name: str, value: Any) -> str:
-    """The output of pass `name` of `nscc.pipeline.PASSES` as text."""
+    """Return the output of pass `name` of `nscc.pipeline.PASSES` as text."""
     texts: dict[str, Callable[[Any], str]] = {
         "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,

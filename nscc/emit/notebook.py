@@ -12,7 +12,7 @@ from nscc.lower.resources import time_text
 
 _MOST_ROWS = 24
 _COLUMNS = 360
-"""With more slots, each column of a bar shows the share of open time."""
+"""Most columns of a bar; with more slots, each column shows the share of open time."""
 _SHADES = 4
 _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 """Pixels for labels, chart width, row height and the time axis."""
@@ -21,8 +21,9 @@ _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """Chart of shutters bool (shutters, buckets, N) over time, one row each. At most a screenful is
-    shown: evenly spaced rows, including the first and the last."""
+    """Return a chart of shutters bool (shutters, buckets, N) over time, with one row each.
+
+    If there are many shutters, evenly spaced ones are shown, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))
@@ -55,7 +56,7 @@ def shutter_chart(
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """SVG paths for runs of equally open columns, one path for each shade."""
+    """Return SVG paths for runs of columns with equal open share, one path for each shade."""
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))

@@ -1,4 +1,4 @@
-"""What `nscc build --emit` writes of a compiled program: each kind made when it is asked for."""
+"""The products of `nscc build --emit`."""
 
 from __future__ import annotations
 
@@ -27,16 +27,15 @@ SUFFIXES = {
     "graphml": ".graphml",
     "planes": ".planes.npz",
 }
-"""The kinds, and how the names of their files end."""
+"""The file name ending of each kind of product."""
 
 
 def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
-    """The product of a kind of SUFFIXES by its file's name, STEM and suffix.
+    """Return the product of a kind in SUFFIXES, by its file name (STEM and suffix).
 
-    After it come the files that go beside it: the images of a C++ program. Raises Rejected for what
-    the program's chip does not have (NS0510 for words and gates, NS0512 for planes), ValueError for
-    a program of which only a search can tell whether it fits.
-    """
+    Further files follow it: the images of a C++ program. Raises Rejected if the program's chip does
+    not have such products (NS0510 for words and gates, NS0512 for planes). Raises ValueError if it
+    is unknown whether the program fits."""
     if compiled.sending is not None:
         return {stem + SUFFIXES[kind]: _of_planes(kind, compiled, compiled.sending)}
     if kind == "planes":
@@ -51,7 +50,7 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
 
 
 def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
-    """A product of a program for a chip without logic."""
+    """Return a product of a program for a chip without logic."""
     from nscc.emit.listing import text_after
     from nscc.emit.report import report_bytes
     from nscc.emit.sending_report import planes_bytes, sending_text, stream_report

@@ -1,8 +1,7 @@
-"""Reading integer arrays from untrusted .npz files.
+"""Reading of integer arrays from untrusted .npz files.
 
 Declared sizes are checked before unpacking, pickled objects are refused, and every failure is a
-`Rejected` (status 2) without a place in a program.
-"""
+`Rejected` (status 2) without a place in a program."""
 
 from __future__ import annotations
 
@@ -21,13 +20,14 @@ from nscc.npy import InvalidArrays, UnsuitableArray, npz_arrays
 from nscc.program.problems import clipped
 
 MOST_FILE_BYTES = 2**27
-"""Largest file to read: twice the largest codebook, unpacked."""
+"""Largest file to read, in bytes: twice the largest unpacked codebook."""
 
 _MOST_KEYS = 4096
 
 
 class ArraysFile:
     """An open .npz file: its `keys` in stored order, and the `sha256` of the file in hexadecimal.
+
     `shown` is the path as the user wrote it."""
 
     def __init__(self, path: Path, shown: str) -> None:
@@ -45,7 +45,7 @@ class ArraysFile:
 
     @property
     def sha256(self) -> str:
-        """Digest of the file's bytes."""
+        """The SHA-256 digest of the file in hexadecimal."""
         from hashlib import sha256
 
         return sha256(self._data).hexdigest()
@@ -69,7 +69,9 @@ class ArraysFile:
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
-        """The array `key` with an integer dtype (or bool, with `bools`) and at most `most` values.
+        """Return the array `key` with an integer dtype (or bool, with `bools`) and at most `most`
+        values.
+
         Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array."""
         if key not in self.keys:
             raise self._missing(key)

@@ -18,7 +18,7 @@ _MOST_CYCLES = 20
 
 
 def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
-    """The value of a compile-time integer, or None after reporting an error."""
+    """Return the value of a compile-time integer, or None after reporting an error."""
     checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None
@@ -32,8 +32,9 @@ def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | N
 def resolve_constants(
     declared: Declarations, target: Target | None, problems: Problems
 ) -> dict[str, Meaning]:
-    """The meaning of N, rows, cols and every let; those with errors are `failed`. Reports cycles
-    (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
+    """Return the meaning of N, rows, cols and every let; those with errors are `failed`.
+
+    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 
@@ -52,8 +53,7 @@ class _Resolver:
             self.exprs["N"] = (declared.frame.count, declared.frame.count.span)
 
     def run(self) -> dict[str, Meaning]:
-        """Resolve everything that does not depend on itself; then report cycles one by one, up to a
-        limit."""
+        """Resolve all constants without cyclic dependencies, then report cycles up to a limit."""
         self.scope = constants_scope(self.declared, self.known)
         if isinstance(self.declared.frame, ListedSlots):
             self._slots(len(self.declared.frame.lengths), self.declared.frame.span)
@@ -124,7 +124,7 @@ class _Resolver:
             self.scope[name] = meaning
 
     def _cycle(self, start: str) -> list[str]:
-        """A dependency cycle among the unresolved names, starting the search at `start`."""
+        """Return a dependency cycle among the unresolved names, searching from `start`."""
         path: dict[str, None] = {}
         name = start
         while name not in path:

@@ -1,4 +1,4 @@
-"""Expressions of images and planes: from the tree to nodes, every name and type checked."""
+"""Expressions of images and planes: conversion to nodes, with names and types checked."""
 
 from __future__ import annotations
 
@@ -22,11 +22,12 @@ _FUNCTIONS = ("abs", "any", "all", "agree", "max", "min")
 
 
 class _Wrong(Exception):
-    """An expression has an error, which is reported."""
+    """Raised after an error in an expression was reported."""
 
 
 class Reader:
-    """Reads the expressions of a text in its order; `kinds` are the images and planes so far."""
+    """Reads expressions in the order of the text; `kinds` are the images and planes declared so
+    far."""
 
     def __init__(
         self,
@@ -46,21 +47,21 @@ class Reader:
         self._outside_asked = False
 
     def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
-        """A picture is known from here on."""
+        """Declare an image or plane for the following expressions; if not `sound`, as invalid."""
         if not sound:
             self.failed.add(name)
         else:
             self.kinds[name] = "plane" if is_plane else "image"
 
     def image(self, expr: tree.Expr) -> p.Value | None:
-        """The image that an expression is; None after reporting why it is none."""
+        """Return the image of an expression; None after reporting an error."""
         try:
             return self._image(expr)
         except _Wrong:
             return None
 
     def condition(self, expr: tree.Expr) -> p.Condition | None:
-        """The plane that an expression is; None after reporting why it is none."""
+        """Return the plane of an expression; None after reporting an error."""
         try:
             return self._condition(expr)
         except _Wrong:
@@ -252,7 +253,8 @@ class Reader:
     def _one_comparison(
         self, above: bool, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """`first > second` where `above`, else `first < second`; at least one side is an image."""
+        """Return `first > second` if `above`, else `first < second`; at least one side is
+        an image."""
         levels = [self._steps(side) for side in (first, second)]
         if levels[0] is not None and levels[1] is not None:
             raise self._report(
@@ -268,7 +270,7 @@ class Reader:
         return test if above else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int | None:
-        """A level in steps of IN; None for what is no level."""
+        """Return a level in steps of IN; None for an expression that is not a level."""
         sign, inner = 1, expr
         while isinstance(inner, tree.Unary) and inner.op == "-":
             sign, inner = -sign, inner.operand
@@ -299,7 +301,7 @@ class Reader:
     # --- both
 
     def _is_number(self, expr: tree.Expr) -> bool:
-        """Whether an expression has neither images nor levels in it."""
+        """Return whether an expression contains neither images nor levels."""
         match expr:
             case tree.Int():
                 return True
@@ -348,12 +350,12 @@ class Reader:
 
 
 def is_power_of_two(number: int) -> bool:
-    """Return whether a pixel can divide by `number`."""
+    """Return whether `number` is a power of two, by which a pixel can divide."""
     return number > 0 and number & (number - 1) == 0
 
 
 def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
-    """Report NS0532, with the nearest power of two and what dividing by it changes."""
+    """Report NS0532, with the nearest power of two and how much the result changes."""
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:
@@ -371,13 +373,13 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
 
 
 def nearest_power(number: int) -> int:
-    """The power of two whose ratio to a number above 0 is nearest to 1."""
+    """Return the power of two whose ratio to a number above 0 is nearest to 1."""
     low = 1 << (number.bit_length() - 1)
     return low if number / low <= 2 * low / number else 2 * low
 
 
 def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """A sum without sums in it, and without terms that add nothing."""
+    """Return a sum with nested sums expanded, and without terms with factor 0."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
         terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)

@@ -1,4 +1,4 @@
-"""The statements of version 3, checked: kernels, images, planes, and what is read or reported."""
+"""Checked statements of version 3: convolution kernels, images, planes, readouts and reports."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nscc.syntax import tree
 from nscc.words.pictures import Picture, Pictures, PlaneReport, Weights
 
 MOST_SIDE = 9
-"""Most rows and columns of a kernel."""
+"""Most rows and columns of a convolution kernel."""
 MOST_WEIGHT = 1 << 16
 MOST_EVENTS = 4000
 """Most coordinates that the chip's library scans in one call."""
@@ -35,11 +35,10 @@ def make_pictures(
     base: Path,
     problems: Problems,
 ) -> Pictures | None:
-    """The statements of version 3; None where there are none, or after reporting what is wrong.
+    """Return the statements of version 3; None if there are none, or after reporting errors.
 
-    Reports kernels (NS0530), expressions (NS0531 to NS0535), what is read and reported (NS0536),
-    assumptions (NS0537) and what this version of the compiler does not do yet (NS0539).
-    """
+    Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
+    (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
     used = declared.pictures or declared.reports or declared.kernels or declared.assumes
     if not used or target is None:
         return None
@@ -99,7 +98,8 @@ class _Maker:
         return first.span if first else declared.assumes[0].span
 
     def _possible(self) -> bool:
-        """Whether the chip has what images take, and the program nothing else beside them."""
+        """Return whether the chip and the other statements of the program allow images; report if
+        not."""
         target = self.target
         lacks = None
         if target.streamed:
@@ -240,7 +240,8 @@ class _Maker:
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 
     def _limits(self) -> dict[str, float]:
-        """The exposures that are assumed, by bucket; a full well unless the text says less."""
+        """Return the largest assumed exposure of each bucket, in electrons; by default a
+        full well."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -265,7 +266,8 @@ class _Maker:
 
 
 def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
-    """What is wrong with a kernel's weights, as half a sentence."""
+    """Return the error in the weights of a convolution kernel, as half a sentence; None if
+    valid."""
     widths = {len(row) for row in rows}
     if len(widths) != 1:
         return "its rows have different lengths"

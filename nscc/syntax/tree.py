@@ -1,7 +1,6 @@
-"""The tree of a shutter program: what was written, where, and nothing else.
+"""The syntax tree of a program: nodes with the places of their text.
 
-Every node carries the span of its text. Nodes are frozen values; equality ignores nothing.
-"""
+Nodes are frozen values; equality compares all fields."""
 
 from __future__ import annotations
 
@@ -13,10 +12,9 @@ from nscc.source import Span
 
 @dataclass_transform(frozen_default=True)
 class Record:
-    """A subclass lists its fields as a frozen dataclass does, and behaves like one.
+    """A base class that behaves like a frozen dataclass with the listed `fields`.
 
-    Making thirty real ones would take a tenth of the time that `nscc check` may take.
-    """
+    Thirty real dataclasses would take a tenth of the time of `nscc check`."""
 
     fields: ClassVar[tuple[str, ...]] = ()
 
@@ -44,7 +42,7 @@ class Record:
 
 
 class Node(Record):
-    """Anything with a place in the source."""
+    """A node with a place in the source."""
 
     span: Span
 
@@ -53,11 +51,11 @@ class Node(Record):
 
 
 MOST_INTEGER = 2**62 - 1
-"""Largest magnitude of a literal, and of any value: the sum of two of them still fits 64 bits."""
+"""Largest magnitude of a literal and of any value, so that the sum of two values fits 64 bits."""
 
 
 class Int(Node):
-    """A whole number, 0 to MOST_INTEGER."""
+    """A whole number from 0 to MOST_INTEGER."""
 
     value: int
 
@@ -102,21 +100,22 @@ class IfElse(Node):
 
 
 class Index(Node):
-    """`base[index]`: bit of a bit field, or digit n of a codebook's row."""
+    """`base[index]`: a bit of a bit field, or digit n of a codebook's row."""
 
     base: Name
     index: Expr
 
 
 class Call(Node):
-    """`min(...)` or `max(...)`; in version 3 also a kernel or a function of images and planes."""
+    """`min(...)` or `max(...)`; in version 3 also a convolution kernel or a function of images and
+    planes."""
 
     function: Name
     arguments: tuple[Expr, ...]
 
 
 class Place(Node):
-    """`plane[right, down]`: the bit of a pixel so many columns and rows away."""
+    """`plane[right, down]`: the bit of the pixel at an offset of columns and rows."""
 
     base: Name
     right: Expr
@@ -137,7 +136,7 @@ Expr = Int | Bool | Name | Unary | Binary | Compare | IfElse | Index | Call | Pl
 
 
 class Time(Node):
-    """A length of time, exact, in microseconds."""
+    """A length of time in microseconds, exact."""
 
     us: Fraction
 
@@ -149,7 +148,7 @@ class Text(Node):
 
 
 class BookRow(Node):
-    """The digits of a codebook's row with the underscores taken out, first digit slot 0."""
+    """The digits of a codebook's row without underscores; the first digit is slot 0."""
 
     digits: str
 
@@ -159,7 +158,8 @@ class TileRow(Node):
 
 
 class Light(Node):
-    """`light`: the charge since the frame's start or the pixel's last reset, open or not."""
+    """`light`: the charge since the frame's start or the pixel's last reset, with shutter open or
+    closed."""
 
 
 class Exposure(Node):
@@ -169,7 +169,7 @@ class Exposure(Node):
 
 
 class Levels(Node):
-    """`[LEVEL, ...]`: one for each look of a sense, in order."""
+    """`[LEVEL, ...]`: a level for each look of a sense, in order."""
 
     items: tuple[Amount | Expr, ...]
 
@@ -395,6 +395,6 @@ Statement = (
 
 
 class File(Node):
-    """A whole program, its statements in the order written."""
+    """A program: its statements in the order of the text."""
 
     statements: tuple[Statement, ...]

@@ -18,7 +18,7 @@ _MOST_LINES = 200
 
 
 def differences(first: Container, second: Container) -> list[str]:
-    """The changes from `first` to `second`; empty if the files are equal."""
+    """Return the changes from `first` to `second`; empty if the files are equal."""
     if to_bytes(first) == to_bytes(second):
         return []
     changes = {"costs": _costs(frame_cost(first), frame_cost(second))}
@@ -68,7 +68,7 @@ def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:
-    """Differences of the bit planes of chips without logic."""
+    """Yield the differences of bit planes, for chips without logic."""
     old, new = first.stream, second.stream
     if old is None or new is None:
         return

@@ -1,8 +1,9 @@
-"""The container's bytes (`.icw`): `to_bytes` and `from_bytes`, each other's exact inverse.
+"""Container files (`.icw`): `to_bytes` and `from_bytes` are exact inverses.
 
-All integers are little endian. Nothing is compressed, so the bytes depend on no library's version.
+All integers are little endian. Nothing is compressed, so the bytes do not depend on a library's
+version.
 
-    8   magic 89 49 43 57 0d 0a 1a 0a (like PNG's: a text transfer or a cut spoils it)
+    8   magic 89 49 43 57 0d 0a 1a 0a (as in PNG, it detects text conversion and truncation)
     4   version
     4   length of the header
     8   length of the whole file
@@ -10,9 +11,8 @@ All integers are little endian. Nothing is compressed, so the bytes depend on no
     ..  arrays, without gaps, in the order of `_layout`
     32  SHA-256 of everything before it
 
-A container has one spelling: `from_bytes` refuses bytes that `to_bytes` would not write, so that a
-file that was read and written again is the same file.
-"""
+A container has exactly one form: `from_bytes` refuses bytes that `to_bytes` would not write, so
+that reading and writing a file does not change it."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
 VERSIONS = (1, 2, 3, 4)
-"""The second one is that of programs that look: a machine, and launches with levels. The third is
-that of chips without logic: planes of bits. The fourth is that of programs with images."""
+"""File versions: fixed shutters, pixels that look, chips without logic, and programs with
+images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
@@ -75,7 +75,8 @@ def _layout(header: dict[str, Any]) -> tuple[StoredArray, ...]:
 
 
 def to_bytes(container: Container) -> bytes:
-    """The container as a file. Raises ValueError where it is not sound (a fault of its maker)."""
+    """Return the container as a file; ValueError for an inconsistent container (a bug of its
+    maker)."""
     problems = faults(container)
     if problems:
         raise ValueError(f"unsound container: {problems[0]}")
@@ -152,9 +153,9 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
 
 
 def read_container(path: Path) -> Container:
-    """The container in a file.
+    """Read the container in a file.
 
-    Raises Rejected: NS0709 (status 2) where the file cannot be read, else as `from_bytes`.
+    Raises Rejected: NS0709 (status 2) if the file cannot be read, otherwise as `from_bytes` does.
     """
     try:
         with open(path, "rb") as file:
@@ -172,13 +173,12 @@ def read_container(path: Path) -> Container:
 
 
 def from_bytes(data: bytes, name: str) -> Container:
-    """The container that `to_bytes` wrote; `name` is the file's name for messages.
+    """Return the container that `to_bytes` wrote; `name` is the file's name in messages.
 
-    Everything is checked before it is believed, sizes before anything is allocated. Raises
-    Rejected: NS0702 for what is no container, NS0704 for another version, NS0705 for a file
-    cut short or with something behind its end, NS0706 for a wrong checksum, NS0707 for contents
-    that make no sense. Words are not looked at: `nscc.words.legality.decoded` does that.
-    """
+    Everything is checked, and sizes before memory is allocated. Raises Rejected: NS0702 for data
+    that is not a container, NS0704 for another version, NS0705 for a truncated file or data after
+    its end, NS0706 for a wrong checksum, NS0707 for inconsistent contents. Words are not checked;
+    `nscc.words.legality.decoded` checks them."""
     header_length = _check_frame(data, name)
     try:
         header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])
@@ -212,7 +212,7 @@ def _rejected(code: str, name: str, reason: str) -> Rejected:
 
 
 def _check_frame(data: bytes, name: str) -> int:
-    """Check magic, version, length and checksum; the header's length."""
+    """Check magic, version, length and checksum; return the header's length."""
     if not data.startswith(MAGIC):
         reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, reason)

@@ -1,4 +1,4 @@
-"""Storage of a machine in a container file: header, arrays and checks."""
+"""Storage of a state machine in a container file: header, arrays and checks."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[StateMachine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
-"""The level of a launch without one."""
+"""The stored level of a launch that does not set IN."""
 _LARGEST = 2**62
 _WIDTH = 96
 
 
 def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
-    """The JSON header of a machine."""
+    """Return the JSON header of a machine."""
     return {
         "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
         "comparisons": [[c.boundary, c.signal, c.level] for c in machine.comparisons],
@@ -90,7 +90,7 @@ def machine_from(
 
 
 def to_text(container: Container) -> Iterator[str]:
-    """The `.machine` lines of assembly text: base64 of the header and the arrays."""
+    """Yield the `.machine` lines of assembly text: base64 of the header and the arrays."""
     machine = container.machine
     assert machine is not None
     header = header_of(machine, container.state_planes)
@@ -104,7 +104,7 @@ def to_text(container: Container) -> Iterator[str]:
 
 
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
-    """The inverse of `to_text`: machine, state encodings and levels of launches; None if
+    """Return machine, state encodings and levels of launches from `.machine` lines; None if
     invalid."""
     try:
         data = b64decode(text, validate=True)
@@ -120,7 +120,7 @@ def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None
 
 
 def faults(container: Container) -> Iterator[str]:
-    """The errors of a container's machine, each as part of a sentence."""
+    """Yield the errors of a container's machine, each as part of a sentence."""
     machine = container.machine
     if machine is None:
         if any(launch.level is not None for launch in container.launches):

@@ -21,14 +21,16 @@ _LARGEST_FILE = 1 << 28
 
 
 class _BadPlaneError(Exception):
-    """A plane's file is invalid, for a reason in words."""
+    """Raised for an invalid plane file; the text is the reason."""
 
 
 def read_planes(
     drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
 ) -> dict[str, NDArray[np.bool_]]:
-    """The planes bool (rows, cols) by register, in the order of the target's registers. Reports
-    NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
+    """Return the bit planes, bool (rows, cols), by register, in the order of the target's
+    registers.
+
+    Reports NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -51,8 +53,10 @@ def read_planes(
 def codes_of_planes(
     planes: Mapping[str, NDArray[np.bool_]], target: Target
 ) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
-    """The distinct register contents of pixels, bool (codes, registers), and the row of each pixel.
-    Without planes there is one code with all registers 0, and no pixel data."""
+    """Return the distinct register contents of pixels, bool (codes, registers), and the row of each
+    pixel.
+
+    Without planes there is one code with all registers 0, and the second result is None."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)

@@ -1,4 +1,4 @@
-"""Whether a container makes sense as a whole: every index, shape and name in it."""
+"""Consistency checks of a container: every index, shape and name in it."""
 
 from __future__ import annotations
 
@@ -17,11 +17,10 @@ _SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 
 
 def faults(container: Container) -> list[str]:
-    """What is wrong with a container, each as part of a sentence; empty if it is sound.
+    """Return the errors of a container, each as part of a sentence; empty if it is consistent.
 
-    The words themselves are not looked at (see `nscc.words.legality`), except that each must be
-    five 32-bit integers and that all must fit the target's store.
-    """
+    Of the words it only checks that each is five 32-bit integers and that all fit the target's
+    store (see `nscc.words.legality`)."""
     checks = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
         machine_file.faults, _stream_faults, pictures_file.faults,
@@ -130,7 +129,8 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
-    """A chip without logic has planes where pixels have codes, and neither words nor machine."""
+    """Yield errors of bit planes: a chip without logic has planes if pixels have codes, and no
+    words."""
     target, sent = container.target, container.stream
     if not target.streamed:
         if sent is not None:
@@ -147,7 +147,8 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 
 def _text_faults(container: Container) -> Iterator[str]:
-    """Free text may hold any character, but no half of one: no file and no terminal takes that."""
+    """Yield errors of free text, which may contain all characters except halves of
+    surrogate pairs."""
     for place, text in (
         ("its program's source", "".join(container.source_lines)),
         ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),

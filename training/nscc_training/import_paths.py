@@ -1,4 +1,4 @@
-"""Import a user's own decoder, data or loss, `module:name`, also from the current folder."""
+"""Import of a user's own decoder, data or loss, `module:name`, also from the current folder."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Turn exceptions of the user's code in this block into Rejected (NS0822), with their place."""
+    """Convert exceptions of user code in the `with` block into Rejected (NS0822), with
+    their place."""
     try:
         yield
     except Rejected:

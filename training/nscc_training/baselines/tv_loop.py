@@ -1,4 +1,4 @@
-"""The loop of total variation; `nscc_training.baselines.tv` calls it."""
+"""The compiled loop of total variation denoising, for `nscc_training.baselines.tv`."""
 
 from __future__ import annotations
 

@@ -14,10 +14,9 @@ from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, DecoderTas
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 
 SMALL = 600_000
-"""Parameters that a small decoder has at most."""
+"""Largest number of parameters of a small decoder."""
 _PARTS = 24
-"""If slots or tile are so large that a small decoder exceeds SMALL, its widths are reduced in
-24ths."""
+"""Widths of a small decoder that exceeds SMALL are reduced in steps of 1/24."""
 
 
 def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:

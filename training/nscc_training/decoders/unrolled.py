@@ -1,4 +1,4 @@
-"""Unrolled projections: a few steps of GAP whose denoisers are learned, for clips of any code."""
+"""Unrolled GAP: alternates projections and learned denoisers, for clips of any code."""
 
 from __future__ import annotations
 
@@ -37,8 +37,7 @@ class Unrolled(nn.Module):
     shutters.
 
     The clip starts from the first guess, or from `tv_iterations` of GAP-TV. The latter is better,
-    but passes no gradient to the codes.
-    """
+    but passes no gradient to the codes."""
 
     def __init__(
         self, widths: Sequence[int], slots: int, stages: int, tv_iterations: int = 0

@@ -56,8 +56,7 @@ class Bump(Encoder):
 
     `limits` are the legal values of each field; each field is a parameter of that name. `legal`
     (codes, fields), if set, lists the codes that `require` of a program allows: codes snap to the
-    nearest.
-    """
+    nearest."""
 
     width = 1.0
     """Width in slots of the surrogate gradient of an edge; 1 is the physical width."""
@@ -75,9 +74,10 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only the codes `legal` (codes, fields). Parameters snap to the nearest legal code
-        and stay within the range of each field. With a generator the codes are drawn again,
-        uniformly over the legal ones."""
+        """Allow only the codes `legal` (codes, fields).
+
+        Parameters snap to the nearest legal code and stay within the range of each field. With a
+        generator the codes are drawn again, uniformly over the legal codes."""
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
             self.fill(*self.codes().values())
@@ -167,7 +167,7 @@ class Bump(Encoder):
             raise ValueError("some of its codes are not allowed by `require`")
 
     def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
-        """Set the fields, in their order."""
+        """Set the values of all fields, given in the order of `limits`."""
         with torch.no_grad():
             for name, values in zip(self.limits, fields, strict=True):
                 self.get_parameter(name).copy_(torch.as_tensor(np.asarray(values, np.float64)))

@@ -1,4 +1,4 @@
-"""Points of kind compile (costs of a program) and limits (largest size of a class)."""
+"""Points of kind compile (costs of a program) and limits (largest program of a class)."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def _compile(values: Values, _place: Place) -> Figures:
 
 
 def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
-    """Return the figures that the reports of all chips have."""
+    """Return the results that reports of all chips contain."""
     return {
         "program_class": build_report["class"],
         "shutters": build_report["codes"]["shutters"],

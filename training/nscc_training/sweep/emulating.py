@@ -37,7 +37,7 @@ _SILENT = {
     "bench": ("slot_us", "max_words", "exposure", "transfer", "tolerance", "fidelity", "audit",
               "device_seed"),
 }  # fmt: skip
-"""Keys that do not apply to points with a scene, and with a bench."""
+"""Keys that have no effect on points with a scene, and on points with a bench."""
 
 
 def _keys() -> tuple[Key, ...]:

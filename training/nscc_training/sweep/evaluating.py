@@ -1,4 +1,4 @@
-"""Points of kind evaluate: scores of runs, of baselines and of methods under a protocol."""
+"""Points of kind evaluate: scores of runs, baselines and methods under a protocol."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Val
 from nscc_training.sweep.point_programs import axis
 
 RUN = "run"
-"""The key that names a part of kind train; each of its runs is evaluated."""
+"""The key that names a part of kind train, all of whose runs are evaluated."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -81,8 +81,9 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it. Some items lack a score: a crop
-    without dark pixels has no score of dark pixels."""
+    """Return the mean of each score over the items that have it.
+
+    An item may lack a score, for example a crop without dark pixels the score of dark pixels."""
     from nscc_training.statistics import summary
 
     means = {}
