@@ -17,7 +17,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
-from nscc.lower.exposure_plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
+from nscc.lower.exposure_plan import LoweringOption, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
 from nscc.program.analyse import analyse
@@ -31,7 +31,6 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.looks.looking_plan import LookingPlan
     from nscc.stream.sending import Sending
 
 LEVELS = (0, 1, 2, 3)
@@ -166,62 +165,10 @@ def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
     return with_pictures(container, program, job.options.level)
 
 
-def plan_looking(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
-    """Plan a program with senses: the actions at each boundary for each group of pixels.
-
-    Errors: NS0413 for more buckets than analog registers, NS0414 for a lowering that loses light.
-    """
-    from nscc.looks.passes import plan_of
-
-    return plan_of(program, job.options.lowering)
-
-
-def find_looking_gates(plan: LookingPlan, job: Job) -> tuple[Sequence[Lowered], Found]:
-    """Find words for several encodings of codes and states; the best comes first.
-
-    Errors: NS0502 if no gates are found, which does not prove that none exist."""
-    from nscc.looks.passes import lowered_of
-
-    return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
-
-
 def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
     """Choose the best words; errors are as for `lay_out_words`."""
     choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
-
-
-def make_looking_container(choice: Choice, job: Job) -> tuple[Container, Found]:
-    """Convert the best lowering to a container with its state machine."""
-    from nscc.looks.passes import container_of
-
-    return container_of(choice.best, job.options.level), []
-
-
-def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
-    """Plan a program for a chip without logic: the route of the light in every slot.
-
-    Errors: NS0509 if pixels cannot route light to the buckets, NS0510 for options about words."""
-    from nscc.stream.passes import plan_of
-
-    lowering, most_words = job.options.lowering, job.options.max_words_per_slot
-    options_for_words = [f"--lowering {lowering}"] * (lowering != "auto")
-    return plan_of(program, options_for_words + ["--max-words-per-slot"] * (most_words is not None))
-
-
-def time_sending(sending: Sending, job: Job) -> tuple[Sending, Found]:
-    """Check the times at which planes are sent; error NS0508 for slots shorter than the
-    load time."""
-    from nscc.stream.passes import timed
-
-    return timed(sending)
-
-
-def make_planes(sending: Sending, job: Job) -> tuple[Container, Found]:
-    """Convert a plan for a chip without logic to a container of bit planes."""
-    from nscc.stream.passes import container_of
-
-    return container_of(sending), []
 
 
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
@@ -263,22 +210,56 @@ PASSES = (
 )
 """The passes in order. `nscc build --print-after PASS` prints the value after a pass."""
 
+
+def _looks() -> Any:
+    """Import the passes for programs with senses on first use."""
+    from nscc.looks import passes
+
+    return passes
+
+
 LOOKING_PASSES = (
     *_READING,
-    Pass("plan", plan_looking, checks.check_looking_plan),
-    Pass("gates", find_looking_gates, checks.check_looking_gates),
+    Pass(
+        "plan", lambda program, job: _looks().plan_of(program, job.options.lowering),
+        checks.check_looking_plan,
+    ),
+    Pass(
+        "gates",
+        lambda plan, job: _looks().lowered_of(
+            plan, job.options.level, job.options.max_words_per_slot
+        ),
+        checks.check_looking_gates,
+    ),
     Pass("schedule", lay_out_looking, checks.check_schedule),
-    Pass("words", make_looking_container, checks.check_words),
+    Pass(
+        "words", lambda choice, job: (_looks().container_of(choice.best, job.options.level), []),
+        checks.check_words,
+    ),
     Pass("prove", prove_words, checks.check_proof),
-)
+)  # fmt: skip
 """The passes for programs whose shutters depend on the light: the gates implement a state
 machine."""
 
+
+def _stream() -> Any:
+    """Import the passes for chips without logic on first use."""
+    from nscc.stream import passes
+
+    return passes
+
+
 STREAM_PASSES = (
     *_READING,
-    Pass("plan", plan_sending, checks.check_route),
-    Pass("schedule", time_sending, checks.check_loadings),
-    Pass("words", make_planes, checks.check_words),
+    Pass(
+        "plan",
+        lambda program, job: _stream().plan_of(
+            program, job.options.lowering, job.options.max_words_per_slot
+        ),
+        checks.check_route,
+    ),
+    Pass("schedule", lambda sending, _job: _stream().timed(sending), checks.check_loadings),
+    Pass("words", lambda sending, _job: (_stream().container_of(sending), []), checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
 )
 """The passes for chips without logic, which need no gates."""

@@ -16,10 +16,14 @@ from nscc.words.container import Container, Readout
 Found = Sequence[Diagnostic]
 
 
-def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
+def plan_of(
+    program: Program, lowering: str, most_words: int | None
+) -> tuple[Sending | NoRoute, Found]:
     """Return the route of the light, or the reason why there is none (NS0509).
 
-    `word_options` names options that only apply to words (NS0510)."""
+    Options that only apply to words (a lowering, a limit on words) are refused (NS0510)."""
+    word_options = [f"--lowering {lowering}"] * (lowering != "auto")
+    word_options += ["--max-words-per-slot"] * (most_words is not None)
     if word_options:
         return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)

@@ -247,12 +247,11 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
         first += count
     machine: StateMachine | None = None
     planes: dict[str, StatePlanes] = {}
-    levels = [None] * len(arrays["launches"])
+    levels: list[int | None] = [None] * len(arrays["launches"])
     if "machine" in header:
         machine, planes = machine_file.machine_from(header["machine"], arrays)
-        levels = np.where(
-            arrays["levels"] == machine_file.NO_LEVEL, None, arrays["levels"]
-        ).tolist()
+        none = machine_file.NO_LEVEL
+        levels = [None if level == none else level for level in arrays["levels"].tolist()]
     sent = ("planes", "ones", "zeros")
     return Container(
         target=target_from_dict(header["target"]),
