@@ -96,7 +96,8 @@ class Capture(Frame):
 
     @property
     def margin(self) -> NDArray[np.bool_] | None:
-        """Pixels whose images and planes depend on light beyond the array; None without any."""
+        """Mask (rows, cols) of pixels that depend on light beyond the array; None for a program
+        without images and planes."""
         return self.told.get("margin")
 
     @property

@@ -44,8 +44,7 @@ def read_frame_arrays(
 
 
 def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
-    """Check the arrays of a frame file and return its meta. Raises InvalidArrays if they are
-    invalid."""
+    """Check the arrays of a frame file and return its meta. Raises InvalidArrays if invalid."""
     for name in ("meta", "frame"):
         if name not in arrays:
             raise InvalidArrays(f"the array `{name}` is missing")

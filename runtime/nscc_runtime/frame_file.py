@@ -80,7 +80,7 @@ class Frame:
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
-        """Mask of the pixels that received more light than the exposure indicates."""
+        """Mask (buckets, rows, cols) of pixels that received more light than `exposure_e` tells."""
         return np.asarray(self.saturated_by != 0)
 
     @property
@@ -119,7 +119,7 @@ def read_out(
 
 
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
-    """Return the bits of `saturated_by` of codes that are the last of the scale."""
+    """Return the bits of `saturated_by` of those codes in `frame` that are the last code."""
     bit = marks()["codes"].bit
     return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
@@ -366,8 +366,9 @@ class FrameFile:
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
     ) -> FrameFile:
-        """Return the file of a frame, with the contents named in `keep` (see KEEP). Without light,
-        none is kept. `shutters`: the argument of `packed_shutters`, needed to keep "shutter"."""
+        """Return the file of a frame, with the contents named in `keep` (see KEEP). If `light` is
+        None, no light is kept. `shutters`: the argument of `packed_shutters`, needed to keep
+        "shutter"."""
         kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:
@@ -390,7 +391,7 @@ class FrameFile:
             for key in ("frame", "exposure_e", "valid"):
                 _write_array(archive, key, getattr(self.frame, key))
             marked = self.frame.saturated_by
-            blocks = (block != 0 for block in marked)  # of many repeats, never all at once
+            blocks = (block != 0 for block in marked)  # one repeat at a time, to limit memory
             _write_entry(archive, "saturated", marked.shape, np.dtype(np.bool_), blocks)
             _write_array(archive, "saturated_by", marked)
             for key, values in self.frame.told.items():

@@ -292,7 +292,8 @@ class Light:
 
     @cached_property
     def ended(self) -> NDArray[np.float32]:
-        """The frames, with 1e30 for infinite light so that closed slots contribute 0."""
+        """The frames (T, rows, cols), with 1e30 for infinite light: closed slots then contribute
+        0."""
         if self.frame_weight.min() > 0 and not self._summed[1]:
             return self.frames
         if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():

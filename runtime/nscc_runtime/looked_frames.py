@@ -35,8 +35,8 @@ looking_program_of = OfContainer(LookingProgram)
 def next_planes(
     container: Container, loaded: Planes, final_planes: Planes
 ) -> dict[str, NDArray[np.bool_]]:
-    """Return the registers at the start of the next frame. Kept states are taken from the
-    `final_planes` of this frame, everything else from `loaded`."""
+    """Return the registers (rows, cols) at the start of the next frame, by name. Kept states are
+    taken from the `final_planes` of this frame, everything else from `loaded`."""
     machine = container.machine
     assert machine is not None
     names = (state.name for state in machine.states if state.is_kept)

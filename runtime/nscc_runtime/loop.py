@@ -73,9 +73,9 @@ _FIELDS: dict[type, Any] = {
 def record(cls: type[_T]) -> type[_T]:
     """Turn a class of annotated fields (int, float or np.uint64) into a record that a loop reads.
 
-    It is constructed with keyword arguments for all its fields. In a loop the fields are int64,
-    float64 and uint64. An array of records has the dtype np.dtype(cls), and
-    `Annotated[NDArray[Any], cls]` in a loop's signature."""
+    It is constructed with keyword arguments for all its fields; missing or other names raise
+    TypeError. In a loop the fields are int64, float64 and uint64. An array of records has the dtype
+    np.dtype(cls), and `Annotated[NDArray[Any], cls]` in a loop's signature."""
     fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
 
     def init(self: Any, **values: Any) -> None:

@@ -102,7 +102,7 @@ class ArrayGroup:
         return self
 
     def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
-        """Return the addresses of the arrays (see `LoopParameter.addresses`)."""
+        """Return the addresses of the arrays; arguments as in `LoopParameter.addresses`."""
         if type(value) is not self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
         return [
@@ -125,7 +125,8 @@ def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
 def numba_kinds(
     parameter: LoopParameter | ArrayGroup,
 ) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
-    """Return the types of a parameter, for `nscc_runtime.loop_types.signature`."""
+    """Return the NamedTuple class of a parameter or None, and for each array its dtype and whether
+    it is one record, for `nscc_runtime.loop_types.signature`."""
     together = parameter.kind if isinstance(parameter, ArrayGroup) else None
     return together, [(array.kind, array.record is not None) for array in parameter.arrays]
 

@@ -72,7 +72,8 @@ def read_object_file(name: str, places: Sequence[Path]) -> bytes | None:
 
 
 def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
-    """Compile functions, each with its numba signature, to one object file for this processor."""
+    """Compile functions, each with its numba signature, to one object file for this processor.
+    Raises RuntimeError if they call foreign functions."""
     import llvmlite.binding as llvm
     import numba
 

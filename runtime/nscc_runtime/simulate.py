@@ -357,8 +357,7 @@ _digest = OfContainer(_sha256)
 
 
 def _option(mark: str, name: str) -> str:
-    """Return how messages name an argument: `name` itself, or with a `mark` as command-line
-    option."""
+    """Return how messages name an argument: `name`, or with a `mark` a command-line option."""
     return mark + (name.replace("_", "-") if mark else name)
 
 

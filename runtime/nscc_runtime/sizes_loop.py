@@ -139,8 +139,7 @@ def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
 
 @compiled
 def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats) -> None:
-    """Add to `column_sums` the squared differences to the right neighbour and the neighbour
-    below."""
+    """Add to `column_sums` the squared differences to the neighbours to the right and below."""
     if last:
         for col in range(cols - 1):
             right = total[first + col + 1] - total[first + col]

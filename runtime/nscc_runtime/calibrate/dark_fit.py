@@ -32,7 +32,7 @@ class DarkFit:
     times_s: tuple[float, ...]
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return the mean codes (2, rows, cols) of even and odd frames without light after
+        """Return mean codes (2, rows, cols) of even and odd frames without light after
         `exposure_s`."""
         if self.currents is None or exposure_s is None:
             return self.offsets

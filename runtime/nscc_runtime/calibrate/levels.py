@@ -46,7 +46,7 @@ class Level:
 
     @property
     def mean_map(self) -> Map:
-        """The mean of all frames."""
+        """The mean of all frames, shape (rows, cols)."""
         even = (self.frames + 1) // 2
         total = self.halves[0] * even + self.halves[1] * (self.frames - even)
         return np.asarray(total / self.frames)

@@ -24,7 +24,7 @@ MOST_UNEVEN = 0.2
 
 
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
-    """Return a mask of the pixels that are valid in all levels and not outliers.
+    """Return a mask (rows, cols) of the pixels that are valid in all levels and not outliers.
 
     Raises Rejected: NS0757 for levels of different sizes or too few pixels; NS0759 if more than 1 %
     of the pixels are outliers."""
@@ -71,7 +71,7 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
 
 
 def valid_pixels(levels: Sequence[Level]) -> Mask:
-    """Return a mask of the pixels that are valid in every frame."""
+    """Return a mask (rows, cols) of the pixels that are valid in every frame."""
     return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
 
 

@@ -86,7 +86,7 @@ class DeviceChip:
         host.info = None
 
         def hello_info() -> Task[Info]:
-            yield from ()  # `lasting` has said hello, which is enough
+            yield from ()  # `lasting` already received `info`
             assert host.info is not None
             return host.info
 

@@ -1,13 +1,13 @@
 """A compiled program as the objects that a loader receives.
 
-  READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
-  KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
-  SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
-             u32 runs, each: u32 slots, f64 microseconds of each of them;
-             u32 rows, each: u32 advance, u16 kernel, u16 times
-  PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
-  LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
-  STATES     u32 count; each: u8 digital register that comes with the frame
+    READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
+    KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
+    SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
+               u32 runs, each: u32 slots, f64 microseconds of each of them;
+               u32 rows, each: u32 advance, u16 kernel, u16 times
+    PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
+    LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
+    STATES     u32 count; each: u8 digital register that comes with the frame
 
 Registers are numbered as in the target table. A row of the schedule is executed `times` times: the
 light of `advance` slots is collected, IN is set to the row's level (unless it is AS_IT_IS), and the
@@ -52,7 +52,7 @@ AS_IT_IS = -32768
 
 
 class ObjectKind(IntEnum):
-    """The kind of an object."""
+    """The kind of an object of an upload."""
 
     READOUTS = 1
     KERNELS = 2
@@ -64,7 +64,7 @@ class ObjectKind(IntEnum):
 
 @dataclass(frozen=True)
 class Object:
-    """One object. `register`: the register of a plane, 0 for other kinds."""
+    """An object of an upload. `register`: the register of a plane, 0 for other kinds."""
 
     kind: ObjectKind
     register: int
@@ -229,7 +229,7 @@ def _kernels(container: Container) -> bytes:
 
 
 def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """Yield schedule rows (advance, kernel, times, level), merging launches at equal distances."""
+    """Yield schedule rows (advance, kernel, times, level or None), merging equal launches."""
     at = 0
     steps = []
     for launch in container.launches:

@@ -46,7 +46,8 @@ class Recording:
         self._events: list[tuple[int, int]] = []
 
     def take(self, kind: bytes, data: bytes) -> BoardJob | None:
-        """Process a record. Return a job if a frame is to be exposed, otherwise None."""
+        """Process a record; return a job for the kind "J". Raises ValueError for an unknown
+        kind."""
         match kind:
             case b"F":
                 self._forget()

@@ -217,7 +217,8 @@ class _Sender:
 
 
 def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
-    """Expose a frame and fetch it. A frame that exists already is not exposed again."""
+    """Expose a frame and fetch it. A frame that exists already is not exposed again. Raises
+    RequestRefused if the checksums do not match."""
     captured = yield from _captured(host, request)
     assert host.info is not None
     origin = host.info.boot, captured.started_us

@@ -38,7 +38,7 @@ _noise, _spread, _bias = map(_in_electrons, (NOISE, PATTERN, BIAS))
 
 
 def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the fixed error of one analog word at each pixel in electrons, including the bias."""
+    """Return the fixed error (pixels,) of an analog word in electrons, including the bias."""
     z = normals(key(device_seed, ANALOG.stream), pixels)
     return np.asarray(_bias(sensor) + _spread(sensor) * z)
 

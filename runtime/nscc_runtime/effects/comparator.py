@@ -30,7 +30,7 @@ _OF_BOTH: dict[str, Any] = {
 
 
 def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the comparator offset of each pixel in electrons."""
+    """Return the comparator offset (pixels,) of each pixel in electrons."""
     z = normals(key(device_seed, COMPARATOR_OFFSET.stream), pixels)
     return np.asarray(SPREAD(sensor) * FULL(sensor) * z)
 

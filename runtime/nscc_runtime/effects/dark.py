@@ -21,7 +21,7 @@ SPREAD = parameter(
 
 
 def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the dark current of each pixel in electrons per second."""
+    """Return the dark current (pixels,) of each pixel in electrons per second."""
     z = normals(key(device_seed, DARK.stream), pixels)
     return CURRENT(sensor) * log_normal(SPREAD(sensor), z)
 

@@ -31,62 +31,62 @@ class Part:
 
 @dataclass(frozen=True)
 class Moving(Part, stage="scene"):
-    """The light moves inside slots, if the scene has motion."""
+    """Declares that light moves inside slots, if the scene has motion."""
 
 
 @dataclass(frozen=True)
 class Echo(Part, stage="light"):
-    """A fraction of the light of the previous frame, of the same scene, is added."""
+    """Declares that a fraction of the light of the previous frame is added."""
 
     fraction: OfSensor
 
 
 @dataclass(frozen=True)
 class Response(Part, stage="response"):
-    """The light of each pixel is multiplied by a fixed factor."""
+    """Declares that the light of each pixel is multiplied by a fixed factor."""
 
     factor: OnDevice
 
 
 class Counted(Part):
-    """Charge is drawn as Poisson counts of electrons."""
+    """Declares that charge is drawn as Poisson counts of electrons."""
 
 
 @dataclass(frozen=True)
 class CountedLight(Counted, stage="count"):
-    """Photon counts are Poisson numbers."""
+    """Declares that photon counts are Poisson numbers."""
 
 
 @dataclass(frozen=True)
 class CountedDark(Counted, stage="charge"):
-    """Dark charge is a Poisson number with mean `per_s` electrons per second."""
+    """Declares a dark charge: a Poisson number with mean `per_s` electrons per second."""
 
     per_s: OnDevice
 
 
 @dataclass(frozen=True)
 class Exchange(Part, stage="neighbours"):
-    """A fraction of a pixel's charge moves to each of its four neighbours. `smeared(charge (..,
-    rows, cols), fraction)` returns the charge afterwards."""
+    """Declares that a fraction of a pixel's charge moves to each of its four neighbours.
+    `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]
 
 
 class Saturates(Part):
-    """PIX or registers saturate. Pixels near saturation run through their words."""
+    """Declares that PIX or registers saturate. Pixels near saturation run through their words."""
 
 
 @dataclass(frozen=True)
 class Well(Saturates, stage="well"):
-    """PIX is clipped at `full_e` electrons."""
+    """Declares that PIX is clipped at `full_e` electrons."""
 
     full_e: OfSensor
 
 
 @dataclass(frozen=True)
 class Soft(Saturates, stage="registers"):
-    """Registers are linear up to `linear_e` electrons, and lose `lost_e` of larger values."""
+    """Declares that registers are linear up to `linear_e` and lose `lost_e` of larger values."""
 
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]
@@ -94,8 +94,8 @@ class Soft(Saturates, stage="registers"):
 
 @dataclass(frozen=True)
 class Errors(Part):
-    """Many small normal errors with standard deviation `sigma_e` at every read or reset of PIX, or
-    at every word. Their sum in a bucket is one draw."""
+    """Declares normal errors with standard deviation `sigma_e` at every read or reset of PIX, or at
+    every word. Their sum in a bucket is one draw."""
 
     at: Literal["reads", "resets", "words"]
     sigma_e: OfSensor
@@ -103,8 +103,8 @@ class Errors(Part):
 
 @dataclass(frozen=True)
 class WordGain(Part, stage="words"):
-    """A word multiplies by `gain` and adds a fixed error, with mean `mean_e` and standard deviation
-    `spread_e` over the pixels."""
+    """Declares that a word multiplies by `gain` and adds a fixed error, with mean `mean_e` and
+    standard deviation `spread_e` over the pixels."""
 
     gain: OfSensor
     error_e: OnDevice
@@ -114,8 +114,9 @@ class WordGain(Part, stage="words"):
 
 @dataclass(frozen=True)
 class Leak(Part, stage="hold"):
-    """Registers decay exponentially at a rate `per_s` in 1/s that differs between pixels. The rates
-    are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`."""
+    """Declares that registers decay exponentially at a rate `per_s` in 1/s that differs between
+    pixels. The rates are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`.
+    """
 
     per_s: OnDevice
     tau_s: OfSensor
@@ -124,30 +125,29 @@ class Leak(Part, stage="hold"):
 
 @dataclass(frozen=True)
 class SlowWords(Part, stage="time"):
-    """Light is collected while words run."""
+    """Declares that light is collected while words run."""
 
 
 @dataclass(frozen=True)
 class LitLevel(Part, stage="level"):
-    """Light that is collected while words run is included in the reset level."""
+    """Declares that light collected while words run is included in the reset level."""
 
 
 @dataclass(frozen=True)
 class Fading(Part, stage="digital"):
-    """Digital registers lose their values after a time."""
+    """Declares that digital registers lose their values after a time."""
 
 
 @dataclass(frozen=True)
 class Converter(Part, stage="converter"):
-    """The converter has normal noise of `sigma_lsb` codes. All effects with this part share one
-    draw per pixel and bucket."""
+    """Declares converter noise of `sigma_lsb` codes, one draw for all effects with this part."""
 
     sigma_lsb: OfSensor
 
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """The converter's scale. `electrons`: electrons per code. `offset`: code of zero electrons."""
+    """Declares the converter's scale: `electrons` per code, and the code of 0 electrons."""
 
     electrons: OfSensor
     offset: OfSensor

@@ -70,11 +70,11 @@ class Slots(Where, ABC):
 
     @abstractmethod
     def electrons(self, light: Light) -> Values:
-        """Return the light of every slot in electrons."""
+        """Return the light of every slot in electrons, shape (N, rows, cols)."""
 
     @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
-        """Return Poisson counts with these rates. `source`: see `nscc_runtime.effects.counts`."""
+        """Return Poisson counts of mean `rates`. `source`: see `nscc_runtime.effects.counts`."""
 
 
 class Pixels(Where, ABC):
@@ -82,5 +82,4 @@ class Pixels(Where, ABC):
 
     @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """Return the standard normal error (pixels,) of effect `name` at a destination of a
-        word."""
+        """Return the standard normal error (pixels,) of effect `name` at a word's destination."""

@@ -111,7 +111,8 @@ def expose(
 
 @dataclass(frozen=True, eq=False)
 class _Decoded:
-    """A program's words and codes as the arrays that the compiled loop reads."""
+    """A program's words and codes as the arrays that the compiled loop reads. `code_planes`: packed
+    planes. `code_rows`: their numbers."""
 
     layout: Layout
     steps: Steps
@@ -120,7 +121,7 @@ class _Decoded:
 
     @classmethod
     def of(cls, container: Container) -> _Decoded:
-        assert container.pixel_codes is not None  # it was checked
+        assert container.pixel_codes is not None  # see `check_program`
         layout, codes = Layout.of(container.target), container.planes()
         return cls(
             layout,

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 
 class Step(IntEnum):
-    """The code of a step, its first column. The second column is the written place `out`; the
-    members name the other columns in order."""
+    """The operation of a step, which is its first column. The second column is the written place
+    `out`; the members describe the other columns in order."""
 
     COMBINE = 0
     """(first, count, inverted): plane := OR of the planes operands[first : first + count]."""

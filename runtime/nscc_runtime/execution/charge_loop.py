@@ -233,7 +233,7 @@ def charge(
     sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
     counts: CountScratch,
 ) -> float:  # fmt: skip
-    """Return the charge of pixel counts.places[0] in slots `begin` to `stop` - 1, with
+    """Return the charge of pixel counts.places[0] in slots `begin` to `stop` - 1 after
     crosstalk."""
     if begin >= stop:
         return 0.0

@@ -85,7 +85,7 @@ class SimulatedChip:
 
     @cached_property
     def current(self) -> Values:
-        """Dark current of each pixel in electrons per second; 0 if the effect is not simulated."""
+        """Dark current (pixels,) in electrons per second; 0 if the effect is not simulated."""
         dark_part = self.kept_effects.find_part(CountedDark)
         if dark_part is None:
             return np.zeros(self.array.lanes.size)

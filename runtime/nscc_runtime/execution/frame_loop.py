@@ -50,7 +50,8 @@ def draw_counts(
     pending_pixels: Written[Ints],
     away: Written[Annotated[Floats, "groups pixels"]],
 ) -> None:
-    """Set or increase away[g, p] by the deviation of a Poisson count from its mean rates[g, p].
+    """Set away[g, p], or increase it if `accumulates`, by a Poisson count minus its mean rates[g,
+    p].
 
     `values`, `pending_rates` and `pending_pixels` are working memory for `BLOCK` pixels, `scratch`
     for five times as many."""

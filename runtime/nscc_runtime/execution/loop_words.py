@@ -117,7 +117,7 @@ class Turns:
 
     @property
     def unread(self) -> NDArray[np.bool_]:
-        """Mask of resets without effect: PIX is reset again before it is read."""
+        """Mask (words,) of resets without effect: PIX is reset again before it is read."""
         return np.asarray(self._resets & self._then(self._resets, 1))
 
     @property
@@ -127,8 +127,8 @@ class Turns:
         return np.asarray(ACTS * self._acts + SEEN * is_read, np.uint8)
 
     def _then(self, kind: NDArray[np.bool_], after: int) -> NDArray[np.bool_]:
-        """Return a mask of words after which the next turn of the same lane, at least `after` words
-        later, is in the mask `kind`."""
+        """Return for each word whether the next turn of its lane, at least `after` words later, is
+        in `kind`."""
         if not self._count:
             return np.zeros(0, np.bool_)
         turn_index = np.where(self._turns, np.arange(self._count), self._count)

@@ -35,7 +35,7 @@ _MUCH = 1 << 20
 
 @dataclass(frozen=True, eq=False)
 class AnalysedProgram:
-    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: (N,) in seconds."""
+    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: slot lengths (N,)."""
 
     container: Container
     sensor: Sensor
@@ -115,7 +115,7 @@ class AnalysedProgram:
 
     @cached_property
     def group_ids(self) -> NDArray[np.int64]:
-        """Numbers of the groups of slots that occur; group 0 contains closed slots."""
+        """Numbers (groups,) of the groups of slots that occur; group 0 contains closed slots."""
         return np.unique(self.reference.groups.of_slot)
 
     @cached_property

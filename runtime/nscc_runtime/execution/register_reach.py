@@ -98,7 +98,7 @@ class _RegisterState:
         self.held_weights = np.zeros((lanes, len(self.names), stretches + 1))
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
         gain = kept_effects.find_part(WordGain)
-        # Plans may drop a gain below 1.
+        # Plans may drop the effect, so a gain below 1 counts as 1.
         self._gain = max(1.0, gain.gain(sensor)) if gain else 1.0
         self._variance = {"reads": 0.0, "resets": 0.0, "words": 0.0}
         for _, errors in kept_effects.errors():
@@ -118,7 +118,7 @@ class _RegisterState:
             total[self.names.index(name)] += source_factor
             total[self._level] += source_factor if name == "PIX" else 0.0
         rows = [self.names.index(name) for name in word.op.destinations]
-        # One read, whatever is written.
+        # PIX is read once, for any number of destinations.
         read = source_factor**2 * self._variance["reads"] if "PIX" in word.op.sources else 0.0
         lanes = np.flatnonzero(in_lane)
         self._write(lanes, rows, total, read)

@@ -56,7 +56,7 @@ class Times:
 
     @cached_property
     def all_tables(self) -> tuple[NDArray[np.float64], NDArray[np.int64]] | None:
-        """`tables` of all lanes; None if they are too large to be cached."""
+        """The result of `tables` for all lanes; None if it is too large to be cached."""
         lanes, slots = self.of_slot.shape
         if 2 * lanes * self.groups * (slots + 1) > _MOST_KEPT:
             return None

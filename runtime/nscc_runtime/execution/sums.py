@@ -24,7 +24,8 @@ _MOST_KEPT = 1 << 21
 @dataclass(frozen=True, eq=False)
 class FrameWeights:
     """Weights (sums, frames, lanes) of frames of light for
-    `nscc_runtime.execution.sum_loop.scene_sums`, for all lights with the same timing."""
+    `nscc_runtime.execution.sum_loop.scene_sums`, for all lights with the same timing.
+    `frame_weight` (frames,): total weight of each frame."""
 
     timing: Hashable
     weights: NDArray[np.float64]
@@ -44,7 +45,7 @@ class FrameWeights:
 
     @cached_property
     def alike(self) -> NDArray[np.int64]:
-        """Number of consecutive frames, from each frame on, that have equal weights."""
+        """Number (frames,) of consecutive frames, from each frame on, that have equal weights."""
         count = self.weights.shape[1]
         differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
         ends = np.append(np.flatnonzero(differs) + 1, count)
@@ -105,7 +106,8 @@ def scene_sums(
 
     `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
     and in float32. Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's
-    light moves to each neighbour. Results do not depend on `threads`."""
+    light moves to each neighbour. Results do not depend on `threads`. Raises ValueError for a lane
+    without weights."""
     shape, count = light.shape, len(weights.slots)
     if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")

@@ -55,7 +55,7 @@ class Tables:
         return replace(model, decay=decay, lit_level=lit_level)
 
     def weights(self, model: WeightModel) -> Backward:
-        """Return the weights under a model, cached."""
+        """Return the weights of slots and of words' errors under a model, cached."""
         return self._backward(self.same(model))
 
     @remembered

@@ -34,7 +34,7 @@ def gif(content: Content) -> bytes:
 
 
 def mp4(content: Content) -> bytes:
-    """Return a lossy .mp4 file; odd sizes are padded, because codecs need even sizes."""
+    """Return a lossy .mp4 file; odd sizes are padded for codecs. Raises OSError without a codec."""
     with quiet():
         import cv2
 

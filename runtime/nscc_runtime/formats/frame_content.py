@@ -93,7 +93,7 @@ def shutter_content(arrays: Arrays) -> Content:
 
 
 def _lanes(container: Container) -> NDArray[np.signedinteger]:
-    assert container.pixel_codes is not None  # it has been exposed
+    assert container.pixel_codes is not None  # only such programs are exposed
     return container.table.shutter_of_code[container.pixel_codes]
 
 

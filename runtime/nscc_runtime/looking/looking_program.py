@@ -120,7 +120,7 @@ class LookingProgram:
         """Return a frame like `expose`, with the charge of rows returned by `fall`.
 
         `among` (rows, cols): the pixels whose words run, None for all. The results of other pixels
-        are meaningless."""
+        are meaningless. Raises ValueError if `lacks` returns reasons."""
         lacking, paths = self.lacks(effects), self._paths(effects)
         if lacking or isinstance(paths, str):
             raise ValueError("; ".join(lacking))

@@ -1,1 +1,1 @@
-"""What follows the last slot of a program of version 3: words that reach neighbouring pixels."""
+"""Simulation of the words that follow the last slot: images and planes from neighbouring pixels."""

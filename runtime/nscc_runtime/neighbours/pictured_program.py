@@ -1,4 +1,4 @@
-"""Frames of programs with images and planes: the exposure, then the words that follow it."""
+"""Simulate programs with images and planes: the exposure, then the words that follow it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ Told = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True, eq=False)
 class PicturedProgram:
-    """A container with images and planes, made ready for a sensor and a set of effects."""
+    """A container with images and planes, prepared for a sensor and a set of effects. `threads`:
+    number of threads (None: all processors); results do not depend on it."""
 
     container: Container
     sensor: Sensor
@@ -36,7 +37,7 @@ class PicturedProgram:
 
     @property
     def pictures(self) -> Pictures:
-        """What is computed."""
+        """The images, planes and reports of the program."""
         assert self.container.pictures is not None
         return self.container.pictures
 
@@ -117,7 +118,8 @@ class PicturedProgram:
         self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
         seeds: tuple[int, int], number: int,
     ) -> Frame:  # fmt: skip
-        """The frame of the buckets that are read, which may be none."""
+        """Return the frame of the buckets `names`, which may be empty. `read`: value and saturation
+        marks (rows, cols) by name. `valid` (rows, cols): see `Exposure`."""
         shape = (len(names), *valid.shape)
         values, marks = np.zeros(shape), np.zeros(shape, np.uint8)
         for index, name in enumerate(names):
@@ -133,7 +135,7 @@ class PicturedProgram:
         self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
         seeds: tuple[int, int], number: int,
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
-        """Codes and `saturated_by` (names, rows, cols) of images, by the converter that is
+        """Return codes and saturation marks (names, rows, cols) of images. Their converter is
         symmetric around 0."""
         target = replace(self.container.target, readout="full")
         # The draws of a converter go by the place in the array: behind those of the buckets.

@@ -23,9 +23,10 @@ from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.reference.words import Bits, Values, WordPixels
 
 RANGE_BIT = 32
-"""In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
+"""Bit of `saturated_by`: a value left the range of registers, or an exposure exceeded its
+`assume`."""
 _DRAWS = 2
-"""The source, in the keys, of what is drawn for words after an exposure."""
+"""Source number, in random keys, of draws for words after an exposure."""
 
 
 @dataclass(eq=False, kw_only=True)
@@ -67,7 +68,7 @@ class ArrayPixels(WordPixels):
         return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
-        """Words in their order, each with the steps of IN."""
+        """Run pairs of a word and the steps of IN from this word on (None: unchanged), in order."""
         for op, level in words:
             if level is not None:
                 self.in_e = level * self.target.electrons_per_step
@@ -123,7 +124,8 @@ class ArrayPixels(WordPixels):
             self.tainted[name] = found
 
     def _room(self) -> Values:
-        """An array of ours that nothing holds: new ones cost more than what is computed in them."""
+        """Return an unused array (pixels,) of this object, because allocating takes longer than
+        computing."""
         if self._rooms:
             return self._rooms.pop()
         found = np.empty(len(self.places))
@@ -131,7 +133,7 @@ class ArrayPixels(WordPixels):
         return found
 
     def _leave(self, values: Values) -> None:
-        """Takes an array of ours back."""
+        """Make an array that `_room` returned available again; other arrays are ignored."""
         if id(values) in self._own:
             self._rooms.append(values)
 
@@ -163,7 +165,7 @@ class ArrayPixels(WordPixels):
             self._store(name, value, by, taint)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
-        """What cut any source of a word off."""
+        """Return the saturation marks (pixels,) of all sources of a word."""
         found = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
@@ -174,7 +176,8 @@ class ArrayPixels(WordPixels):
         return found
 
     def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
-        """The marks of a value, with that of one beyond the registers' range."""
+        """Return the marks `cut` of a value, and RANGE_BIT where it is beyond the range of
+        registers."""
         high, low = self.target.register_max_e, self.target.register_min_e
         if value.max() <= high and value.min() >= low:
             return cut
@@ -203,7 +206,8 @@ class ArrayPixels(WordPixels):
         self._leave(old)
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
-        """What a word writes of its exact result."""
+        """Return the value that a word with the exact `result` writes to its destination number
+        `index`."""
         register = "NEWS" if name in NEIGHBOURS else name
         for written in self.at("words"):
             sign = error_sign(register, self.container)
@@ -211,7 +215,7 @@ class ArrayPixels(WordPixels):
         return result
 
     def _neighbour_values(self, op: Op) -> None:
-        """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
+        """Run DNEWS: the OR of a register of those neighbours that each pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
         tainted = np.zeros(len(self.places), np.bool_)
@@ -230,7 +234,8 @@ class ArrayPixels(WordPixels):
         self, values: NDArray[Any], right: int, down: int, *, beyond: Any,
         into: NDArray[Any] | None = None,
     ) -> NDArray[Any]:  # fmt: skip
-        """What the pixels so far to the right and down hold."""
+        """Return for each pixel the value of the pixel `right` columns and `down` rows away;
+        `beyond` if that is outside the array. `into`: an array for the result."""
         rows, cols = self.shape
         found = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
         found[:] = beyond
@@ -240,5 +245,5 @@ class ArrayPixels(WordPixels):
 
 
 def _overlap(size: int, step: int) -> slice:
-    """Those of so many places that lie on the array a step before, as well."""
+    """Return the indices n for which n and n - step are both in 0 .. size - 1."""
     return slice(max(0, step), size + min(0, step))

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 
 def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Return light as 8-bit grey on a logarithmic curve that maps the median to middle grey.
+    """Return light (rows, cols) as 8-bit grey on a logarithmic curve, with the median as middle
+    grey.
 
     `usable`: mask of the pixels that determine the curve. If they have no light, the result is
     black."""

@@ -83,7 +83,7 @@ class _Shown:
 
 
 def _shown(container: Container) -> list[_Shown]:
-    """Return the charts: of some evenly chosen codes, or of the first frame and a later frame."""
+    """Return the charts: of some codes, or with kept states of the first and a later frame."""
     machine, table = container.machine, container.table
     assert machine is not None
     wells = _wells(container)

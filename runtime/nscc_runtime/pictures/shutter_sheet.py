@@ -114,7 +114,7 @@ def _draw_chart(
     columns = chart_columns(edges)
     buckets = [to_rgb(look().of(lane)["color"]) for lane in range(lanes)]
     image = np.empty((count, lanes + 1, len(columns) - 1, 3))
-    image[:] = to_rgb(look().paper)  # the last lane keeps this colour: it is the gap
+    image[:] = to_rgb(look().paper)  # the colour of the gap, the last lane
     for row, lane in np.ndindex(count, lanes):
         share = open_share(rows[row, lane], edges, columns)
         colour = row_colours[row] if lanes == 1 else buckets[lane]

@@ -215,7 +215,7 @@ def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDAr
 
 
 def row_weights(rows: NDArray[np.intp], height: int) -> Values:
-    """Return the fraction of the frame that each row represents, half-way to adjacent rows."""
+    """Return the fraction (rows,) of a frame that each row represents, half-way to the next."""
     edges = np.concatenate(([0.0], (rows[1:] + rows[:-1] + 1) / 2, [float(height)]))
     return np.diff(edges) / height
 

@@ -129,7 +129,7 @@ def choose_cheapest(
     sure = fits & ((squares + 2.0 * unsure).max(axis=0) <= limits.sure_e2 - sure_e2)
     fits[0] = sure[0] = False
     order, most = np.argsort(-saved_ns, kind="stable"), _TRIED if measured.near_saturation else _FEW
-    # Standard errors of single effects add up to more than they are of all at once.
+    # The sum of standard errors of single effects exceeds the standard error of the set.
     first = order[fits[order]][: most // 2].tolist()
     best = [*dict.fromkeys(first + order[sure[order]].tolist())][:most]
     return [
@@ -184,7 +184,7 @@ def measure_together(
 ) -> Together:
     """Measure each candidate set with all its effects dropped at once. Return the first result
     within the limits, or else the result of dropping no effect."""
-    # A sample of pixels near saturation says little of the worst of them.
+    # A sample of the pixels near saturation says little about the worst of these pixels.
     full_setting = Setting(NONE, exact=not math.isinf(limits.max_e))
     every_ns, _ = trial.frame_ns(full_setting)
     for dropped in candidates:

@@ -174,7 +174,7 @@ def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Toget
         alone_e2 = measured.squares_e2(dropped_effects | {name}) - measured.squares_e2(
             dropped_effects
         )
-        # Outputs are buckets, or those of several frames.
+        # Outputs are the buckets of one or of several frames.
         square_e2 = square_e2.reshape(-1, len(alone_e2)) + alone_e2
     return math.sqrt(max(float(square_e2.max(initial=0.0)) + more_e2, 0.0))
 

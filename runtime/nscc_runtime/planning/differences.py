@@ -53,7 +53,7 @@ class WeightedPixels:
 
     @cached_property
     def cluster_starts(self) -> NDArray[np.intp]:
-        """Index of the first pixel of each cluster."""
+        """Index (clusters,) of the first pixel of each cluster."""
         return np.flatnonzero(np.diff(self.cluster, prepend=-1))
 
 

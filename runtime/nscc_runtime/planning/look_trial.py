@@ -72,7 +72,7 @@ class LookTrial(Trial):
         steady = everything().names(Moving) if self.light.motion is None else frozenset()
         return steady | (frozenset() if self.program.fades else everything().names(Fading))
 
-    # -- What is measured where ---------------------------------------------------------------
+    # -- Sample and effects -------------------------------------------------------------------
 
     @cached_property
     def sample(self) -> Sample:
@@ -173,7 +173,7 @@ class LookTrial(Trial):
             compared.append(np.concatenate([same[:, inner] for _, same in turns], axis=1))
         return ExposureErrors(np.concatenate(size_e), np.concatenate(compared), states=True)
 
-    # -- What planning asks -------------------------------------------------------------------
+    # -- Measurements -------------------------------------------------------------------------
 
     def executes(self, setting: Setting) -> Path:
         """Return "words", or "reference" if only the reference supports a kept effect."""

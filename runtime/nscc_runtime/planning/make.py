@@ -1,11 +1,12 @@
 """Make a plan for a scene, in five steps.
 
-1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents. 2.
-`measured_effects`: drop each effect alone, on these pixels with the same random numbers. 3.
-`choose`: find the sets of effects that save most time, if their errors add up to less than the
-tolerance. 4. `choose`: drop all effects of a set at once and compare with the truth. If the error
-plus two standard errors exceeds the tolerance, try the next set. 5. `decisions`: enter for every
-effect whether it is simulated, its measured error and the reason.
+1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
+2. `measured_effects`: drop each effect alone, on these pixels with the same random numbers.
+3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
+   tolerance.
+4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
+   standard errors exceeds the tolerance, try the next set.
+5. `decisions`: enter for every effect whether it is simulated, its measured error and the reason.
 
 Effects are only measured if that saves more time than it takes, or if the user requests the table.
 Otherwise every effect is simulated."""
@@ -139,7 +140,8 @@ def allowed_on(
 def _measured(
     scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
 ) -> Plan:
-    """Run the five steps and return the plan, with a slower trial if sums are too inaccurate."""
+    """Measure effects, choose and measure a set to drop, and return the plan. Uses a slower trial
+    if sums are too inaccurate."""
     assert demands.allowed is not None
     too_large = trial.too_large(demands.allowed.electrons)
     moves = [move for move in trial.moves(free) if not move.names & too_large]
@@ -149,7 +151,7 @@ def _measured(
     effects_to_measure |= trial.slow - trial.absent - trial.forced_off
     negligible = scene.approximates(_NEGLIGIBLE * demands.allowed.electrons, None)
     slower = scene.slower_trial(trial, demands.allowed.electrons)
-    # Measurements near saturation are slow: they are made on request, or if they decide.
+    # Measurements near saturation are slow, so first try without, except on request.
     for near_saturation in (True,) if figures else (False, True):
         measured = measure_effects(
             trial,

@@ -52,7 +52,7 @@ def measure_prices() -> list[Price]:
     container = nscc.compile(_TEXT, level=1).container
     program = analysed(container, default_sensor(container.target))
     rows, cols = program.array.shape
-    # Waves of some ten pixels, at 30 to 470 electrons a slot: bright, and nothing saturates.
+    # Waves of some ten pixels, 30 to 470 electrons per slot: bright, but not saturated.
     wave = np.sin(np.arange(rows) / 7.0)[:, None] * np.sin(np.arange(cols) / 5.0)
     light = Light.of_still((250e3 + 220e3 * wave).astype(np.float32), program.slot_s)
     pixels, request = program.array.lanes.size, PlanRequest(selected("auto"), 5.0, figures=True)

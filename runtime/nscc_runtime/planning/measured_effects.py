@@ -86,7 +86,7 @@ def _products(fields: Values, weight: Values) -> Values:
     """Return mean products (outputs, fields, fields) of all pairs of `fields` (fields, outputs,
     pixels)."""
     weighed = fields * (weight / max(float(weight.sum()), 1e-300))
-    # Not by a library for matrices: its sums may differ from machine to machine.
+    # Sums of matrix libraries may differ between machines, so none is used.
     return np.array(
         [(fields[:, None, b] * weighed[None, :, b]).sum(axis=2) for b in range(fields.shape[1])]
     )

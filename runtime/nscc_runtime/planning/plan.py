@@ -168,7 +168,7 @@ class Plan:
 
     @property
     def tolerance_inputs(self) -> tuple[ToleranceInput, ToleranceInput | None]:
-        """The tolerances as the user entered them: relative tolerances as text."""
+        """The tolerances as entered by the user, relative ones as text; the second may be None."""
         allowed, most = self.allowed, self.allowed_max
         return (
             self.tolerance if allowed is None or allowed.follows else allowed,

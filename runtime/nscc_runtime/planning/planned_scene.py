@@ -60,8 +60,7 @@ class PlannedScene(ABC):
 
     @abstractmethod
     def trial(self, forced_off: Names) -> Trial:
-        """Return the trial that measures effects on this scene; `forced_off`: effects to drop
-        always."""
+        """Return the trial that measures effects on this scene with `forced_off` switched off."""
 
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
         """Return a slower trial with smaller errors than `trial`; None if there is none."""

@@ -90,8 +90,8 @@ class Sample(WeightedPixels):
 
     @cached_property
     def one_each(self) -> NDArray[np.intp]:
-        """Index of one sampled pixel of each tile. Its position in the tile varies, because codes
-        may repeat with the tile size."""
+        """Index (tiles,) of one sampled pixel of each tile. Its position in the tile varies,
+        because codes may repeat with the tile size."""
         starts = self.cluster_starts
         starts = starts[starts < len(self.inner)]
         counts = np.diff(starts, append=len(self.inner))

@@ -82,8 +82,8 @@ class SampledExposures:
         frame: int = 0,
         known_counts: Sequence[KnownCounts] | None = None,
     ) -> Values:
-        """Return exposures by words of the `chosen` sampled pixels. `known_counts`: neighbours'
-        counts for each repeated exposure; None to draw them."""
+        """Return exposures (buckets, pixels) by words of the `chosen` sampled pixels.
+        `known_counts`: neighbours' counts for each repeated exposure; None to draw them."""
         wired, places = self.program.wired(effects, self.device_seed), self.sample.places[chosen]
         exposed = np.empty((len(self.program.container.buckets), len(places)))
         for turn, number in enumerate(self._numbers(frame)):
@@ -95,7 +95,7 @@ class SampledExposures:
 
     @remembered
     def by_reference(self, effects: Selection) -> Values:
-        """Return exposures of all sampled pixels by the reference."""
+        """Return exposures (buckets, pixels) of all sampled pixels by the reference."""
         exposures = [np.empty((len(self.program.container.buckets), 0))]
         for array, light, inner in self._arrays.values():
             if not len(inner):

@@ -79,7 +79,7 @@ class SummedTrial(Trial):
     @cached_property
     def sample(self) -> Sample:
         total_e = (self.light.motion or self.light).sum_e
-        dark = everything().require_part(CountedDark)  # a few pixels may have most of it
+        dark = everything().require_part(CountedDark)  # it differs between pixels
         current = self.program.array.device(self.sensor, self.device_seed).fixed(dark.per_s)
         dark_e = (current * self.program.slot_s.sum()).reshape(total_e.shape)
         return sample_of(total_e + dark_e, self.near_pixels, self.sensor.full_well_e)
@@ -108,8 +108,8 @@ class SummedTrial(Trial):
 
     @property
     def alike(self) -> bool:
-        """Whether an effect that changes no sampled pixel changes no pixel at all: true if no pixel
-        is near saturation."""
+        """Whether no pixel is near saturation. Then an effect that changes no sampled pixel changes
+        none."""
         return not self.running
 
     @cached_property
@@ -140,7 +140,7 @@ class SummedTrial(Trial):
         by = self.exposures
         return by.by_reference(self._fast_effects) - by.by_reference(everything())
 
-    # -- What is measured ---------------------------------------------------------------------
+    # -- Measurements -------------------------------------------------------------------------
 
     def alone(self, effect: Effect, near_saturation: bool) -> ExposureErrors:
         """Return the error of dropping one effect: measured by sums far from saturation, and by
@@ -202,8 +202,8 @@ class SummedTrial(Trial):
         return self.together(Setting(NONE, exact=True))
 
     def together(self, setting: Setting) -> ExposureErrors:
-        """Return the error of a setting, relative to sums far from saturation and relative to words
-        near it.
+        """Return the error of a setting: relative to sums for pixels far from saturation, and
+        relative to words for pixels near saturation.
 
         If all saturating effects are dropped, noise dominates the error; several frames are then
         exposed as additional outputs."""
@@ -282,7 +282,7 @@ class SummedTrial(Trial):
     def _unforced(self) -> SummedTrial:
         return replace(self, forced_off=NONE) if self.forced_off else self
 
-    # -- What may be left out -----------------------------------------------------------------
+    # -- Effects to drop ----------------------------------------------------------------------
 
     def moves(self, free: Names) -> Sequence[Move]:
         """Return a move for each effect that sums support, and one for all saturating effects."""
@@ -297,7 +297,7 @@ class SummedTrial(Trial):
                     continue
                 names |= lit & free
             moves.append(Move(names, self.saved_ns(name), name))
-        # Noise that takes pixels out of the registers' range does so in few: too rare to measure.
+        # Noise drives few pixels out of the registers' range, too few to be measured.
         by_noise = (self.program.reach.least_e[:, self.program.lanes] <= 0).any()
         if self.saturation and self.saturation <= free and not by_noise:
             moves.append(Move(self.saturation, self._near_ns(NOTHING), None))

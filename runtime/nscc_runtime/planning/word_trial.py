@@ -23,7 +23,7 @@ APPROXIMATE = (
 
 @dataclass(frozen=True, eq=False)
 class WordTrial(SummedTrial):
-    """A trial by words. Effects whose error by sums exceeds `limit_e` electrons are skipped."""
+    """A trial by words. Effects whose error by sums exceeds `limit_e` are not measured by words."""
 
     limit_e: float = np.inf
 
@@ -119,8 +119,7 @@ class ReferenceTrial(WordTrial):
         return self.work.reference_ns if name in self.slow - self.absent else 0.0
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Return the reasons for the reference: effects that only it supports, or inaccurate
-        sums."""
+        """Return the reasons for the reference: effects that only it has, or inaccurate sums."""
         slow = [e for e in self.requested_effects.effects if e.name in self.slow - self.absent]
         return tuple(map(slow_reason, slow)) or (APPROXIMATE,)
 

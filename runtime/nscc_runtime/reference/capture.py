@@ -64,7 +64,7 @@ class Reference:
         # Decay may change where words act; draws stay those of the words without decay.
         kept_us = retention_us(effects, sensor)
         words = fresh if kept_us == inf else analog_words(container, kept_us)
-        # The sensor's gain and leakage even if off: no effect changes the draws of another.
+        # Use the sensor's gain and leakage even if these are off: draws then stay the same.
         gain, leak = everything().require_part(WordGain), everything().require_part(Leak)
         model = WeightModel(gain.gain(sensor), 1.0 / leak.tau_s(sensor))
         weights = backward(container, fresh, model)
@@ -167,7 +167,7 @@ def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]
 
 @dataclass(eq=False, kw_only=True)
 class _FixedShutterPixels(WordPixels):
-    """Some pixels of a program with fixed shutters, during one frame."""
+    """Some pixels of a program with fixed shutters, during one frame. `lanes`: shape (pixels,)."""
 
     program: Reference
     lanes: NDArray[np.intp]

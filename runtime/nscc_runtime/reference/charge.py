@@ -34,7 +34,7 @@ class Groups:
     places: NDArray[np.int64] | None = None
 
     def places_of(self, rows: range) -> NDArray[np.int64]:
-        """Return the places of the pixels of some rows."""
+        """Return the places (pixels,) of the pixels of some rows."""
         cols = self.lane.shape[1]
         if self.places is not None:
             return self.places[rows.start * cols : rows.stop * cols]

@@ -99,7 +99,8 @@ class Digital:
                 self.written_us[name] = values[pixels]
 
     def merge(self) -> NDArray[np.intp]:
-        """Merge pixels with equal bits. Return for each old pixel the index of its new pixel."""
+        """Merge pixels with equal bits. Return the index of the new pixel of each old one
+        (pixels,)."""
         times = [
             written_us
             for written_us in self.written_us.values()

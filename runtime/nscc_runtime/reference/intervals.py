@@ -40,7 +40,7 @@ class Intervals:
 
     @property
     def us(self) -> Values:
-        """Length of each interval in microseconds."""
+        """Length (intervals,) of each interval in microseconds."""
         return np.add.reduceat(self.slot_us, self.starts)
 
     def joined(self, scene: Scene) -> Scene:

@@ -65,7 +65,7 @@ class LookingReference:
 
     @cached_property
     def intervals(self) -> Intervals:
-        """The intervals of the frame: each slot if there is no noise, else runs of slots without
+        """The intervals of the frame: single slots without noise, else runs of slots without
         words."""
         return Intervals.of(self.container, every_slot=self.effects.noiseless)
 
@@ -194,7 +194,7 @@ class _LookingPixels(WordPixels):
                 self.digital.run(word.op)
 
     def _compared_total(self, word: RunningWord) -> Values:
-        """Return the value that a comparison tests for being above 0."""
+        """Return the electrons (pixels,) of which a comparison tests whether they are above 0."""
         total = self.total(word)
         for compare in self.at("compare"):
             total = compare(self, total, word)

@@ -35,7 +35,7 @@ class SpreadNoise:
     _missing: list[NDArray[np.float64]] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Compute the part of each bucket's draw that the words' draws leave (z - Q^T x)."""
+        """Draw z for each bucket, and subtract the contribution Q^T x of the words' draws."""
         self._missing = [
             normals(self._key(SUM, bucket), self.pixels) for bucket in range(self.buckets)
         ]

@@ -33,8 +33,7 @@ class Resets:
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
     def lit(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words read the reset level plus the light since the
-        reset."""
+        """Return a mask of pixels where words read the reset level plus light since the reset."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
     def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:

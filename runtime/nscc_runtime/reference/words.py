@@ -38,7 +38,7 @@ START = 0
 
 
 def readout_waits_s(container: Container) -> NDArray[np.float64]:
-    """Return the waiting time of each bucket in seconds: readouts happen one after the other."""
+    """Return the waiting time (buckets,) in seconds: readouts happen one after the other."""
     order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
     readout_us = container.target.readout_us
     return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
@@ -121,7 +121,7 @@ class WordPixels(Pixels):
         }
 
     def arbitrary(self, group: int) -> Values:
-        """Return uniform numbers, fixed by the device, for the initial values of a register."""
+        """Return uniform numbers (pixels,) of the chip for the initial values of a register."""
         return uniforms(key(self.device_seed, START, group=group), self.places)
 
     @abstractmethod
@@ -151,7 +151,7 @@ class WordPixels(Pixels):
         self.resets.reset(self, acting, word, word.boundary)
 
     def total(self, word: RunningWord) -> Values:
-        """Return the sum of a word's sources."""
+        """Return the sum of a word's sources in electrons."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name == "IN":
@@ -166,7 +166,7 @@ class WordPixels(Pixels):
         return total
 
     def source(self, name: str) -> Values:
-        """Return the value that a word reads from an analog register."""
+        """Return the value in electrons that a word reads from an analog register."""
         return self.register[name]
 
     def bus(self, word: RunningWord, acting: Bits) -> None:
@@ -185,7 +185,7 @@ class WordPixels(Pixels):
         """Return the exposures of the frame and their saturation marks."""
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
-        stays = self.container.pictures is not None  # images are computed before readout
+        stays = self.container.pictures is not None  # readout follows the words of images
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
             for decay in () if stays else self.at("hold"):

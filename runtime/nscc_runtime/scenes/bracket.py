@@ -116,8 +116,7 @@ def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
 
 
 def _exif_exposure(path: Path) -> float:
-    """Return exposure time times ISO speed over squared f-number; values missing in the EXIF count
-    1."""
+    """Return exposure time times ISO speed over squared f-number; missing factors count 1."""
     from PIL import Image
 
     try:

@@ -45,7 +45,7 @@ def motion(
 
 
 def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.float32]:
-    """Return `count` pictures of the middle `share` of the clip, in relative luminance up to 8."""
+    """Return the middle `share` of the clip: relative luminance (count, rows, cols) up to 8."""
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit

@@ -39,7 +39,7 @@ def open_clip(path: Path) -> Pages:
 
 
 def read_clip(path: Path) -> Iterator[NDArray[Any]]:
-    """Yield the frames of a clip like `open_clip`."""
+    """Yield the frames (R, C, 3) of a clip. Raises Rejected like `open_clip`."""
     return open_clip(path).read()
 
 

@@ -10,8 +10,8 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 
 @dataclass(frozen=True)
 class Window:
-    """The array's size, and the (row, column) of its top left corner in pictures (None:
-    centred)."""
+    """The size of the array, and the position (row, column) of its top left corner in pictures. If
+    `corner` is None, the array is centred."""
 
     rows: int
     cols: int

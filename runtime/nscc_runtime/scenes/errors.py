@@ -66,12 +66,12 @@ class Census:
         if block.size == 0:
             return
         top = np.float64(np.finfo(np.float32).max)
-        with np.errstate(invalid="ignore"):  # of signalling NaN
+        with np.errstate(invalid="ignore"):  # warnings of signalling NaN
             low, high = float(block.min()), float(block.max())
             if low >= 0.0 and high <= top:
                 return
             if block.dtype.kind == "f" and block.dtype.itemsize < 8:
-                block = block.astype(np.float64)  # `top` is infinite in float16
+                block = block.astype(np.float64)  # `top` would be infinite in float16
         for kind, mask in (
             ("NaN", np.isnan(block)),
             ("infinite", np.abs(block) > top),

@@ -302,8 +302,7 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
-    """Return a clip's light: one frame per slot, or by `--fps`; with `single` one frame as a
-    still."""
+    """Return a clip's light: one frame per slot, by `--fps`, or with `single` one as a still."""
     if request.single:
         return _still(
             request, partial(timing.only_frame, request.name, stored, request.first), transfer

@@ -48,7 +48,7 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
             }
     from scipy.io import whosmat
 
-    with open(path, "rb") as file:  # of a path scipy does not say that there is no such file
+    with open(path, "rb") as file:  # for a missing path scipy raises no FileNotFoundError
         return {str(name): tuple(shape) for name, shape, _ in whosmat(file)}
 
 

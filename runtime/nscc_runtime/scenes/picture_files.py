@@ -259,7 +259,7 @@ def read_folder(
 
 
 def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
-    """Yield the pictures of a clip, given with names. Raises NS0734 if one differs in size."""
+    """Yield the pictures of pairs (name, picture). Raises NS0734 if one differs in size."""
     first: tuple[int, int] | None = None
     for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])

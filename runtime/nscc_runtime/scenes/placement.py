@@ -120,8 +120,7 @@ def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float
 
 
 def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
-    """Return light at a new size: means over the area of each new pixel, or linear
-    interpolation."""
+    """Return light at a new size: means over the area of new pixels, or linear interpolation."""
     import cv2
 
     smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]

@@ -100,7 +100,7 @@ def _read_page(path: Path, index: int, tags: Tags) -> NDArray[Any]:
         if bits > 8 and kind == _UNSIGNED and tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
             picture = np.iinfo(picture.dtype).max - picture
     stated_size = (int(tags[_ROWS]), int(tags[_COLS]))
-    if sorted(picture.shape[:2]) != sorted(stated_size):  # a photograph may have been turned
+    if sorted(picture.shape[:2]) != sorted(stated_size):  # it may have been rotated
         raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {stated_size}")
     return picture
 
