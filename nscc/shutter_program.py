@@ -251,7 +251,7 @@ class ShutterProgram:
     @property
     def _a_frame(self) -> str:
         if self.target.streamed:
-            return counted(self.slots, "plane of bits", "planes of bits")
+            return counted(self.slots, "bit plane")
         return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:

@@ -243,7 +243,7 @@ class ReplayPixels:
             return value
         if value != UNKNOWN:
             never = self._written_us[name] == -inf
-            self._doubt(f"{name} has decayed{': no frame writes it anew' if never else ''}")
+            self._doubt(f"{name} has decayed{': no frame writes it again' if never else ''}")
         return UNKNOWN
 
     def _or_sources(self, word: Op) -> Bits:

@@ -110,7 +110,7 @@ def _kernels(first: Container, second: Container) -> Iterator[str]:
             continue
         yield from _listing_change(before, first, after, second)
     if list(old) != list(new) and sorted(old) == sorted(new):
-        yield "the kernels stand in another order"
+        yield "the kernels are in another order"
 
 
 def _listing_change(
@@ -120,7 +120,7 @@ def _listing_change(
     # Listings of which one is a prefix of the other differ from the end of the shorter one.
     alike = takewhile(lambda pair: pair[0] == pair[1], zip_longest(old, new))
     same = sum(1 for _ in alike)
-    yield from _text_change(old, new, 2, f"; they part at line {same}")
+    yield from _text_change(old, new, 2, f"; they differ from line {same} on")
 
 
 def _listing(kernel: StoredKernel | None, container: Container) -> list[str]:
@@ -208,7 +208,7 @@ def _readouts(first: Container, second: Container) -> Iterator[str]:
         if old.get(bucket) != new.get(bucket):
             yield _change(bucket, old.get(bucket, "none"), new.get(bucket, "none"))
     if list(old) != list(new) and sorted(old) == sorted(new):
-        yield "they stand in another order"
+        yield "they are in another order"
 
 
 def _notes(first: Container, second: Container) -> Iterator[str]:

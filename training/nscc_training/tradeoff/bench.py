@@ -279,7 +279,7 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
         "NS0827",
         reason,
         notes=(
-            "%: of the scene's mean signal; e: electrons; lsb: codes of the ADC; noise: a "
+            "%: of the scene's mean signal; e: electrons; lsb: converter codes; noise: a "
             "fraction of the frame's own noise",
             f"it must be between {LEAST_E:g} electrons and the mean signal",
         ),
