@@ -115,7 +115,7 @@ class ShutterProgram:
             NS0741 if the program has no pixel data; `with_pixels` adds it.
         """
         codes = self._with_data.container.pixel_codes
-        assert codes is not None  # what has none is rejected
+        assert codes is not None  # programs without a schedule are rejected
         return codes
 
     def shutters(self, *, pixels: bool = False) -> NDArray[np.bool_]:
@@ -386,7 +386,7 @@ def compile(
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     """Compile a text whose name is used in messages; raises and warns as `compile` does."""
     compiled = compile_source(text, folder, options)
-    assert compiled.container is not None  # what does not fit is rejected
+    assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)
     return ShutterProgram(text.name, compiled.container, compiled, options)
 

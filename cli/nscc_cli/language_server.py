@@ -255,7 +255,7 @@ def _changes(server: Server) -> None:
         def styled(document: Document, positions: Positions) -> list[types.TextEdit]:
             try:
                 text = format_source(document.source)
-            except Rejected:  # what is wrong is shown already
+            except Rejected:  # the error is shown already
                 return []
             whole_range = positions.range(_document_span(document))
             return [] if text == document.text else [types.TextEdit(whole_range, text)]

@@ -127,7 +127,7 @@ def _container(
     container = compile_source(
         Source(path.name, PROGRAM), Path(), compile_options(options)
     ).container
-    assert container is not None  # what does not fit is rejected
+    assert container is not None  # programs that do not fit are rejected
     return with_pixels(container, path, options["pixels"]), ()
 
 

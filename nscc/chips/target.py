@@ -247,7 +247,7 @@ class Target:
         if self.conversion == "full":
             zero = 1 << (self.adc_bits - 1)
         elif self.spread_level is not None and not self.streamed:
-            # IN has steps: the full well that it takes away may be half a step too much or little.
+            # IN is set in whole steps, so the subtracted full well may be wrong by half a step.
             taken_e = -self.spread_level * self.electrons_per_step
             zero = (self.full_well_e - taken_e) / (2 * self.electrons_per_lsb)
         return zero + self.adc_offset_lsb

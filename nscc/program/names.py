@@ -253,7 +253,7 @@ class _Gatherer:
             rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
         ):
             return
-        # Buckets have names of their own (the key cannot be a name): until version 3, no expression
+        # Buckets have separate names (the key cannot be a name): before version 3, no expression
         # reads them.
         elif self._unused(
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"

@@ -187,7 +187,7 @@ def read_container(path: Path) -> Container:
     try:
         with open(path, "rb") as file:
             data = file.read(_CHUNK)
-            # Whatever the path leads to, no more is read than a container may have.
+            # Read no more bytes than the largest container has, whatever the path refers to.
             while data.startswith(MAGIC) and len(data) <= LARGEST_FILE:
                 chunk = file.read(max(_CHUNK, len(data)))
                 if not chunk:

@@ -47,7 +47,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
     load = _load(draft, target, faults)
-    faults.stop()  # the rest needs valid sizes
+    faults.stop()  # the following steps need valid sizes
 
     notes = dict(draft.notes)
     if draft.shutters or draft.codes:

@@ -76,7 +76,7 @@ class Dark:
         seconds = np.asarray(self.slot_us, np.float64) * 1e-6
         if Light.of_still(night, seconds).sha256() == scene:
             return False
-        # An array of zeros is no light either, slot by slot.
+        # An array of zeros in every slot is also no light.
         clip = np.broadcast_to(night, (len(seconds), *rows_cols))
         return bool(Light.of_clip(clip).sha256() != scene)
 

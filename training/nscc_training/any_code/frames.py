@@ -148,7 +148,7 @@ def _dark_of(
     """
     dark_frame = read_dark(path, arrays["decode_shutter"].shape[-2])
     frame_pixels, dark = arrays["frame"].shape[-2:], dark_frame.offset.shape[-2:]
-    # A picture that was laid on arrays may end within the last of them.
+    # A picture that was exposed in parts may end within the last part.
     laid = meta.get("laid")
     needed = [-(-most // side) for most, side in zip(frame_pixels, dark, strict=True)]
     fits = isinstance(laid, dict) and needed == laid.get("arrays")

@@ -170,7 +170,7 @@ def design_pattern(
 
     def container_of(stop: int) -> Container:
         container = made_of([[stop]]).container
-        assert container is not None  # what does not fit is rejected
+        assert container is not None  # programs that do not fit are rejected
         return container
 
     def words_of(pattern: Pattern) -> int:

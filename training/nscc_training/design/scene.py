@@ -46,7 +46,7 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
     for number, scene in enumerate(scenes):
         light = np.asarray(scene, np.float64).reshape(-1)
         peak = peak_of(light, number)
-        # Below a billionth of the peak no shutter tells anything.
+        # Light below a billionth of the peak cannot be measured with any shutter.
         logs = np.log(np.maximum(light, 1e-9 * peak))
         low, high = float(logs.min()), float(logs.max())
         place = np.minimum(

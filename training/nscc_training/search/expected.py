@@ -66,7 +66,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
     slots = len(opened)
-    # All over the square of a slot's mean light, times its contrast.
+    # All are relative to the square of a slot's mean light times the contrast.
     noise = motion.noise + motion.counts * opened.sum(axis=0) / slots
     inverse = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
     middle = covariance[:, _MIDDLE].reshape(-1, len(inverse))

@@ -203,7 +203,7 @@ class Bench:
     def _captured(self, container: Container, light: Light) -> Simulated:
         """Simulate a frame with all effects."""
         tolerance = None
-        if not container.target.streamed:  # it has no plans, and is exact
+        if not container.target.streamed:  # such a chip has no plans, and its simulation is exact
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
             effects="all", tolerance=tolerance, seed=self.request.seed,
@@ -290,7 +290,7 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
 def scaled_text(target: str, factor: float) -> str:
     """Return a tolerance multiplied by `factor`, as text in its unit: 3 % for 1 %."""
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
-    assert match is not None  # it was read as a tolerance
+    assert match is not None  # the text was parsed as a tolerance before
     return f"{float(match[1]) * factor:g}{match[2]}"
 
 

@@ -70,7 +70,7 @@ def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
         else:
             options = Options(level=settings.level, target=settings.target)
             coded = compile_file(examples()[CLIPS[count]], options).container
-            assert coded is not None  # what does not fit is rejected
+            assert coded is not None  # programs that do not fit are rejected
             container = coded
     except Rejected as error:
         first = error.diagnostics[0]
