@@ -148,7 +148,7 @@ class ShutterProgram:
 
     @property
     def words(self) -> NDArray[np.uint32]:
-        """The stored instruction code words, kernel after kernel: uint32 (words, 5)."""
+        """The stored instruction words, kernel after kernel: uint32 (words, 5)."""
         stored = [word for kernel in self.container.kernels for word in kernel.words]
         return np.array(stored, np.uint32).reshape(len(stored), 5)
 
@@ -304,7 +304,7 @@ class ShutterProgram:
         return self.compiled, self.options
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
-        """Return the content of a file of some kind, and of the files beside it."""
+        """Return the contents of the product `kind` and of the files that belong to it, by path."""
         if kind == "icw":
             from nscc.words.file import to_bytes
 

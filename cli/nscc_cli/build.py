@@ -1,4 +1,4 @@
-"""`nscc build`: compile a program to a container of instruction code words."""
+"""`nscc build`: compile a program to a container of instruction words."""
 
 from __future__ import annotations
 

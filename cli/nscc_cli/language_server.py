@@ -119,8 +119,8 @@ def make_server() -> Server:
 
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
-    """Return whether a log record is anything but a refused request, which the editor shows
-    itself."""
+    """Return False for log records of refused requests, which the editor shows itself, else
+    True."""
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 

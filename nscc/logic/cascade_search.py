@@ -80,9 +80,9 @@ _A_PAIR = 0.5
 class _Values:
     """The values in a beam: their undecided points, and how each value is reached.
 
-    `task` is the index of the predicate. `via` is the index of the value that reads this value, and
-    `negated` says whether as a NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0
-    if there are fewer."""
+    `task` is the index of the predicate. `via` is the index of the value that reads this value, as
+    a source of a NOR if `negated`, else of an OR. `cubes` (n, scratch) are masks of the cubes of
+    the same link, 0 if there are fewer."""
 
     on: Points
     off: Points

@@ -21,9 +21,8 @@ PREDEFINED = {
 }
 
 LOOKS = "looks"
-"""In version 2, the name of the number of boundaries so far with at least one sense.
-
-The current boundary counts."""
+"""In version 2, the name of the number of boundaries with at least one sense, up to the current
+one."""
 
 State = tree.StateRange | tree.StateBit
 Code = tree.CodeRange | tree.CodeBits | tree.CodeRow

@@ -222,7 +222,7 @@ class Bench:
 
 @dataclass(frozen=True, eq=False)
 class _Follows:
-    """Quantities to which a target error may be relative."""
+    """The quantities to which a target error may be relative."""
 
     bench: Bench
 
