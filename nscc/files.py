@@ -38,7 +38,7 @@ def inputs_kept() -> Iterator[None]:
 
 
 def reads(*paths: Path) -> None:
-    """Record input files by device and inode; other paths are ignored."""
+    """Record input files by device and inode; ignore paths that are not regular files."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:

@@ -156,8 +156,7 @@ class Search:
         width: int,
         most_total: int,
     ) -> list[Cascade | None]:
-        """Return a cascade that leaves each predicate of `on` (n, W) in FLAG; None where none was
-        found.
+        """Return for each predicate of `on` (n, W) a cascade that computes it in FLAG, or None.
 
         A cascade has at most `most_words` words. FLAG holds `flag_before` (n, W) before the
         cascade, the empty set if its content is unknown. `width` is the width of the beam. The

@@ -23,9 +23,9 @@ _LIT = 0.01
 class Dark:
     """A dark frame, from one exposure or repeated ones.
 
-    `offset` (rows, cols), for two buckets (2, rows, cols), is the mean code above the ADC's offset.
-    `meta` is that of the file. `slot_us` (N,) are the slot lengths, None if unknown. `saturated` is
-    the fraction of saturated pixels."""
+    `offset` (rows, cols), or (2, rows, cols) for two buckets, is the mean converter code above the
+    ADC's offset. `meta` is the metadata of the file. `slot_us` (N,) are the slot lengths, None if
+    unknown. `saturated` is the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]

@@ -178,7 +178,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters: half of the time of any class, else bumps in a 4 x 4 tile.
+    """Return random shutters: with probability 1/2 of any class, otherwise bumps in a 4 x 4 tile.
 
     The bumps take a quarter of the frame and open one after another: within the frame, in two
     phases, or wrapping around its end."""

@@ -107,12 +107,13 @@ class _Convolution3d(nn.Conv3d):
 class StillUNet(nn.Module):
     """A 2D U-Net.
 
-    Inputs: the frame, or the frames of two buckets. With `sees_code` also, for stills, the open
-    fraction of each pixel and the frame divided by it; for clips S^T E with one channel per slot.
+    Inputs: the frame, or the frames of two buckets. With `sees_code`, stills have two further
+    inputs, the open fraction of each pixel and the frame divided by it; clips have S^T E as input,
+    with one channel per slot. Output: the logarithm of the light of a still, or one channel per
+    slot of a clip (`slots`).
 
-    Output: the logarithm of the light of a still, or one channel per slot of a clip (`slots`). With
-    `guesses`, the first guess is another input, and the network predicts a correction to it, for
-    clips also a gain (`gated`); this needs `sees_code`."""
+    With `guesses`, the first guess is another input, and the network predicts a correction to it,
+    for clips also a gain (`gated`); this needs `sees_code`."""
 
     def __init__(
         self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False,

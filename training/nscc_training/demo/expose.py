@@ -122,7 +122,8 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """Return the electrons of a display picture's white, per frame, for clips per slot."""
+        """Return the electrons of a display picture's white: over the frame for stills, per slot
+        for clips."""
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 

@@ -223,7 +223,7 @@ def _steps(
 
 
 def _so_far(run: TrainingRun) -> dict[Path, bytes]:
-    """Return the files that a run resumes from: log and checkpoint."""
+    """Return the log and the checkpoint, from which a run can resume, by path."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
