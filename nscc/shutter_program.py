@@ -291,7 +291,7 @@ class ShutterProgram:
 
     @cached_property
     def _with_data(self) -> ShutterProgram:
-        """The program with pixel codes; NS0741 if it has none."""
+        """The program with pixel codes; raises Rejected (NS0741) if it has none."""
         return replace(self, container=with_pixels(self.container, self.name))
 
     def _as_compiled(self, product: str) -> tuple[Compiled, Options]:

@@ -131,7 +131,7 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """Read the bytes of a user's target file; raises NS0231 as `load_target` does."""
+    """Read the bytes of a user's target file; raise NS0231 as `load_target` does."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:

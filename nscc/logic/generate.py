@@ -240,8 +240,8 @@ def _fewest_words(problem: Problem, machine: Machine) -> int:
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """Yield the solutions of a generator until it gives up; NS0905 if an added generator is
-    wrong."""
+    """Yield the solutions of a generator until it gives up; raise Rejected (NS0905) if an added
+    generator is wrong."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):

@@ -90,7 +90,7 @@ class Looks(ReplayPixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises ReplayError at the first error."""
+        """Run one frame in `light` (N,); raise ReplayError at the first error."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()

@@ -95,7 +95,7 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
 
 
 def to_bytes(container: Container) -> bytes:
-    """Return the container as a file; ValueError for an inconsistent container (a bug of its
+    """Return the container as a file; raise ValueError for an inconsistent container (a bug of its
     maker)."""
     problems = faults(container)
     if problems:
@@ -307,7 +307,8 @@ def _is_count(value: Any) -> bool:
 
 
 def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
-    """Return the container of a checked header; ValueError if the arrays do not match the file."""
+    """Return the container of a checked header; raise ValueError if the arrays do not match the
+    file."""
     target = target_from_dict(header["target"])
     layout = _layout(header)
     need = start + sum(array.nbytes for array in layout) + _DIGEST

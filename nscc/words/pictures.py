@@ -275,7 +275,7 @@ def to_plain(node: Node) -> list[Any]:
 
 
 def from_plain(plain: Any) -> Node:
-    """Return the node that `to_plain` converted; ValueError for other lists."""
+    """Return the node that `to_plain` converted; raise ValueError for other lists."""
     try:
         name, *values = plain
         if name == "Sum":

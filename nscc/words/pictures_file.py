@@ -44,7 +44,7 @@ def header_of(pictures: Pictures) -> dict[str, Any]:
 
 
 def pictures_from(header: Any) -> Pictures:
-    """Return the images and planes of a header; ValueError for an invalid header."""
+    """Return the images and planes of a header; raise ValueError for an invalid header."""
     try:
         return Pictures(
             tuple(

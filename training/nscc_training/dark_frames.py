@@ -113,8 +113,8 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """Read a dark frame file; Rejected (NS0819) for another number of buckets or a missing ADC
-    offset."""
+    """Read a dark frame file; raise Rejected (NS0819) for another number of buckets or a missing
+    ADC offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:

@@ -227,7 +227,8 @@ class Run:
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
-        """Return codes from an array."""
+        """Check an array of converter codes, as a frame or a file of it gives them, and
+        return it."""
         target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
         if self.folder.setup.buckets > 1:

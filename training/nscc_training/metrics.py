@@ -257,7 +257,7 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
-    """Return both as arrays; WrongArgument unless they are finite numbers of one shape."""
+    """Return both as arrays; raise WrongArgument unless they are finite numbers of one shape."""
     first, second = np.asarray(truth), np.asarray(result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:
         raise wrong_argument(

@@ -31,7 +31,7 @@ class NoiseModel:
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """Parse `SD` or `SD,GAIN`; NS0846 for another text."""
+        """Parse `SD` or `SD,GAIN`; raise Rejected (NS0846) for another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:

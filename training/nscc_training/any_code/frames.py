@@ -74,8 +74,8 @@ class CodedFrame:
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """Return the measurement with shutter weights (shutters, B, N); ValueError if it is too
-        large."""
+        """Return the measurement with shutter weights (shutters, B, N); raise ValueError if it is
+        too large."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))

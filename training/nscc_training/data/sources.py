@@ -267,7 +267,7 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
-    """Return the scene; Rejected (NS0811) if training cannot use it."""
+    """Return the scene; raise Rejected (NS0811) if training cannot use it."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"

@@ -79,7 +79,7 @@ def stops_tried(slots: int) -> list[int]:
 
 
 def peak_of(light: Values, number: int = 0) -> float:
-    """Return the light that counts as white; Rejected (NS0824) for a scene without light."""
+    """Return the light that counts as white; raise Rejected (NS0824) for a scene without light."""
     peak = float(np.percentile(light, PERCENTILE))
     if peak <= 0:
         peak = float(light.max())

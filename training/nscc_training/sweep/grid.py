@@ -205,7 +205,7 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
 def _kinds(
     tables: Mapping[str, Any], grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
-    """Return the kind of each part; Rejected (NS0832) if a part lacks one."""
+    """Return the kind of each part; raise Rejected (NS0832) if a part lacks one."""
     problems: list[Diagnostic] = []
     head = _schema({})
     common = tables.get(_KIND.name)

@@ -139,7 +139,7 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return a program's file and the files that it names; Rejected for unreadable files."""
+    """Return a program's file and the files that it names; raise Rejected for unreadable files."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 

@@ -117,8 +117,8 @@ class Bench:
 
     @cached_property
     def signal_e(self) -> float:
-        """The mean of `ideal_e`, with each value limited to a full well; NS0826 for a dark
-        scene."""
+        """The mean of `ideal_e`, with each value limited to a full well; raises Rejected (NS0826)
+        for a dark scene."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -132,7 +132,7 @@ class Bench:
 
     @cached_property
     def target(self) -> Tolerance:
-        """The largest allowed error; Rejected (NS0827) for an invalid one."""
+        """The largest allowed error; raises Rejected (NS0827) for an invalid one."""
         return target_of(self.request.target_error, self.sensor, _Follows(self))
 
     @cached_property
