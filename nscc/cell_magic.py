@@ -77,7 +77,7 @@ def load_ipython_extension(shell: Any) -> None:
         options = Options(**{key: value for key, value in arguments.items() if value is not None})
         text = Source(f"In [{shell.execution_count}]", cell)
         try:
-            with warnings.catch_warnings(action="ignore"):  # the card shows them
+            with warnings.catch_warnings(action="ignore"):  # the notebook's card shows the warnings
                 program = compiled(text, Path(), options)
         except Rejected as rejected:
             raise CellRejected(rejected.diagnostics, rejected.status) from None

@@ -174,8 +174,9 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
 
 
 def check_route(sending: Sending) -> None:
-    """Check that the light of every slot goes to the tap of the open bucket, or to no
-    bucket's tap."""
+    """Check that in every slot the light goes to the tap of the open bucket.
+
+    If no bucket is open, the light must go to the drain or to a tap without a bucket."""
     route, shutters = sending.route, sending.program.table.shutters
     place = np.where(route.bits, route.ones, route.zeros)[:, None]
     collected = place == np.arange(shutters.shape[1])[:, None]

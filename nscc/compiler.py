@@ -44,7 +44,7 @@ def _with_ways_out(
     """Add alternatives that fit to the diagnostics of a program that does not fit."""
     if not any(has_ways_out(d) for d in diagnostics):
         return list(diagnostics)
-    from nscc.limits.ways_out import ways_out  # only for what does not fit
+    from nscc.limits.ways_out import ways_out  # imported only for programs that do not fit
 
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
 

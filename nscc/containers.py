@@ -39,7 +39,7 @@ def load_container(
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
-    if compiled.container is None:  # only a search can tell, and the options let that pass
+    if compiled.container is None:  # undecided programs pass here
         raise ValueError(f"{path}: there are no words")
     return compiled.container, compiled.diagnostics
 

@@ -12,30 +12,30 @@ from nscc.notebooks import notebook
 _ENDINGS = (".nsl", ".toml")
 
 START = """\
-# What this program is for: who sees what, and when.
+# Describe here what the program is for.
 nsl 1
 
-frame 64 slots of 500us             # a frame is a row of time slots: 32 ms in all
+frame 64 slots of 500us             # the frame has 64 time slots, 32 ms in all
 
-# A pixel's code is one or more fields; what they mean is the next statement's business.
+# The code of a pixel has one or more fields. The rule below defines what they mean.
 code start : 0..N - 1               # N is the number of slots, 64
 code stop  : 1..N
-require start < stop                # legal codes only: pixels must obey
+require start < stop                # other codes are an error
 
-# In slot n a pixel's shutter is open where this holds.
+# In slot n, the shutter of a pixel is open if this condition is true.
 open when start <= n < stop
 
-# The data: which pixel has which code, here a tile that repeats over the array. It may also be
-# computed from x and y, or come from a file: pixels from "codes.npz".
+# The codes of the pixels, here a tile that is repeated over the array. Codes can also be computed
+# from x and y, or read from a file: pixels from "codes.npz".
 pixels start = tile [[0, 16],
                      [0, 48]]
 pixels stop  = tile [[64, 32],
                      [16, 64]]
 
-# nscc check FILE     whether it fits the chip, and what it costs
-# nscc view FILE      when each pixel is open
+# nscc check FILE     reports whether the program fits the chip, and how many words it needs
+# nscc view FILE      draws when each pixel is open
 # nscc run FILE --scene builtin:motion --png frame.png
-# nscc examples       more programs to look at
+# nscc examples       lists further programs
 """
 """A commented program of class d, for `nscc new`."""
 

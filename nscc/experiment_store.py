@@ -109,7 +109,7 @@ class ExperimentStore:
         self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
         worker: str = "",
     ) -> None:  # fmt: skip
-        """Store a measurement; ValueError for None, NaN and infinity, which JSON cannot
+        """Store a measurement; raise ValueError for None, NaN and infinity, which JSON cannot
         represent."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")

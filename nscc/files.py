@@ -38,12 +38,12 @@ def inputs_kept() -> Iterator[None]:
 
 
 def reads(*paths: Path) -> None:
-    """Record input files by device and inode; other paths are ignored."""
+    """Record input files by device and inode; ignore paths that are not regular files."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
             status = path.stat()
-        except (OSError, ValueError):  # it is read, if at all, by somebody who says what is wrong
+        except (OSError, ValueError):  # the function that reads the file reports the error
             continue
         if known is not None and stat.S_ISREG(status.st_mode):
             known[status.st_dev, status.st_ino] = path
@@ -183,7 +183,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             _fill(file, data)
         if old_mode not in (None, temporary.stat().st_mode & 0o777):
-            temporary.chmod(mode)  # the umask took rights away
+            temporary.chmod(mode)  # the umask removed permissions
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise

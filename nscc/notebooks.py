@@ -17,7 +17,7 @@ def notebook(page: str) -> bytes:
     outputs.
 
     Links to other pages become plain text, because a notebook is read outside the site."""
-    texts = _CELL.split(_HEAD.sub("", page))  # text and code by turns
+    texts = _CELL.split(_HEAD.sub("", page))  # text and code alternate
     cells = [_cell("code" if k % 2 else "markdown", text) for k, text in enumerate(texts)]
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     document = {

@@ -130,7 +130,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     )
     gated = search()
     if results is not None and results.read and not gated.fits:
-        # That nothing fits is never taken from the cache.
+        # The result that nothing fits is never taken from the cache.
         results.distrust()
         gated = search()
     messages = list({fault.generator: fault.diagnostic() for fault in gated.faults}.values())
@@ -338,7 +338,7 @@ def run_passes(
     except Exception:
         if results is None or not results.read:
             raise
-    # What came from the cache led nowhere: a file there is not what it says it is.
+    # The cached solution does not work: the cache file is wrong.
     results.distrust()
     return _run(source, job, see)
 

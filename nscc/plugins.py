@@ -33,7 +33,7 @@ def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, An
 
 
 def sources(group: Group) -> dict[str, str]:
-    """Return the modules that define the added objects, by name; raises as `added` does."""
+    """Return the modules that define the added objects, by name; raise as `added` does."""
     return {name: module for name, (_, module) in _loaded(group).items()}
 
 

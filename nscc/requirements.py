@@ -41,7 +41,7 @@ def distribution_of(module: str) -> str:
 
 
 def module_of(distribution: str) -> str:
-    """Return the module that a distribution brings."""
+    """Return the module that a distribution installs."""
     names = {name: module for module, name in _MODULES.items()}
     return names.get(distribution, distribution.replace("-", "_"))
 

@@ -115,7 +115,7 @@ class ShutterProgram:
             NS0741 if the program has no pixel data; `with_pixels` adds it.
         """
         codes = self._with_data.container.pixel_codes
-        assert codes is not None  # what has none is rejected
+        assert codes is not None  # programs without a schedule are rejected
         return codes
 
     def shutters(self, *, pixels: bool = False) -> NDArray[np.bool_]:
@@ -148,7 +148,7 @@ class ShutterProgram:
 
     @property
     def words(self) -> NDArray[np.uint32]:
-        """The stored instruction code words, kernel after kernel: uint32 (words, 5)."""
+        """The stored instruction words, kernel after kernel: uint32 (words, 5)."""
         stored = [word for kernel in self.container.kernels for word in kernel.words]
         return np.array(stored, np.uint32).reshape(len(stored), 5)
 
@@ -251,7 +251,7 @@ class ShutterProgram:
     @property
     def _a_frame(self) -> str:
         if self.target.streamed:
-            return counted(self.slots, "plane of bits", "planes of bits")
+            return counted(self.slots, "bit plane")
         return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:
@@ -291,7 +291,7 @@ class ShutterProgram:
 
     @cached_property
     def _with_data(self) -> ShutterProgram:
-        """The program with pixel codes; NS0741 if it has none."""
+        """The program with pixel codes; raises Rejected (NS0741) if it has none."""
         return replace(self, container=with_pixels(self.container, self.name))
 
     def _as_compiled(self, product: str) -> tuple[Compiled, Options]:
@@ -304,7 +304,7 @@ class ShutterProgram:
         return self.compiled, self.options
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
-        """Return the content of a file of some kind, and of the files beside it."""
+        """Return the contents of the product `kind` and of the files that belong to it, by path."""
         if kind == "icw":
             from nscc.words.file import to_bytes
 
@@ -386,7 +386,7 @@ def compile(
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     """Compile a text whose name is used in messages; raises and warns as `compile` does."""
     compiled = compile_source(text, folder, options)
-    assert compiled.container is not None  # what does not fit is rejected
+    assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)
     return ShutterProgram(text.name, compiled.container, compiled, options)
 

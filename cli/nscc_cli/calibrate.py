@@ -29,7 +29,7 @@ def _spread(args: list[str]) -> list[str]:
     taking, first = False, False
     for arg in args:
         if arg.startswith("-") and arg != "-":
-            # A `--dark` at the very end stays, for click to complain about.
+            # A `--dark` without files stays, so that click reports it.
             if taking and first:
                 spread_args.append(_DARK)
             taking = first = arg == _DARK

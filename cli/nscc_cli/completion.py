@@ -48,7 +48,7 @@ class Name(click.types.StringParamType):
         sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)
         items = [CompletionItem(before + name) for name in self.names() if name.startswith(typed)]
-        # Shells that look at files only where there is no name see this one first.
+        # Some shells complete files only if there is no name; they see this one first.
         return [*([CompletionItem(incomplete, type="file")] if self.files else []), *items]
 
 

@@ -100,8 +100,8 @@ def diff(first: str, second: str) -> None:
 def prove(file: Path) -> None:
     """Prove FILE by replaying its words for all codes and two frames of random light.
 
-    The proof checks that every code opens the shutter in the decode table (equation 7), and that
-    each bucket contains exactly the light of its open slots (equation 3). For a chip that receives
+    The proof checks that every code opens the shutter in the decode table, and that each bucket
+    contains exactly the light of its open slots. For a chip that receives
     bit planes, it follows the light of every pixel through the planes."""
     from nscc.program.problems import counted
     from nscc.prove.container_proof import prove_file

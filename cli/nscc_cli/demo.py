@@ -20,12 +20,12 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
 @color_option
 @click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P "
               "(default: as the run was trained).")  # fmt: skip
-@click.option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time "
-              "(default: a frame a slot).")  # fmt: skip
+@click.option("--fps", type=float, help="Frame rate of the clip (default: each slot shows the next "
+              "frame).")  # fmt: skip
 @tone_option
-@click.option("--merge", is_flag=True, help="Without the decoder: no torch is needed.")
+@click.option("--merge", is_flag=True, help="Reconstruct without the decoder, which needs torch.")
 @click.option("--readouts", type=click.IntRange(1, 4), metavar="K",
-              help="Of a clip, 1 to 4 in one exposure (default: the best number).")  # fmt: skip
+              help="Readouts of one exposure of a clip, 1 to 4 (default: 4).")  # fmt: skip
 @click.option("--seed", type=SEED, default=0, help="Seed of the frame's noise.")
 def command(
     scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
@@ -49,7 +49,7 @@ def command(
     if merge:
         settings = replace(settings, learned=False)
     elif not settings.learned:
-        say_done(f"without torch the frame is merged; {line_for('torch')} brings the decoder")
+        say_done(f"without torch the frame is merged; {line_for('torch')} installs the decoder")
     folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     for name in (scene,) if scene else BUILTIN:

@@ -110,7 +110,7 @@ def command(
     if motion:
         from nscc_training.search.choose import design_motion
 
-        # What moves slow or fast needs no scene, and of one takes light and texture.
+        # `slow` and `fast` need no scene; if one is given, its light and texture are used.
         moving = _moving(scenes, target, options) if scenes or motion == "scene" else []
         design: Design = design_motion(motion, moving, frame, options["max_words"])
     elif search:

@@ -216,6 +216,6 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     write_whole(out, target_toml(times.of(target)).encode())
     say_done(
         f"wrote {out}: a launch {times.launch_us:g} us, an analog word "
-        f"{times.analog_word_us:g} us, a digital one {times.digital_word_us:g} us, the loop at a "
+        f"{times.analog_word_us:g} us, a digital word {times.digital_word_us:g} us, the loop at a "
         f"boundary {times.wait_us:g} us, a readout {times.readout_us:g} us"
     )

@@ -28,8 +28,8 @@ _WIDTH = 98
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
 @click.option("--cost", is_flag=True, help="Print the simulation times on this machine.")
 @click.option("--plan", type=PATH, metavar="FILE",
-              help="Print the table of a plan: of the file of `nscc run --plan`, or of a "
-              "frame.")  # fmt: skip
+              help="Print the table of a plan, from a file of `nscc run --plan` or a frame "
+              "file.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
               show_default=True,
               help="The chip whose values are the defaults.")  # fmt: skip
@@ -85,12 +85,12 @@ def costs() -> str:
     ]
     measured = {price.name for price in prices}
     rows += [
-        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")
+        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel that the effect changes")
         for e in registered() if e.cost_ns and e.name not in measured
     ]  # fmt: skip
     return columns(rows, left_aligned=(0, 3, 4)) + (
-        "\n\nof one core; plans are chosen by shipped prices, so that the same input gives the "
-        "same bytes on every machine"
+        "\n\ntimes of one core; plans use the prices in the column `shipped`, so that the same "
+        "input gives the same bytes on every machine"
     )
 
 

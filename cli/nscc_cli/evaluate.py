@@ -56,7 +56,7 @@ _save_option = click.option("--save", type=OUT, metavar="DIR",
                    "oracle: bilinear, thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
-              show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
+              show_default=True, help="Weight of total variation, for values 0..1.")  # fmt: skip
 @_save_option
 @_outputs
 def sci8(

@@ -74,7 +74,7 @@ _LESS = {
         ("reconstruct", "evaluate"), "use a run with a smaller decoder, or fewer files at once"
     ),
 }
-"""What reduces the memory use, for each command."""
+"""A help for each command on how to reduce its memory use."""
 
 
 def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:

@@ -193,6 +193,6 @@ def summary(
             "all identical, because no effects are simulated" if alike else "the first is described"
         )
         if colours:
-            frames_text = "of red, green and blue light; that of red is described"
+            frames_text = "of red, green and blue light; the red one is described"
         lines.append(f"{len(frame.frame)} frames, {frames_text}")
     return "\n".join([*lines, *(f"wrote {path}" for path in files)])

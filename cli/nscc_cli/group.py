@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
         command = self.get_command(ctx, name)
         if command is None:
             raise Rejected(_unknown(name, self.list_commands(ctx)), status=2)
-        if not gc.isenabled():  # `main` turned it off for the imports
+        if not gc.isenabled():  # `main` turned the collector off during the imports
             gc.freeze()
             gc.enable()
         return name, command, args[1:]

@@ -119,8 +119,8 @@ def make_server() -> Server:
 
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
-    """Return whether a log record is anything but a refused request, which the editor shows
-    itself."""
+    """Return False for log records of refused requests, which the editor shows itself, else
+    True."""
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 
@@ -255,7 +255,7 @@ def _changes(server: Server) -> None:
         def styled(document: Document, positions: Positions) -> list[types.TextEdit]:
             try:
                 text = format_source(document.source)
-            except Rejected:  # what is wrong is shown already
+            except Rejected:  # the error is shown already
                 return []
             whole_range = positions.range(_document_span(document))
             return [] if text == document.text else [types.TextEdit(whole_range, text)]

@@ -22,5 +22,5 @@ def command(stdio: bool) -> None:
 
     if sys.stdin.isatty():
         say_done("waiting for an editor on standard input: Ctrl-C ends it")
-    with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes what it is given
+    with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes these streams
         make_server().start_io(stdout=out)

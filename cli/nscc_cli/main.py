@@ -31,8 +31,8 @@ INTERRUPTED = 130
 def main(argv: Sequence[str] | None = None) -> int:
     """Run `nscc` with these arguments (by default those of the process); return the exit status."""
     if argv is None:
-        # What imports make stays: looking through it for garbage takes a tenth of `check`. The
-        # group turns the collector on again when the command's module is there.
+        # Imported objects are permanent: searching them for garbage takes a tenth of `check`. The
+        # group turns the collector on again when the command's module is imported.
         gc.disable()
         _write_names_in_utf8()
     arguments = list(sys.argv[1:] if argv is None else argv)
@@ -46,8 +46,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader of our output has seen enough (`nscc disasm x.icw | head`): no fault, and
-        # no second complaint when the interpreter flushes what is left.
+        # The reader has closed our output (`nscc disasm x.icw | head`). This is not an error, and
+        # the interpreter must not report it again when it flushes the remaining output.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return DONE
 

@@ -121,7 +121,7 @@ scene_options = section(
     option("--bracket", is_flag=True,
            help="Merge photos with several exposures, a folder or 'DIR/*.jpg', to one still."),
     option("--times", metavar="S,S..",
-              help="Their exposure times in seconds (default: from their EXIF data)."),
+              help="With --bracket: the exposure times in seconds (default: from EXIF data)."),
     option("--fps", type=float, help="The frame rate of the clip, in the time of the slots."),
     option("--crop", metavar="R,C", help="Top left corner of the array in the scene."),
     option("--frames-are", type=Choice(["integrals", "samples"]), default="integrals",
@@ -160,7 +160,7 @@ first_option = section(SCENE, option(
     help="The first frame of the clip, counted from 0.",
 ))  # fmt: skip
 still_option = section(SCENE, option(
-    "--still", "single", is_flag=True, help="Use that frame of a clip as a still."
+    "--still", "single", is_flag=True, help="Use this frame of a clip as a still."
 ))  # fmt: skip
 color_option = section(SCENE, option(
     "--color", is_flag=True, help="Expose red, green and blue, one after the other."
@@ -194,7 +194,7 @@ tradeoff_options = section(
 def repeats_option(default: int) -> Callable[..., Any]:
     """Return the option `--repeats`: how often each measurement is repeated."""
     return option("--repeats", type=COUNT, default=default, show_default=True,
-                  help="How often everything is timed, in turn: the median is used.")  # fmt: skip
+                  help="How often each setting is timed; the median is used.")  # fmt: skip
 
 
 trust_code_option = option(

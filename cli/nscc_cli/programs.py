@@ -33,7 +33,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
     from nscc.compiler import compile_file
 
     see, chosen = overrides.pop("see", None), compile_options(options, **overrides)
-    # What an observer prints and a line that is drawn would disturb each other.
+    # The output of an observer and a progress line would disturb each other.
     with nullcontext() if see is not None else _compiling(path, chosen):
         return compile_file(path, chosen, see)
 
@@ -92,7 +92,7 @@ def _is_mask(path: Path) -> bool:
     try:
         with ZipFile(path) as archive:
             return archive.namelist() == ["mask.npy"]
-    except (BadZipFile, OSError):  # what is wrong is said by those who read codes
+    except (BadZipFile, OSError):  # the function that reads the codes reports the error
         return False
 
 

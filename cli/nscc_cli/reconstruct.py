@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
               help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
               ".tiff.")  # fmt: skip
-@click.option("--png", type=OUT, help="Also write a picture of it for the screen.")
+@click.option("--png", type=OUT, help="Also write a picture of the result for the screen.")
 @tone_option
 @click.option("--dark", type=PATH, metavar="DARK.npz",
               help="A frame file of the same program without light, with many "
@@ -70,7 +70,7 @@ def command(
     cols) in electrons per slot. These are the units of `truth_e` in frame files."""
     if run != "any" and (kind or program or method):
         raise click.UsageError(
-            "--as, --method and --program are for `nscc reconstruct any`: a run has them"
+            "--as, --method and --program are for `nscc reconstruct any`: a run contains them"
         )
     if (method, kind) in (("merge", "video"), ("gap-tv", "image")):
         raise click.UsageError("--method merge makes pictures, gap-tv clips: leave --as out")
@@ -139,7 +139,7 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
         method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(
             f"without torch {method_text} (method {reconstruction.method}); {line_for('torch')} "
-            "brings the network"
+            "installs the network"
         )
 
 
@@ -165,7 +165,7 @@ def _of_measurement(
     if any(of_frames):
         raise click.UsageError("--as, --program and --dark apply to frames of `nscc run`")
     if method == "merge":
-        raise click.UsageError("--method merge makes pictures, and own measurements are of clips")
+        raise click.UsageError("--method merge makes pictures, but own measurements are clips")
     model = NoiseModel.parse(noise or "0")
     measurement = read_measurement(path, mask)
     say_done(f"measurement: {measurement.axes}\nnoise model: {model}")

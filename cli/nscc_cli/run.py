@@ -149,7 +149,7 @@ def _run_on_emulator(
 
         table = plan_table(simulated.plan, simulated.audit)
         if exposed.pieces > 1:
-            table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
+            table = f"the exposure with the largest error, of {exposed.pieces}:\n{table}"
         say_done(table + "\n")
     elif simulated.plan is not None:
         say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")

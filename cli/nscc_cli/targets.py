@@ -48,7 +48,7 @@ def _checked_times(
               help="Length of the slots that limits are found for; may be repeated (default: 1ms "
               "and 10us).")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
-              help="How hard the compiler tries while limits are found.")  # fmt: skip
+              help="Optimisation level with which --limits compiles.")  # fmt: skip
 def command(
     name: str | None,
     toml: bool,

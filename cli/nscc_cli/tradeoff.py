@@ -78,7 +78,7 @@ for subcommand in (joint, emulator, sensor, decoder):
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @click.option("--repeats", type=COUNT, default=3, show_default=True,
-              help="How often everything is compiled: the median is used.")  # fmt: skip
+              help="How often each setting is compiled; the median is used.")  # fmt: skip
 @click.option("--count", type=click.Choice(["all", "logic"]), default="all", show_default=True,
               help="All words of a frame, or only those that decode codes.")  # fmt: skip
 def synthesis(

@@ -17,16 +17,16 @@ from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 @click.command("decoder", cls=CommonCommand)
 @click.option("--run", "runs", multiple=True, type=PATH, metavar="RUN",
-              help="A run folder of nscc train; more than once for several.")  # fmt: skip
+              help="A run folder of nscc train; may be repeated.")  # fmt: skip
 @shared.made_scenes_option
 @click.option("--scenes", type=COUNT, default=2, show_default=True,
-              help="How many scenes of a kind.")  # fmt: skip
+              help="Number of scenes of each kind.")  # fmt: skip
 @click.option("--size", type=click.IntRange(32, 512), default=128, show_default=True,
               help="Rows and columns of a scene.")  # fmt: skip
 @shared.repeats_option(3)
 @click.option("--budget", type=NumberRange(0, 1e6), default=40.0, show_default=True,
-              metavar="S", help="Seconds after which repeats end; the first is done in any "
-              "case.")  # fmt: skip
+              metavar="S", help="Seconds after which no repeat starts; everything is measured at "
+              "least once.")  # fmt: skip
 @shared.made_seed_option
 @shared.trust_code_option
 @shared.tradeoff_options

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @shared.section(shared.SCENE, click.option(
     "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-    help="As in nscc run; more than once for several (default: three builtin ones).",
+    help="A scene as in nscc run; may be repeated (default: three built-in scenes).",
 ))  # fmt: skip
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
               show_default=True,
@@ -127,7 +127,7 @@ def _container(
     container = compile_source(
         Source(path.name, PROGRAM), Path(), compile_options(options)
     ).container
-    assert container is not None  # what does not fit is rejected
+    assert container is not None  # programs that do not fit are rejected
     return with_pixels(container, path, options["pixels"]), ()
 
 

@@ -25,8 +25,8 @@ _LEVELS = [str(level) for level in LEVELS]
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
 @shared.section(shared.SCENE, click.option("--scene", type=SCENE, help="As in nscc run."))
 @click.option("--target-error", metavar="1%|5e|0.1lsb|1noise", default="1%", show_default=True,
-              help="The error to stay within: of the scene's mean signal, in electrons, in codes "
-              "of the ADC, or of the frame's own noise.")  # fmt: skip
+              help="The largest error that you accept: in percent of the scene's mean signal, in "
+              "electrons, in converter codes, or relative to the frame's own noise.")  # fmt: skip
 @some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)

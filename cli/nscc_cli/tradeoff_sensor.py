@@ -89,7 +89,7 @@ def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, .
               help="The sensor's effects, as nscc run takes them.")  # fmt: skip
 @shared.made_scenes_option
 @click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
-              help="How many scenes of a kind.")  # fmt: skip
+              help="Number of scenes of each kind.")  # fmt: skip
 @shared.made_seed_option
 @shared.tradeoff_options
 def command(readouts: tuple[int, ...], **options: Any) -> int:

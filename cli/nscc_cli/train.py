@@ -26,7 +26,7 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 @click.option("--set", "changes", multiple=True, metavar="K=V",
               help="Change a setting: train.steps=100.")  # fmt: skip
 @click.option("--resume", type=OutPath(str), default="auto", show_default=True,
-              metavar="auto|never|PATH",  # a checkpoint is replaced by the next
+              metavar="auto|never|PATH",  # checkpoints replace each other
               help="Resume from RUN's checkpoint, start again, or resume from "
                    "another checkpoint.")  # fmt: skip
 @click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,

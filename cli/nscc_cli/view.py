@@ -77,7 +77,7 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         "--gates does not apply to this program",
         "without --gates it draws shutters",
     )
-    assert compiled.lowered is not None  # what does not fit is rejected
+    assert compiled.lowered is not None  # programs that do not fit are rejected
     from nscc.emit.looking_network import network_of
     from nscc_runtime.pictures.gate_sheet import gate_sheet
     from nscc_runtime.pictures.sheet import png_of

@@ -49,7 +49,8 @@ class Results:
 
 @dataclass(frozen=True)
 class Result:
-    """The best solution of a problem if it is stored, else the key under which to store it."""
+    """The result of a search: the best solution if it is stored, otherwise the key for
+    storing it."""
 
     known: Solution | None = None
     store: Store | None = None

@@ -89,8 +89,8 @@ def load_target(
         notes=(f"the targets are {', '.join(names)}",),
         helps=(
             *meant(name_or_path, names),
-            "a target of your own is a file whose name ends in .toml: "
-            "`nscc targets scamp5 --toml` prints one to start from",
+            "to define your own target, write a .toml file: "
+            "`nscc targets scamp5 --toml` prints a complete one",
         ),
         data={"target": name_or_path[:60], "known": list(names)},
     )
@@ -131,7 +131,7 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """Read the bytes of a user's target file; raises NS0231 as `load_target` does."""
+    """Read the bytes of a user's target file; raise NS0231 as `load_target` does."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:
@@ -206,7 +206,7 @@ def _added(name: str, value: object) -> Target:
             raise TypeError(f"expected a target, TOML text or a path, not a {type(value).__name__}")
         if target.name == name:
             return target
-        reason = f"its table calls it {target.name}"
+        reason = f"the name in its table is {target.name}"
     except Rejected as error:
         diagnostics = error.diagnostics
     except (TypeError, AttributeError) as error:

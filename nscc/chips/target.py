@@ -56,15 +56,18 @@ class Target:
         required=True,
     )  # fmt: skip
     analog_scratch: str = key(
-        _REGISTER, "every analog sequence passes through it", section="registers", required=True
+        _REGISTER,
+        "register that every analog sequence overwrites",
+        section="registers",
+        required=True,
     )
     digital_registers: tuple[str, ...] = key(
         _REGISTERS, "one-bit registers of one pixel", section="registers", name="digital",
         required=True,
     )  # fmt: skip
     mask_register: str | None = key(
-        _REGISTER, "a write to `masked` takes place only where it is 1", section="registers",
-        name="mask", default=None,
+        _REGISTER, "a word changes `masked` only in pixels where this register is 1",
+        section="registers", name="mask", default=None,
     )  # fmt: skip
     masked_register: str | None = key(
         _REGISTER, 'the register that `mask` guards; both are "none" on a chip without this',
@@ -125,7 +128,9 @@ class Target:
     )
     adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
     adc_offset_lsb: float = _ours(
-        Number(-65536, 65536), "codes added to the code of an exposure of 0", section="range"
+        Number(-65536, 65536),
+        "offset added to the converter code of an exposure of 0",
+        section="range",
     )
     readout: Literal["spread", "full", "half"] = key(
         TextKind(("spread", "full", "half")),
@@ -165,14 +170,14 @@ class Target:
     )  # fmt: skip
     drain: bool = _stream(Flag(), "can a slot's bit also select a drain?", default=False)
     row_load_us: float = _stream(
-        _WORD_US, "sending one row of a plane of bits", default=1.0, required=True
+        _WORD_US, "time to send one row of a bit plane", default=1.0, required=True
     )
     pipelined: bool = _stream(
-        Flag(), "is a plane loaded while the previous plane acts?",
+        Flag(), "is a bit plane loaded while the previous one acts?",
         default=True,
     )  # fmt: skip
     tap_gain: tuple[float, ...] = _stream(
-        Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one a tap"),
+        Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one per tap"),
         "gain from a tap's charge to the converter; [] is 1 for each", default=(),
     )  # fmt: skip
 
@@ -242,7 +247,7 @@ class Target:
         if self.conversion == "full":
             zero = 1 << (self.adc_bits - 1)
         elif self.spread_level is not None and not self.streamed:
-            # IN has steps: the full well that it takes away may be half a step too much or little.
+            # IN is set in whole steps, so the subtracted full well may be wrong by half a step.
             taken_e = -self.spread_level * self.electrons_per_step
             zero = (self.full_well_e - taken_e) / (2 * self.electrons_per_lsb)
         return zero + self.adc_offset_lsb

@@ -34,6 +34,6 @@ class Rejected(Exception):
         return f"{type(self).__name__}({text!r})"
 
     def __str__(self) -> str:
-        from nscc.diagnostics.render import render  # only where somebody reads it
+        from nscc.diagnostics.render import render  # computed only for diagnostics that are shown
 
         return render(self.diagnostics, "human").rstrip()

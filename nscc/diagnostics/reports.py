@@ -32,7 +32,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
             properties["line"] = str(region["startLine"])
             properties["col"] = str(region["startColumn"])
             properties["endLine"] = str(region["endLine"])
-            if region["endLine"] == region["startLine"]:  # columns are of one line only
+            if region["endLine"] == region["startLine"]:  # only for spans on one line
                 properties["endColumn"] = str(region["endColumn"])
     fields = ",".join(
         f"{key}={_escaped(value).replace(':', '%3A').replace(',', '%2C')}"

@@ -25,7 +25,7 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     if folded in by_folded:
         return by_folded[folded]
 
-    from difflib import SequenceMatcher  # only where a name is wrong: keeps start-up short
+    from difflib import SequenceMatcher  # imported only if a name is wrong: keeps start-up short
 
     matcher = SequenceMatcher(None, "", folded, autojunk=False)
     by_word = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)

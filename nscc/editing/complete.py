@@ -82,9 +82,7 @@ class _Place:
         statement = kinds[begin]
         _, stuck = read(self.tokens, begin, len(kinds))
         if stuck is not None and stuck.token < len(kinds):
-            expected = frozenset(
-                {"NAME", END}
-            )  # there is an error before: then anything may follow
+            expected = frozenset({"NAME", END})  # an earlier error: every token may follow
         else:
             expected = Stuck(len(kinds), tuple(self.tokens.lark_tokens[begin:])).expected
         if "NAME" in expected:

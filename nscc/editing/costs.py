@@ -49,7 +49,7 @@ def slot_cost(document: Document, slot: int) -> str | None:
     head = f"Slot {slot}, {time_text(slot_us)}"
     if lowered is None:
         load_us = compiled.program.target.plane_load_us
-        return f"{head}: one plane of bits, loaded in {_share(load_us, slot_us)}."
+        return f"{head}: one bit plane, loaded in {_share(load_us, slot_us)}."
     words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
     if not words:
         return f"{head}: costs no words."

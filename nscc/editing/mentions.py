@@ -50,7 +50,8 @@ def mention_at(document: Document, offset: int) -> Mention | None:
 
 
 def alike(document: Document, mention: Mention) -> list[Mention]:
-    """Return all mentions of the same thing as `mention`, including itself, in order."""
+    """Return all mentions that refer to the same declaration as `mention`, including itself, in
+    order."""
     identity = (mention.name, mention.kind)
     return [
         candidate

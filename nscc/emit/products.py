@@ -76,7 +76,9 @@ def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
             return to_bytes(container)
     refused_option = f"--emit {kind} does not apply to this program"
     refuse_planes(
-        container.target, refused_option, "--emit planes,schedule writes the planes and their times"
+        container.target,
+        refused_option,
+        "--emit planes,schedule writes the bit planes and their times",
     )
     raise ValueError(kind)
 
@@ -85,7 +87,7 @@ def _no_planes(chip: str) -> Rejected:
     return rejected(
         "NS0512",
         f"--emit planes does not apply: the pixels of {chip} decode their codes themselves",
-        notes=("only chips whose pixels have no logic use planes with one bit per slot",),
+        notes=("only a chip whose pixels have no logic receives a bit plane for every slot",),
         helps=(
             "--emit asm lists the words of the program; `nscc targets` shows which chips use "
             "planes",

@@ -50,7 +50,7 @@ class Family:
 
 
 def families() -> list[Family]:
-    """Classes a to e, class c with three lengths, and codebooks."""
+    """Return the families: classes a to e, with three lengths for class c, and codebooks."""
     return [
         _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
         _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),

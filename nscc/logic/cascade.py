@@ -27,7 +27,7 @@ from nscc.truth import columns, rows, set_bits
 _MOST_SCRATCH = 3
 # Beam width of the searches that compare choices of planes; thousands of them run.
 _QUICK_WIDTH = 6
-# The share of steps for choosing planes, and the beam widths afterwards.
+# The fraction of steps for choosing planes, and the beam widths of the search afterwards.
 _CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
 # Limit on the words of a cascade; effectively none.
@@ -118,7 +118,7 @@ class _Finder:
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
-        # Two scratch registers and FLAG allow a cube besides the inner value in every link; one
+        # With two scratch registers and FLAG, a link can use a cube besides the inner value; one
         # scratch register allows one more plane.
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
             width = min(self._machine.registers - scratch, widest)

@@ -80,9 +80,9 @@ _A_PAIR = 0.5
 class _Values:
     """The values in a beam: their undecided points, and how each value is reached.
 
-    `task` is the index of the predicate. `via` is the index of the value that reads this value, and
-    `negated` says whether as a NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0
-    if there are fewer."""
+    `task` is the index of the predicate. `via` is the index of the value that reads this value, as
+    a source of a NOR if `negated`, else of an OR. `cubes` (n, scratch) are masks of the cubes of
+    the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -156,8 +156,7 @@ class Search:
         width: int,
         most_total: int,
     ) -> list[Cascade | None]:
-        """Return a cascade that leaves each predicate of `on` (n, W) in FLAG; None where none was
-        found.
+        """Return for each predicate of `on` (n, W) a cascade that computes it in FLAG, or None.
 
         A cascade has at most `most_words` words. FLAG holds `flag_before` (n, W) before the
         cascade, the empty set if its content is unknown. `width` is the width of the beam. The

@@ -1,9 +1,10 @@
-"""Codes from precomputed tables of cubes (`tests/benchmarks/search_cubes.py`).
+"""Codes and cubes from precomputed tables, made by `tests/benchmarks/search_cubes.py`.
 
-One NOR computes a cube if the planes that are 1 in it are inverted. Codes in which each needed set
-is one cube, with few inversions in a frame, are hard to find, so the cubes come from tables. A
-shutter gets any code that all its cubes allow. Every plane is 0 in the first cube of a frame that
-reads it."""
+A generator needs codes for which certain sets of shutters are single cubes, because one NOR
+computes a cube. Planes that are 1 in a cube must first be inverted, so good codes also need few
+inversions in a frame. Such codes are hard to find. The tables therefore list the cubes; a shutter
+gets any code that all its cubes allow. In the tables, every plane is 0 in the first cube of a
+frame that reads it."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ _CLOSE = 1.1
 # words that are needed, and at -O2 for no more demands than these: they would not win.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
 _MOST_CASCADED = {2: 32, 3: 1 << 20}
-# They get all steps where every other solution takes so many times the words, fewer where one is
+# They get all steps if every other solution takes this many times the words, and fewer if one is
 # nearer.
 _ALL_STEPS = 15.0
 
@@ -240,8 +240,8 @@ def _fewest_words(problem: Problem, machine: Machine) -> int:
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """Yield the solutions of a generator until it gives up; NS0905 if an added generator is
-    wrong."""
+    """Yield the solutions of a generator until it gives up; raise Rejected (NS0905) if an added
+    generator is wrong."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
@@ -259,7 +259,7 @@ def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str
     """Return why a solution of an added generator is invalid; None if it is valid."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
-    hash(solution)  # raises where anything in it is not frozen: solutions are keys
+    hash(solution)  # raises an exception if a part is not hashable: solutions are used as keys
     if not all(isinstance(text, str) for text in (solution.encoding, *solution.holders)):
         return "its name or a holder is not text"
     return fault(problem, machine, solution)

@@ -189,8 +189,7 @@ def _back(turned: Sequence[int]) -> tuple[Segment, ...]:
 
 
 class _Form(Enum):
-    """Where the state of a counted digit is stored: (name, number of registers besides the
-    planes)."""
+    """The place of the state of a counted digit: (name, number of registers besides the planes)."""
 
     DIGITS = "state in a register, digits inside"
     STATE = "state in a register"

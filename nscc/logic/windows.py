@@ -121,8 +121,8 @@ def _open_state(state: str) -> Segment:
 def _turn_state(state: str, roomy: bool) -> Segment:
     """Return the segment state := state XOR t0, with three scratch registers if `roomy`, else two.
 
-    t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
-    XOR."""
+    With t1 := NOR(state, t0), NOR(state, t1) is 1 where only t0 is 1, and NOR(t0, t1) is 1 where
+    only the state is 1. Their OR is the XOR."""
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (

@@ -20,7 +20,8 @@ FLAG = "FLAG"
 _STEPS = 4_000_000
 _MOST_CUBES = 24
 _MOST_ORDERED = 3
-"""Most registers that are tried in every order; of more, the cheapest is written next."""
+"""Most registers for which all orders are tried; if there are more, the cheapest is written
+next."""
 
 
 @dataclass(frozen=True)

@@ -86,15 +86,15 @@ class LookingPlan:
         return all(copy or not fall for fall, copy in falls) and not any(rises)
 
     def sampled(self, *registers: str) -> Op:
-        """Return the word that writes -(sum of `registers` + PIX) to the scratch register.
+        """Return the word that writes -(PIX + the sum of `registers`) to the scratch register.
 
-        It also subtracts the reset level if a register holds its negative."""
+        If a register holds the negative reset level, the reset level is subtracted from PIX."""
         level = (self.reference,) if self.latches else ()
         return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
     def register_to_scratch(self, register: str) -> Op:
-        """Return the word that writes -`register` to scratch, like `sampled` for PIX
-        without light."""
+        """Return the word that loads `register`, so that the sum of the registers `scratched` is
+        minus its value."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 

@@ -40,7 +40,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
-        free.remove(target.mask_register)  # code avoids the mask while there are other registers
+        free.remove(target.mask_register)  # the mask is the last choice for code bits
     places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),

@@ -1,16 +1,19 @@
 """Exposure plans: which analog words run at which boundary, and in which pixels.
 
-A plan computes equation (3), E = sum of L[n] S[n], with a photodiode that only integrates. There
-are three lowerings:
+The exposure of a bucket is E = sum over n of L[n] S[n], with the light L[n] of slot n and S[n] = 1
+if the shutter is open (equation 3 of the paper). The photodiode PIX can only integrate light, so
+a plan computes E in one of three ways (lowerings):
 
-* accumulate: reset in every slot; add the slot's light at its end where the shutter was open
-* latch: no reset within the frame; a pixel that is open from slot 0 copies PIX when it closes
-* edges: no reset within the frame; add PIX at every falling edge, subtract it at every rising one
-  (where single pixels can be reset, reset them at the rising edge instead)
+* accumulate: PIX is reset in every slot, and the light of a slot is added if the shutter was open
+* latch: PIX is not reset within the frame; a pixel that is open from slot 0 copies PIX when it
+  closes
+* edges: PIX is not reset within the frame; PIX is added when the shutter closes (falling edge) and
+  subtracted when it opens (rising edge). A chip that can reset single pixels resets them instead
+  when they open.
 
-Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A predicate,
-a truth vector over the program's shutters, selects the pixels of each step; gates compute it later.
-"""
+Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A
+predicate, a truth vector over the program's shutters, selects the pixels of each step; gates
+compute the predicate later."""
 
 from __future__ import annotations
 

@@ -119,7 +119,7 @@ def lower(
         ]
         searched = known.known is None and bool(problem.demands)
         if level >= 2 and searched and ranked:
-            from nscc.logic.improve import refine  # with networkx, which `check` does without
+            from nscc.logic.improve import refine  # imports networkx, which `check` does not need
 
             try:
                 best = refine(ranked, problem, machine, level, priced, target.store_words)

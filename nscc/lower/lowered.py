@@ -134,8 +134,8 @@ class Lowered:
 
     @property
     def headroom_e(self) -> float:
-        """The largest constant light that saturates no code, in electrons per frame of an open
-        shutter.
+        """The largest constant light, in electrons per frame of an open shutter, that saturates no
+        pixel.
 
         It is limited by PIX between two resets and by the registers of the buckets."""
         program, plan = self.program, self.plan

@@ -28,7 +28,7 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
             f"every bit must be refreshed within {time_text(keep_us)}, which includes a "
             "margin of 10 %",
         ),
-        helps=("split the slot into several slots: the rule may treat them alike",),
+        helps=("split the slot into several slots; the rule can open the shutter in all of them",),
         data=resource("retention_us", slot_us, keep_us, proved=True),
     )
 

@@ -107,7 +107,7 @@ class BitWords:
         lowering.word(op("where", [], sources), level or None)
         lowering.give(value)
         register = self.take()
-        # What is held may be minus the value: then FLAG says the opposite.
+        # The register may hold minus the value: then FLAG is the inverse of the answer.
         lowering.word(op("MOV" if value.sign > 0 else "NOT", [register], ["FLAG"]))
         lowering.everywhere()
         return register

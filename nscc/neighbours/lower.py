@@ -76,7 +76,7 @@ class Lowering(Emitter):
                 value = self.value(item.node)
                 if item.name in self.pictures.outputs and value.sign < 0:
                     value = self.negated(value)
-                if value.name is not None:  # another name of a value that is held already
+                if value.name is not None:  # another name of a value that is in a register already
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
                 self.uses[item.name] += 1
@@ -284,7 +284,7 @@ class Lowering(Emitter):
         self.checked(low, high)
         plus = [v for sign, v in signed_terms if sign * v.sign > 0]
         minus = [v for sign, v in signed_terms if sign * v.sign < 0]
-        # The fewer ones are inverted, all together; a word adds at most four sources.
+        # The smaller group is added and inverted first; a word adds at most four sources.
         total, inverted = (1, minus) if len(plus) >= len(minus) else (-1, plus)
         direct = plus if total > 0 else minus
         if inverted:

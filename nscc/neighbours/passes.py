@@ -123,11 +123,11 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
             if size > limit:
                 return Diagnostic(
                     "NS0541",
-                    f"`{name}` depends on pixels {size} {unit} away; the most is {limit}, a "
-                    f"quarter of the array of {target.name}",
+                    f"`{name}` depends on pixels {size} {unit} away, but at most {limit} are "
+                    f"allowed, a quarter of the array of {target.name}",
                     source=program.source,
-                    label=Label(_place(program, name), "reaches this far"),
-                    helps=("use smaller kernels, or fewer of them one after another",),
+                    label=Label(_place(program, name), "depends on these pixels"),
+                    helps=("use smaller convolution kernels, or apply fewer of them in sequence",),
                     data={"resource": "reach", "required": size, "available": limit},
                 )
     return None
@@ -150,12 +150,13 @@ def _refusal(
     )
     return Diagnostic(
         "NS0535",
-        f"`{name}` needs {needed:g} {resource} or more, and {available:g} are there",
+        f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",
         source=program.source,
         label=label,
-        notes=(f"of the exposure, {holders}",) if refused.kind == "registers" else (),
+        notes=(f"the exposure is in registers, too: {holders}",)
+        if refused.kind == "registers" else (),
         helps=(
-            "compute and read fewer images and planes at once, or take large kernels apart",
+            "read out fewer images and planes, or use smaller convolution kernels",
         ),
         data={"resource": resource, "required": needed, "available": available, "proved": False},
     )  # fmt: skip
@@ -177,7 +178,7 @@ def _beyond_range(
             lowered(container, smaller, level)
         except PictureRefused:
             continue
-        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")
+        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
     share = int(100 / over)
     while share >= 1:
@@ -187,7 +188,7 @@ def _beyond_range(
         except PictureRefused:
             share //= 2
             continue
-        helps.append(f"promise less light: `assume exposure <= {share}%` compiles")
+        helps.append(f"limit the exposure: `assume exposure <= {share}%` compiles")
         break
     return Diagnostic(
         "NS0540",

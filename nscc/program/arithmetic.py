@@ -35,7 +35,7 @@ class Fault(NamedTuple):
 
 
 Faults = Fault | NDArray[np.bool_] | None
-"""No fault, a fault everywhere, or the places of the fault."""
+"""The faults of an expression: none, one for all places, or the places with a fault."""
 
 
 class Value:
@@ -90,8 +90,8 @@ def faults_where(condition: Data, faults: Faults) -> Faults:
 def guard(
     at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
-    """Return `data` with `harmless` where it is `at_fault`, and the faults with those
-    places added."""
+    """Return `data` with the value `harmless` at the places `at_fault`, and the faults at these
+    places."""
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before

@@ -234,7 +234,7 @@ class Completion:
             if legal * len(rules.rules) * rules.slots <= SURVEY_LIMIT:
                 return decode(rules, codes), legal
         except (NoValue, TooMuch):
-            # Codes that no pixel holds are not judged where only the codes in use are compiled.
+            # If only the codes in use are compiled, codes that no pixel has are not checked.
             pass
         return table, legal
 

@@ -288,7 +288,7 @@ def stored_planes(
     chunk_count: int = 1,
     bits: int | None = None,
 ) -> list[Stored]:
-    """Return the planes of field `name` in a file, as `planes_of` does; raises NS0313, NS0314."""
+    """Return the planes of field `name` in a file, as `planes_of` does; raise NS0313, NS0314."""
     most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
     stored = file.integers(name, most=max(most, 2**20), bools=True)
     return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')

@@ -25,8 +25,8 @@ class CheckedSense:
     """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`.
 
     The answer is whether the signal is above its level, or below if not `above`. `steps` is the
-    level in steps of IN for each boundary of `at`; None if the `field` of the code gives the level,
-    in codes of the ADC."""
+    level in steps of IN for each boundary of `at`; None if the `field` of the code gives the level
+    as a converter code."""
 
     name: str
     signal: int
@@ -223,8 +223,8 @@ class _Maker:
                 self.problems.error(
                     "NS0320", f"the level {number} has no unit", level.span, "of what?",
                     helps=(
-                        f"write {number}% of a full well, {number}e electrons or {number}lsb codes "
-                        "of the ADC; a field of the code is in codes",
+                        f"write {number}% of a full well, {number}e electrons or {number}lsb "
+                        "converter codes; the values of a field are converter codes",
                     ),
                 )  # fmt: skip
             return None

@@ -21,9 +21,8 @@ PREDEFINED = {
 }
 
 LOOKS = "looks"
-"""In version 2, the name of the number of boundaries so far with at least one sense.
-
-The current boundary counts."""
+"""In version 2, the name of the number of boundaries with at least one sense, up to the current
+one."""
 
 State = tree.StateRange | tree.StateBit
 Code = tree.CodeRange | tree.CodeBits | tree.CodeRow
@@ -253,7 +252,7 @@ class _Gatherer:
             rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
         ):
             return
-        # Buckets have names of their own (the key cannot be a name): until version 3, no expression
+        # Buckets have separate names (the key cannot be a name): before version 3, no expression
         # reads them.
         elif self._unused(
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"

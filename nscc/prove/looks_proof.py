@@ -44,9 +44,9 @@ _DIGITS = 1e8
 class Looks(ReplayPixels):
     """The lanes of a container's state machine during the proof.
 
-    For each lane: `node` and the `outcome` of the current look so far, int64 (lanes,); `due`
-    (lanes, buckets), the exposures that the program requires; `since` (lanes,), its `light`;
-    `exact` bool (lanes,)."""
+    Arrays with one row per lane: `node` and `outcome`, the answers of the current look as bits, are
+    int64 (lanes,); `due` (lanes, buckets) are the exposures that the program requires; `since`
+    (lanes,) is the signal `light`; `exact` is bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None
@@ -90,7 +90,7 @@ class Looks(ReplayPixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises ReplayError at the first error."""
+        """Run one frame in `light` (N,); raise ReplayError at the first error."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()

@@ -71,12 +71,12 @@ def _difference(
         for at in forms.places():
             if forms.depends_beyond(contents[at]):
                 if at == middle:
-                    return f"`{name}` depends on what is beyond every array"
+                    return f"`{name}` depends on pixels outside the array in every pixel"
             elif contents[at] != meaning.value(name, at):
-                return f"`{name}` is not what the text says"
+                return f"`{name}` differs from its expression in the program"
     written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
-    return f"{min(spoilt)} holds code, and is written" if spoilt else None
+    return f"{min(spoilt)} holds a code bit, but a word overwrites it" if spoilt else None
 
 
 def words_reach(words: Launched, container: Container) -> Reach:
@@ -171,7 +171,7 @@ class PictureReplay:
             case WordEffect.DIGITAL:
                 self._digital(op)
             case _:
-                raise PictureReplayError(f"`{op}` has no place after the exposure")
+                raise PictureReplayError(f"`{op}` cannot run after the exposure")
 
     def _totals(self, op: Op, level: int | None) -> Fields:
         """Return the sum of a word's analog sources in every pixel."""
@@ -212,7 +212,9 @@ class PictureReplay:
         forms, flag = self.forms, self.digital["FLAG"]
         directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
         if directed and any(bit != forms.diagrams.one for bit in flag.values()):
-            raise PictureReplayError(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
+            raise PictureReplayError(
+                f"`{op}` accesses neighbours while FLAG is not 1 in all pixels"
+            )
         factor = Fraction(-1, op.operation.divisor)
         values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
         for name in op.destinations:

@@ -114,7 +114,7 @@ class ReplayPixels:
     def start_frame(self) -> None:
         """Start a frame, with unknown analog registers."""
         if self._frame:
-            # Frames follow each other for as long as the chip runs: what none of them writes fades.
+            # The chip runs frame after frame: a bit that no frame writes decays.
             self._written_us.update(dict.fromkeys(self._never_written, -inf))
         self._frame += 1
         self._start_us = self._now_us
@@ -204,7 +204,7 @@ class ReplayPixels:
         """Return FLAG after a comparison of analog values: unknown, because it depends on the
         light."""
         self._doubt(f"`{word}` makes FLAG depend on the light")
-        # Where `where` obeys FLAG, pixels that were masked stay masked.
+        # If `where` obeys FLAG on this target, masked pixels stay masked.
         return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
 
     def _flagged(self, word: str) -> tuple[Lanes, Lanes | None]:
@@ -231,7 +231,7 @@ class ReplayPixels:
             if row.phase is Phase.READ:
                 self.write("bus", value)
                 return
-        # The mask decides as it stands before the word: the word may write the mask as well.
+        # The mask's value before the word counts: the word may also write the mask.
         masked, mask = self.target.masked_register, self.target.mask_register
         for name in sorted(word.destinations, key=lambda name: name != masked):
             self.write(name, value, mask if name == masked else None)
@@ -243,7 +243,7 @@ class ReplayPixels:
             return value
         if value != UNKNOWN:
             never = self._written_us[name] == -inf
-            self._doubt(f"{name} has decayed{': no frame writes it anew' if never else ''}")
+            self._doubt(f"{name} has decayed{': no frame writes it again' if never else ''}")
         return UNKNOWN
 
     def _or_sources(self, word: Op) -> Bits:

@@ -1,13 +1,15 @@
 """The proof of every build: the words match the decode table, for all codes and two frames.
 
-A program must satisfy g(f(S), n) = S[n], equation (7), and E = sum of L[n] S[n], equation (3). The
-exposure of every code is then a known linear form in the light of the slots. Random light, and
-random values in everything on which a program may not rely, distinguish it from any other linear
-form with practical certainty: a wrong coefficient would have to match a hyperplane of measure zero
-to within 1e-9. Only FLAG could make the exposure nonlinear, and a FLAG that depends on analog
-values counts as unknown. The second frame detects bits that decay from frame to frame. The first
-frame starts from the code only and leaves the code behind, so all further frames are equal. The
-words before the readout are proved last."""
+In the notation of the paper, a program must satisfy g(f(S), n) = S[n] (equation 7) and E = sum
+over n of L[n] S[n] (equation 3). The exposure of every code is then a known linear form in the
+light of the slots. Random light, and random values in everything on which a program may not rely,
+distinguish it from any other linear form with practical certainty: a wrong coefficient would have
+to match a hyperplane of measure zero to within 1e-9. Only FLAG could make the exposure nonlinear,
+and a FLAG that depends on analog values counts as unknown.
+
+The second frame detects bits that decay from frame to frame. The first frame starts from the code
+only and leaves the code behind, so all further frames are equal. The words before the readout are
+proved last."""
 
 from __future__ import annotations
 

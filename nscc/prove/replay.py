@@ -47,7 +47,7 @@ class Replay(ReplayPixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises ReplayError if it differs from the decode table."""
+        """Run one frame in `light` (N,); raise ReplayError if it differs from the decode table."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):

@@ -71,7 +71,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
         related=chip_label(program, f"{takes} a plane"),
         notes=(
             *chip_note(program, f"{takes} a plane"),
-            "certain: every slot needs its own plane, which is sent row by row",
+            "certain: every slot needs its own bit plane, which is sent row by row",
         ),
         helps=(
             f"slots of {at_least(needed_us)} {longer_text} are long enough"

@@ -121,7 +121,7 @@ class _Writer:
         for comment in _COMMENT.finditer(gap):
             line_ends = _line_ends(gap[at : comment.start()])
             text = comment.group().rstrip()
-            # The end of a tile takes in the comment of its last row.
+            # The end of a tile includes the comment of its last row.
             if line_ends == 0 and self.lines and not self.lines[-1].comment:
                 self.lines[-1].comment = text
             else:
@@ -242,7 +242,7 @@ class _Rows:
             return None
         opening = kinds.index("[")
         rows = _split_at_commas(tokens[opening + 1 : -1])
-        if not all(rows):  # a comma at the end stayed, for the comment before it
+        if not all(rows):  # the final comma was kept because of the comment before it
             return None
         above: list[list[str]] = []
         after: list[str] = []

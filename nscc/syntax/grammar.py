@@ -25,7 +25,7 @@ _OPTIONS = {
     "parser": "lalr",
     "lexer": "basic",
     "start": [START, "unread"],
-    "keep_all_tokens": True,  # the place of a node is that of its tokens
+    "keep_all_tokens": True,  # the place of a node is the place of its tokens
     "maybe_placeholders": False,
 }
 
@@ -35,7 +35,7 @@ class _PlainValues(pickle.Unpickler):
     run code."""
 
     def find_class(self, module: str, name: str) -> Any:
-        if (module, name) == ("lark.lexer", "Token"):  # a text; lark 1.2 writes some
+        if (module, name) == ("lark.lexer", "Token"):  # text; lark 1.2 stores such values
             return lark.Token
         raise pickle.UnpicklingError(f"{module}.{name} is not a plain value")
 

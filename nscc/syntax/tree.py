@@ -47,9 +47,6 @@ class Node(Record):
     span: Span
 
 
-# --- expressions --------------------------------------------------------------------------------
-
-
 MOST_INTEGER = 2**62 - 1
 """Largest magnitude of a literal and of any value, so that the sum of two values fits 64 bits."""
 
@@ -69,14 +66,14 @@ class Name(Node):
 
 
 class Unary(Node):
-    """`op` is "-" or "not"."""
+    """A negation: `op` is "-" or "not"."""
 
     op: str
     operand: Expr
 
 
 class Binary(Node):
-    """`op` is one of * / % + - << and xor or."""
+    """An operation on two operands: `op` is one of * / % + - << and xor or."""
 
     op: str
     left: Expr
@@ -92,7 +89,7 @@ class Compare(Node):
 
 
 class IfElse(Node):
-    """`then if condition else otherwise`."""
+    """The expression `then if condition else otherwise`."""
 
     then: Expr
     condition: Expr
@@ -100,22 +97,23 @@ class IfElse(Node):
 
 
 class Index(Node):
-    """`base[index]`: a bit of a bit field, or digit n of a codebook's row."""
+    """The expression `base[index]`: a bit of a bit field, or digit n of a codebook's row."""
 
     base: Name
     index: Expr
 
 
 class Call(Node):
-    """`min(...)` or `max(...)`; in version 3 also a convolution kernel or a function of images and
-    planes."""
+    """The expression `min(...)` or `max(...)`; in version 3 also a convolution kernel or a function
+    of images and planes."""
 
     function: Name
     arguments: tuple[Expr, ...]
 
 
 class Place(Node):
-    """`plane[right, down]`: the bit of the pixel at an offset of columns and rows."""
+    """The expression `plane[right, down]`: the bit of the pixel at an offset of columns and
+    rows."""
 
     base: Name
     right: Expr
@@ -123,7 +121,7 @@ class Place(Node):
 
 
 class Amount(Node):
-    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (codes of the ADC)."""
+    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (converter codes)."""
 
     value: Fraction
     unit: str
@@ -158,18 +156,18 @@ class TileRow(Node):
 
 
 class Light(Node):
-    """`light`: the charge since the frame's start or the pixel's last reset, with shutter open or
-    closed."""
+    """The expression `light`: the charge since the frame's start or the pixel's last reset, with
+    shutter open or closed."""
 
 
 class Exposure(Node):
-    """`exposure [BUCKET]`: the light of the completed open slots."""
+    """The expression `exposure [BUCKET]`: the light of the completed open slots."""
 
     bucket: Name | None
 
 
 class Levels(Node):
-    """`[LEVEL, ...]`: a level for each look of a sense, in order."""
+    """The expression `[LEVEL, ...]`: a level for each look of a sense, in order."""
 
     items: tuple[Amount | Expr, ...]
 
@@ -178,7 +176,7 @@ class Levels(Node):
 
 
 class Version(Node):
-    """`nsl 1`."""
+    """The statement `nsl 1`."""
 
     number: Int
 
@@ -192,14 +190,14 @@ class TargetFromFile(Node):
 
 
 class EqualSlots(Node):
-    """`frame COUNT slots of LENGTH`."""
+    """The statement `frame COUNT slots of LENGTH`."""
 
     count: Expr
     length: Time
 
 
 class ListedSlots(Node):
-    """`frame slots [TIME, ...]`."""
+    """The statement `frame slots [TIME, ...]`."""
 
     lengths: tuple[Time, ...]
 
@@ -210,7 +208,7 @@ class Let(Node):
 
 
 class CodeRange(Node):
-    """`code NAME : LO..HI`, both included."""
+    """The statement `code NAME : LO..HI`, both included."""
 
     name: Name
     low: Expr
@@ -218,14 +216,14 @@ class CodeRange(Node):
 
 
 class CodeBits(Node):
-    """`code NAME : bit[COUNT]`."""
+    """The statement `code NAME : bit[COUNT]`."""
 
     name: Name
     count: Expr
 
 
 class CodeRow(Node):
-    """`code NAME : row of BOOK`."""
+    """The statement `code NAME : row of BOOK`."""
 
     name: Name
     book: Name
@@ -236,14 +234,14 @@ class Require(Node):
 
 
 class BookInline(Node):
-    """`shutters NAME [ROW, ...]`."""
+    """The statement `shutters NAME [ROW, ...]`."""
 
     name: Name
     rows: tuple[BookRow, ...]
 
 
 class FromFile(Node):
-    """`.. NAME from "FILE" [key KEY] [sha256 "..."]`."""
+    """A statement `KEYWORD NAME from "FILE" [key KEY] [sha256 "..."]`."""
 
     name: Name
     path: Text
@@ -252,24 +250,25 @@ class FromFile(Node):
 
 
 class BookFromFile(FromFile):
-    """The array of `shutters`."""
+    """The statement `shutters NAME from ..`."""
 
 
 class Open(Node):
-    """`open when RULE`."""
+    """The statement `open when RULE`."""
 
     rule: Expr
 
 
 class Bucket(Node):
-    """`bucket NAME open when RULE`."""
+    """The statement `bucket NAME open when RULE`."""
 
     name: Name
     rule: Expr
 
 
 class Sense(Node):
-    """`sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as written."""
+    """The statement `sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as
+    written."""
 
     name: Name
     signal: Light | Exposure
@@ -279,7 +278,7 @@ class Sense(Node):
 
 
 class StateRange(Node):
-    """`state NAME : LO..HI = START [kept]`."""
+    """The statement `state NAME : LO..HI = START [kept]`."""
 
     name: Name
     low: Expr
@@ -289,7 +288,7 @@ class StateRange(Node):
 
 
 class StateBit(Node):
-    """`state NAME : bit = START [kept]`."""
+    """The statement `state NAME : bit = START [kept]`."""
 
     name: Name
     start: Expr
@@ -297,7 +296,7 @@ class StateBit(Node):
 
 
 class Next(Node):
-    """`next NAME = EXPR [when CONDITION]`."""
+    """The statement `next NAME = EXPR [when CONDITION]`."""
 
     name: Name
     value: Expr
@@ -305,19 +304,19 @@ class Next(Node):
 
 
 class Reset(Node):
-    """`reset when EXPR`."""
+    """The statement `reset when EXPR`."""
 
     condition: Expr
 
 
 class Read(Node):
-    """`read NAME, ...`."""
+    """The statement `read NAME, ...`."""
 
     names: tuple[Name, ...]
 
 
 class Kernel(Node):
-    """`kernel NAME = [[..], ..] / DIVISOR`."""
+    """The statement `kernel NAME = [[..], ..] / DIVISOR`."""
 
     name: Name
     rows: tuple[TileRow, ...]
@@ -325,31 +324,31 @@ class Kernel(Node):
 
 
 class KernelFromFile(FromFile):
-    """The array of `kernel`."""
+    """The statement `kernel NAME from ..`."""
 
 
 class Image(Node):
-    """`image NAME = EXPR`."""
+    """The statement `image NAME = EXPR`."""
 
     name: Name
     value: Expr
 
 
 class Plane(Node):
-    """`plane NAME = CONDITION`."""
+    """The statement `plane NAME = CONDITION`."""
 
     name: Name
     condition: Expr
 
 
 class Outside(Node):
-    """`outside 0` or `outside 1`."""
+    """The statement `outside 0` or `outside 1`."""
 
     bit: Int
 
 
 class Assume(Node):
-    """`assume exposure [BUCKET] <= LEVEL`; `comparison` is the sign as written."""
+    """The statement `assume exposure [BUCKET] <= LEVEL`; `comparison` is the sign as written."""
 
     bucket: Name | None
     comparison: str
@@ -357,7 +356,7 @@ class Assume(Node):
 
 
 class Report(Node):
-    """`report KIND PLANE [at most COUNT]`; `most` is the word before COUNT."""
+    """The statement `report KIND PLANE [at most COUNT]`; `most` is the word before COUNT."""
 
     kind: Name
     plane: Name
@@ -366,21 +365,21 @@ class Report(Node):
 
 
 class PixelsExpr(Node):
-    """`pixels FIELD = EXPR`."""
+    """The statement `pixels FIELD = EXPR`."""
 
     field: Name
     value: Expr
 
 
 class PixelsTile(Node):
-    """`pixels FIELD = tile [[..], ..]`."""
+    """The statement `pixels FIELD = tile [[..], ..]`."""
 
     field: Name
     rows: tuple[TileRow, ...]
 
 
 class PixelsFromFile(Node):
-    """`pixels from "FILE" [sha256 "..."]`."""
+    """The statement `pixels from "FILE" [sha256 "..."]`."""
 
     path: Text
     sha256: Text | None

@@ -30,7 +30,7 @@ class Kind(Protocol):
         """Return the Python value of a file's value; raise ValueError if it is not allowed."""
 
     def plain(self, value: Any) -> Any:
-        """Return the file's value of a Python value, the inverse of `read`."""
+        """Return the value that a file contains for a Python value, the inverse of `read`."""
         return value
 
 

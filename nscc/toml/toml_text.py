@@ -18,7 +18,7 @@ class NotToml(Exception):
 
 
 def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
-    """Decode and parse the bytes of a file; raises NotToml."""
+    """Decode and parse the bytes of a file; raise NotToml."""
     try:
         if len(data) > LARGEST_FILE:
             raise NotToml(f"it is larger than {LARGEST_FILE // 1024} KiB")

@@ -44,5 +44,5 @@ class Rows:
         self._store.close()
         if isinstance(value, KeyboardInterrupt) and known:
             raise KeyboardInterrupt(
-                f"what was measured is kept in '{self._path}', and the same command goes on"
+                f"completed measurements are stored in '{self._path}'; the same command continues"
             ) from value

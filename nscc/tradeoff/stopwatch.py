@@ -13,10 +13,10 @@ SHORT_MS = 500.0
 
 
 class Stopwatch:
-    """Measures run times by kind and setting, without first runs, which compile, load and allocate.
+    """A stopwatch that leaves out first runs, in which code is compiled and data is loaded.
 
-    Runs of one `kind` share this overhead, for example one method on data of one shape; `setting`
-    distinguishes them. `clock` returns seconds."""
+    Runs of one `kind`, such as one method on data of one shape, share this overhead. `setting`
+    distinguishes the runs of a kind. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         self._clock = clock

@@ -42,7 +42,7 @@ class Launch:
 class Readout:
     """A bucket's readout: after the frame, its exposure in electrons is `register` times `gain`.
 
-    For a chip without logic `register` is a tap, and the electrons are those at the converter."""
+    For a chip without logic `register` is a tap, and the exposure is measured at the converter."""
 
     register: str
     bucket: str

@@ -53,7 +53,7 @@ def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
 
 
 def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
-    """The lines that differ; of data in base64, only that they do."""
+    """Yield the lines that differ; for data in base64, yield only that they do."""
     if old == new:
         return
     if max(len(old), len(new)) > _LONGEST_SECTION:

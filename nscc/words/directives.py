@@ -63,9 +63,7 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     for token in tokens:
-        if token.text.startswith(
-            "x"
-        ):  # the number of slots, of which the previous one is the first
+        if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
             if len(draft.slot_us) + repeats >= MOST_SLOTS:
                 message = f"a frame has 1 to {MOST_SLOTS} slots"

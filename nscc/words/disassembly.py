@@ -35,7 +35,7 @@ def disassemble(container: Container) -> str:
     refuse_planes(
         container.target,
         "this container has no words to disassemble",
-        "`nscc build --emit planes,schedule` writes its planes and their times",
+        "`nscc build --emit planes,schedule` writes its bit planes and their times",
     )
     parts = sections(container).values()
     return "\n\n".join("\n".join(lines) for lines in parts if lines) + "\n"

@@ -74,8 +74,8 @@ _WRITE |= {name: _bit(line) for name, line in DIGITAL_WRITE.items()}
 _WRITE |= {name: _READ[name] | _bit(ANALOG_WRITE["NEWS"]) for name in NEIGHBOURS}
 _ALL_LINES = {_bit(line): line for line in range(FIRST_EXTRA_LINE + EXTRA_LINES)}
 
-# The lines that tell operations apart; the others only name operands. selpix and s_in are both, so
-# that what an analog word's operands cannot settle is settled by encoding the answer again.
+# The lines that distinguish operations; all others only name operands. selpix and s_in do both, so
+# an ambiguous analog word is decided by encoding each candidate again.
 _KIND_ANALOG = _raised((RSTPIX, WRF, SETF, PLRB, RID))
 _KIND_DIGITAL = _raised((S_IN, WRF, PLWB, PLRB, NBIT, BIT, BITMODE, RID))
 

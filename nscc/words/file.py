@@ -75,7 +75,7 @@ def _layout(header: dict[str, Any]) -> tuple[StoredArray, ...]:
 
 
 def to_bytes(container: Container) -> bytes:
-    """Return the container as a file; ValueError for an inconsistent container (a bug of its
+    """Return the container as a file; raise ValueError for an inconsistent container (a bug of its
     maker)."""
     problems = faults(container)
     if problems:
@@ -160,7 +160,7 @@ def read_container(path: Path) -> Container:
     try:
         with open(path, "rb") as file:
             data = file.read(_CHUNK)
-            # Whatever the path leads to, no more is read than a container may have.
+            # Read no more bytes than the largest container has, whatever the path refers to.
             while data.startswith(MAGIC) and len(data) <= LARGEST_FILE:
                 chunk = file.read(max(_CHUNK, len(data)))
                 if not chunk:
@@ -237,8 +237,11 @@ def _check_frame(data: bytes, name: str) -> int:
 
 
 def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
-    """The container of a header and its arrays. Where a value has another type than `_header`
-    gives it, the container is written differently, or this raises."""
+    """Return the container of a header and its arrays.
+
+    If a value has another type than `_header` gives it, the container is written differently,
+    or this raises an exception.
+    """
     arrays = unpacked(_layout(header), data[:-_DIGEST], start)
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0

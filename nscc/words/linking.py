@@ -47,7 +47,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
     load = _load(draft, target, faults)
-    faults.stop()  # the rest needs valid sizes
+    faults.stop()  # the following steps need valid sizes
 
     notes = dict(draft.notes)
     if draft.shutters or draft.codes:
@@ -84,7 +84,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     if draft.pictures is not None:
         pictures = pictures_file.from_text("".join(line for line, _ in draft.pictures.lines))
         if pictures is None:
-            message = "the lines below are no images and planes"
+            message = "the lines below do not describe images and planes"
             faults.add("NS0714", message, draft.pictures.directive.span)
     faults.stop()
     container = Container(

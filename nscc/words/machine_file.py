@@ -171,7 +171,7 @@ def _step_faults(machine: StateMachine) -> Iterator[str]:
         steps = machine.steps[span]
         if stage == machine.stages - 1:
             if (steps != -1).any():
-                yield "a node of its machine's last stage leads somewhere"
+                yield "a node of the last stage of its machine has a successor"
             continue
         outcomes = 1 << len(machine.at(machine.looks[stage]))
         after = machine.nodes(stage + 1)
@@ -208,7 +208,7 @@ def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
         if len({*planes.values}) < len(planes.values):
             yield f"the planes of {name[:40]!a} have two rows of bits for one value"
         if name not in names or not {*planes.registers} <= {*registers}:
-            yield f"the planes of {name[:40]!a} are those of nothing"
+            yield f"the planes of {name[:40]!a} belong to no state"
     starts = machine.behaviour[machine.start_nodes()]
     if not np.array_equal(starts, np.arange(len(container.encoding))):
         yield "a behaviour of its machine has no start"

@@ -52,14 +52,14 @@ class Source:
 
 @dataclass(frozen=True)
 class Sum:
-    """A sum of factors times images, its `terms`."""
+    """A sum of images; `terms` are pairs (factor, image)."""
 
     terms: tuple[tuple[Fraction, Value], ...]
 
 
 @dataclass(frozen=True)
 class Filtered:
-    """The sum of the neighbours of `value`, weighted by a convolution kernel."""
+    """The convolution of the image `value` with the convolution kernel named `kernel`."""
 
     kernel: str
     value: Value
@@ -275,7 +275,7 @@ def to_plain(node: Node) -> list[Any]:
 
 
 def from_plain(plain: Any) -> Node:
-    """Return the node that `to_plain` converted; ValueError for other lists."""
+    """Return the node that `to_plain` converted; raise ValueError for other lists."""
     try:
         name, *values = plain
         if name == "Sum":

@@ -44,7 +44,7 @@ def header_of(pictures: Pictures) -> dict[str, Any]:
 
 
 def pictures_from(header: Any) -> Pictures:
-    """Return the images and planes of a header; ValueError for an invalid header."""
+    """Return the images and planes of a header; raise ValueError for an invalid header."""
     try:
         return Pictures(
             tuple(
@@ -106,7 +106,7 @@ def faults(container: Container) -> Iterator[str]:
     if pictures.outside not in (None, 0, 1) or pictures.limits_e.keys() != {*container.buckets}:
         yield "its pictures are malformed"
     if not known.issuperset(pictures.outputs) or not pictures.outputs:
-        yield "its pictures do not say what leaves the chip"
+        yield "its pictures neither read out nor report anything"
     for kernel in pictures.kernels:
         if not all(type(x) is int and 0 <= x < 1 << 32 for word in kernel for x in word):
             yield "a word of its pictures is not five 32-bit integers"

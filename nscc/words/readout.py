@@ -15,9 +15,9 @@ from nscc.operations import Op, op
 from nscc.words.container import Container
 
 SPREADING_ERRORS = 3 / 4
-"""The variance that these words add to an exposure, relative to that of one word.
+"""The variance that these words add to an exposure, relative to the variance of one word's error.
 
-It is that of three errors, on twice the exposure."""
+Three words each add an error to twice the exposure, so the variance is 3 / 4."""
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
         if not name or len(name) > _LONGEST_NAME or not name.isprintable():
             yield f"the {kind} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
     if len(set(names)) != len(names):
-        yield f"a {kind} name stands twice in {list(names)[:20]}"
+        yield f"a {kind} name appears twice in {list(names)[:20]}"
 
 
 def _time_faults(container: Container) -> Iterator[str]:
@@ -134,7 +134,7 @@ def _stream_faults(container: Container) -> Iterator[str]:
     target, sent = container.target, container.stream
     if not target.streamed:
         if sent is not None:
-            yield f"it has planes of bits, but {target.name} uses words"
+            yield f"it has bit planes for slots, but {target.name} uses words"
         return
     if container.kernels or container.launches or container.code_registers:
         yield f"it has words, but the pixels of {target.name} have no logic"

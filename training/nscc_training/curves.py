@@ -34,8 +34,10 @@ def mu_law(x: Array, mu: float = MU) -> Array:
 
 
 def log_curve(x: Array, floor: float) -> Array:
-    """Return log(1 + x / floor), for relative errors well above `floor` and absolute errors
-    below."""
+    """Return log(1 + x / floor).
+
+    Differences on this curve are relative errors far above `floor`, and absolute errors far below.
+    """
     xp, wide = _library(x), _wide(x)
     scaled = wide / floor
     return _as(x, xp.where(wide >= 0, xp.log1p(xp.clip(scaled, 0.0, None)), scaled))

@@ -23,9 +23,9 @@ _LIT = 0.01
 class Dark:
     """A dark frame, from one exposure or repeated ones.
 
-    `offset` (rows, cols), for two buckets (2, rows, cols), is the mean code above the ADC's offset.
-    `meta` is that of the file. `slot_us` (N,) are the slot lengths, None if unknown. `saturated` is
-    the fraction of saturated pixels."""
+    `offset` (rows, cols), or (2, rows, cols) for two buckets, is the mean converter code above the
+    ADC's offset. `meta` is the metadata of the file. `slot_us` (N,) are the slot lengths, None if
+    unknown. `saturated` is the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]
@@ -76,7 +76,7 @@ class Dark:
         seconds = np.asarray(self.slot_us, np.float64) * 1e-6
         if Light.of_still(night, seconds).sha256() == scene:
             return False
-        # An array of zeros is no light either, slot by slot.
+        # An array of zeros in every slot is also no light.
         clip = np.broadcast_to(night, (len(seconds), *rows_cols))
         return bool(Light.of_clip(clip).sha256() != scene)
 
@@ -113,8 +113,8 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """Read a dark frame file; Rejected (NS0819) for another number of buckets or a missing ADC
-    offset."""
+    """Read a dark frame file; raise Rejected (NS0819) for another number of buckets or a missing
+    ADC offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:

@@ -89,8 +89,8 @@ def by_colour(values: Array, in_colours: bool) -> Array:
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the arrays of a frame file as stored, with shutters unpacked; NS0819 for
-    another file."""
+    """Return the arrays of a frame file as stored, with shutters unpacked; raise Rejected (NS0819)
+    for another file."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)
@@ -120,7 +120,7 @@ def are_lengths(slot_us: Array) -> bool:
 
 
 def number_of(meta: Mapping[str, Any], name: str) -> float:
-    """Return a number of a frame's meta; ValueError if it is missing or not finite."""
+    """Return a number of a frame's meta; raise ValueError if it is missing or not finite."""
     value = meta.get(name)
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if value is not None and is_number and abs(value) <= sys.float_info.max:

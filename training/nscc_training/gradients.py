@@ -62,7 +62,8 @@ class _Saturate(Function):
 
 
 def replaced(x: Tensor, value: Tensor) -> Tensor:
-    """Return `value`, with the gradient of x."""
+    """Return `value` in the forward pass; in the backward pass the gradient goes to `x`
+    unchanged."""
     return _apply(_Replace, x, value)
 
 

@@ -21,7 +21,7 @@ def is_import_path(text: str) -> bool:
 
 
 def imported(text: str, role: str) -> Any:
-    """Import the object `module:name`; Rejected (NS0812) if that fails."""
+    """Import the object `module:name`; raise Rejected (NS0812) if that fails."""
     module, _, name = text.partition(":")
     current_folder = str(Path.cwd())
     added = current_folder not in sys.path

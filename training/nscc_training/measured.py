@@ -121,7 +121,7 @@ class Measured(Generic[Array]):
         of = namespace(self.mask)
         masks = of.moveaxis(self.mask, (1, 2), (3, 4))
         noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
-        # A frame in which a pixel never opens must not divide by 0.
+        # Avoid a division by 0 for pixels that never open in a frame.
         identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
         joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
         return joint

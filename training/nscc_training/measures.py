@@ -54,7 +54,8 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
-    """Return every metric of a checked pair as JSON values, for clips also for each frame.
+    """Return every metric of a checked pair as JSON values; for clips, also the metrics of each
+    frame.
 
     Infinite dB become the text "inf". `psnr_db` of a clip is the mean over its finite frames."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))

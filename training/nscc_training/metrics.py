@@ -114,7 +114,7 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
     _check_range(data_range)
     if not PU21_LOW < nits <= PU21_HIGH:
         raise wrong_argument(
-            f"PU21 is of luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not {nits}"
+            f"PU21 needs luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not {nits}"
         )
     encoded = [
         pu21(np.clip(x.astype(np.float64) * (nits / data_range), PU21_LOW, nits))
@@ -186,7 +186,7 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
     truth, result = _pair(truth, result)
     if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
         raise wrong_argument(
-            f"SSIM is of pictures (rows, cols) or clips (T, rows, cols) of at least {WINDOW} x "
+            f"SSIM needs pictures (rows, cols) or clips (T, rows, cols) of at least {WINDOW} x "
             f"{WINDOW} pixels, not of {truth.shape}"
         )
     _check_range(data_range)
@@ -248,7 +248,7 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
     truth, result = _pair(truth, result)
     if truth.ndim != 3 or len(truth) < 2:
         raise wrong_argument(
-            f"the temporal error is of clips (T, rows, cols) of two frames or more, not of "
+            f"the temporal error needs clips (T, rows, cols) of two frames or more, not of "
             f"{truth.shape}"
         )
     _check_range(data_range)
@@ -257,7 +257,7 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
-    """Return both as arrays; WrongArgument unless they are finite numbers of one shape."""
+    """Return both as arrays; raise WrongArgument unless they are finite numbers of one shape."""
     first, second = np.asarray(truth), np.asarray(result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:
         raise wrong_argument(
@@ -278,7 +278,7 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
 def _check_range(data_range: float) -> None:
     if not (isinstance(data_range, int | float | np.number) and 0 < data_range < math.inf):
         raise wrong_argument(
-            f"the data range is the peak that errors count against, a number above 0, not "
+            f"the data range is the peak that errors are compared with, a number above 0, not "
             f"{shown(data_range)}",
             helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
         )

@@ -31,7 +31,7 @@ class NoiseModel:
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """Parse `SD` or `SD,GAIN`; NS0846 for another text."""
+        """Parse `SD` or `SD,GAIN`; raise Rejected (NS0846) for another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
@@ -75,7 +75,7 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
     try:
         _, names = npz_arrays(path, lambda _: False)
         return "meta" not in names and bool(_KEYS & set(names))
-    except (InvalidArrays, OSError):  # what is damaged is said by those who read it as a frame
+    except (InvalidArrays, OSError):  # the function that reads it as a frame reports the damage
         return False
 
 
@@ -100,7 +100,7 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
-    # Time last, as in MATLAB, where both fit.
+    # If both axes are possible, time is the last one, as in MATLAB.
     for axis, name in ((2, "last"), (0, "first")):
         size = tuple(np.delete(mask.shape, axis))
         fits = [

@@ -200,8 +200,8 @@ def _fields(spec: ShutterSpec) -> tuple[str, ...]:
 
 
 def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
-    """Return the codes of the tile (rows, cols) that repeats over the array; ValueError without
-    one."""
+    """Return the codes of the tile (rows, cols) that repeats over the array; raise ValueError
+    without one."""
     rows, cols = pixels.shape
     tile_codes = pixels[: tile[0], : tile[1]]
     repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
@@ -234,8 +234,8 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return all codes (codes, fields) that the class and `require` allow; Rejected if there are
-    none."""
+    """Return all codes (codes, fields) that the class and `require` allow; raise Rejected if there
+    are none."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):

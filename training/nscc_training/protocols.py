@@ -56,7 +56,7 @@ class Protocol:
 
 
 def load_protocol(name: str) -> Protocol:
-    """Return a protocol by name; Rejected (NS0806) for an unknown one."""
+    """Return a protocol by name; raise Rejected (NS0806) for an unknown one."""
     if name not in NAMES:
         raise unknown_name("NS0806", "unknown protocol '{}'", name, NAMES, "the protocols are {}")
     installed = Path(__file__).with_name("protocol_files")

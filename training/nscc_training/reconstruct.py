@@ -28,7 +28,7 @@ from nscc_training.run_folder import RunFolder, load_run
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
 """Effects that training simulates if `[sensor] effects` is empty."""
-_DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
+_DARK_HELPS = ("`--dark FRAME` subtracts the charge that words and dark current add",)
 
 
 def reconstruct(

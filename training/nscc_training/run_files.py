@@ -99,7 +99,8 @@ def run_path(folder: Path) -> Path:
 
 
 def run_capture(folder: Path) -> RunCapture:
-    """Return the capture conditions of a run; Rejected (NS0818) for a folder that is not a run."""
+    """Return the capture conditions of a run; raise Rejected (NS0818) for a folder that is not a
+    run."""
     path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]

@@ -60,7 +60,7 @@ def folders_of(text: str) -> list[Path]:
 def protocol_files(
     folder: Path, endings: Collection[str], kind_text: str, expected: str, protocol: str
 ) -> list[Path]:
-    """Return the files of `files_in`; Rejected (NS0811) if there are none."""
+    """Return the files of `files_in`; raise Rejected (NS0811) if there are none."""
     matching = files_in(folder, endings)
     if not matching:
         raise rejected(

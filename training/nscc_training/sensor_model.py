@@ -149,7 +149,7 @@ class SensorModel:
 
     @property
     def full_code(self) -> int:
-        """The code above the offset of saturated pixels, without noise."""
+        """The converter code of saturated pixels, above the offset and without noise."""
         return round(self.full_e / self.electrons_per_lsb)
 
     def relative(self, codes: Tensor) -> Tensor:

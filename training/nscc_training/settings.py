@@ -104,15 +104,19 @@ class DecoderSettings:
     name: str = key(
         TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
     )
-    size: str = key(TextKind(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
+    size: str = key(
+        TextKind(SIZES), "paper: as in the paper; small: at most 0.6 million parameters", "small"
+    )
     width: float = key(
-        Number(0.01, 1), "width of its layers, as a fraction of the size's width", 1.0
+        Number(0.01, 1),
+        "width of the decoder's layers, as a fraction of the width of this size",
+        1.0,
     )
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
     guess: str = key(
         TextKind(("by size", "yes", "no")),
-        "whether a U-Net starts from a first guess; by size: the small ones do, those of the "
-        "paper's size do not",
+        "whether a U-Net starts from a first guess; by size: yes for the size small, no for the "
+        "size paper",
         "by size",
     )  # fmt: skip
     init: str = key(

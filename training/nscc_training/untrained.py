@@ -18,8 +18,9 @@ _WHITE = 0.995
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
-    """Return the given method, or the default: the network; without torch merging, for clips
-    GAP-TV."""
+    """Return the given method, or by default the network.
+
+    Without torch, the default is merging for stills and GAP-TV for clips."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"

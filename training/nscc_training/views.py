@@ -142,7 +142,8 @@ def _check_array(
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """Return the PNG of a sheet drawn from parsed tables; NS0801 if the tables are invalid."""
+    """Return the PNG of a sheet drawn from parsed tables; raise Rejected (NS0801) if the tables are
+    invalid."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:

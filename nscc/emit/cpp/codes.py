@@ -97,7 +97,7 @@ class CodeLoading:
         return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """Return the calls of the kernel that adds one pattern."""
+        """Return the calls of the kernel that adds one pattern to the register of a load."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 

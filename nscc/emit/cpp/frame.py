@@ -94,7 +94,8 @@ def schedule_of(container: Container) -> LaunchSchedule:
 
 
 def exact(value: float) -> Fraction:
-    """Return the decimal fraction that prints as `value`."""
+    """Return a float as an exact fraction: the value of the shortest decimal number that
+    prints it."""
     return Fraction(Decimal(repr(float(value))))
 
 

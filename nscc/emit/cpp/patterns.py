@@ -89,8 +89,10 @@ def _table(plane: NDArray[np.bool_]) -> int:
 
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
-    """Return an irredundant union of cubes between two truth tables, and its table (Minato,
-    Morreale)."""
+    """Return an irredundant union of cubes that contains `needed` and lies in `allowed`, and its
+    table.
+
+    Truth tables are integers. The method is the algorithm of Minato and Morreale."""
     if not needed:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:

@@ -19,7 +19,7 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 PAIR_SPAN = 8
 # Steps of one walk, half a second, before the next sweeps.
 WALK_STEPS = 50_000
-# Number of walks without gain before giving up.
+# Number of consecutive walks without improvement after which the search ends.
 PATIENCE = 6
 # Steps of a walk over one kernel.
 KERNEL_STEPS = 2_000

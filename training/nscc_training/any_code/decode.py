@@ -86,7 +86,7 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
     """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, in `count`
     stages."""
-    # A well is filled by the largest value there is, nearly: by 1, as the stages want it.
+    # Scale so that nearly the largest value is 1, as the stages require.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
     light = started_still(measured)
@@ -103,7 +103,7 @@ def white(measured: Measured[Tensor]) -> Tensor:
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)
-    # Pixels that never open come first, and do not count.
+    # Pixels that never open are sorted to the front and not counted.
     ordered = torch.where(opened, mean.flatten(1), -torch.inf).sort(dim=1).values
     count = opened.sum(dim=1)
     closed = ordered.shape[1] - count

@@ -74,8 +74,8 @@ class CodedFrame:
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """Return the measurement with shutter weights (shutters, B, N); ValueError if it is too
-        large."""
+        """Return the measurement with shutter weights (shutters, B, N); raise ValueError if it is
+        too large."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -148,7 +148,7 @@ def _dark_of(
     """
     dark_frame = read_dark(path, arrays["decode_shutter"].shape[-2])
     frame_pixels, dark = arrays["frame"].shape[-2:], dark_frame.offset.shape[-2:]
-    # A picture that was laid on arrays may end within the last of them.
+    # A picture that was exposed in parts may end within the last part.
     laid = meta.get("laid")
     needed = [-(-most // side) for most, side in zip(frame_pixels, dark, strict=True)]
     fits = isinstance(laid, dict) and needed == laid.get("arrays")

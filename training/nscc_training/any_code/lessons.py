@@ -160,7 +160,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
         length = int(generator.integers(1, frames))
         begin = generator.integers(0, frames - length + 1, places)
         if generator.random() < 0.3:
-            # Around the end of the frame, as a cyclic code has it.
+            # The bump continues at the start of the frame, as in a cyclic code.
             begin = generator.integers(0, frames, places)
         opened = (slot - begin) % frames < length
     elif kind == "bumps":
@@ -178,7 +178,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters: half of the time of any class, else bumps in a 4 x 4 tile.
+    """Return random shutters: with probability 1/2 of any class, otherwise bumps in a 4 x 4 tile.
 
     The bumps take a quarter of the frame and open one after another: within the frame, in two
     phases, or wrapping around its end."""
@@ -218,7 +218,7 @@ def _read_out(
 
     well_e, read_lsb = drawn(_FULL_WELL_E), drawn(_READ_LSB)
     if full is None:
-        # The part of pixels that saturate: none, for most.
+        # The fraction of saturated pixels: 0 for most lessons.
         shares = 0.15 * uniform(value, generator, (len(value),))
         shares = shares * (uniform(value, generator, (len(value),)) < 0.4)
         reached = quantiles(value.flatten(1), 1 - shares).to(value).clamp(min=1e-3)

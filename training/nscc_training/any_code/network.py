@@ -45,7 +45,7 @@ class ClipDenoiser(nn.Module):
         nn.init.zeros_(self.last.weight)
         nn.init.zeros_(self.last.bias)  # type: ignore[arg-type]
         with torch.no_grad():
-            # Denoising is learned first, without a measurement to look at.
+            # Denoising is learned first, without a measurement.
             self.first.weight[:, planes:-1] = 0
 
     def forward(self, clip: Tensor, measured_planes: Tensor, sigma: Tensor) -> Tensor:
@@ -62,7 +62,7 @@ class ClipDenoiser(nn.Module):
         x = x.contiguous(memory_format=torch.channels_last)
         x = self._through(self.first(x), frames)
         residual = functional.pixel_shuffle(x.float(), _FOLD)[..., :rows, :cols]
-        # In units of sigma, so that every level of noise teaches alike.
+        # In units of sigma, so that all noise levels have the same weight.
         return clip + residual.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
 
     def _through(self, x: Tensor, frames: int) -> Tensor:

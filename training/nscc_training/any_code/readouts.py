@@ -54,7 +54,7 @@ def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
     apart = _around((still - smooth).square(), _AROUND)
     share = (1 - _around(noise.clamp(max=1), _AROUND) / apart.clamp(min=1e-12)).clamp(0, 1)
     steady = smooth + share * (still - smooth)
-    # The mean has a part of each readout's own noise; it is no other light than one that is alone.
+    # The mean contains a part of each readout's noise, so their difference has less noise.
     spread = (variance - noise).clamp(min=1e-3 * variance.clamp(min=1e-9)).sqrt()
     deviation = torch.where(known, (light - mean) / spread, 0.0)
     coded = [k for k in range(light.shape[1]) if k != number]

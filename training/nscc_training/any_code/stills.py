@@ -61,7 +61,7 @@ def still_stage(
     mask = measured.mask[:, :, 0]
     data_precision = mask.square() / measured.variance.clamp(min=1e-12)
     gap = measured.missing(mask * light.unsqueeze(1), measured.value)
-    # What saturated pixels have anyhow tells nothing more.
+    # The values of saturated pixels contain no further information.
     data_precision = torch.where(measured.saturated & (gap <= 0), 0.0, data_precision)
     step = (data_precision * gap / mask.clamp(min=1e-9)).sum(dim=1)
     light = (light + step / (spread.pow(-2) + data_precision.sum(dim=1))).clamp(min=0)

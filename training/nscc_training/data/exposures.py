@@ -224,7 +224,7 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)
-        most = values.topk(last - below + 1, dim=1).values.double()  # from the largest down
+        most = values.topk(last - below + 1, dim=1).values.double()  # in descending order
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
         return low + (high - low) * (quantile * last - below)
     place = quantile.double() * last

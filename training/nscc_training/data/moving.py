@@ -166,7 +166,8 @@ def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np
 
 
 def pictures_below(folder: Path) -> list[Path]:
-    """Return all pictures in a folder and its subfolders; Rejected (NS0811) if there are none."""
+    """Return all pictures in a folder and its subfolders; raise Rejected (NS0811) if there are
+    none."""
     files = sorted(
         path for path in folder.rglob("*") if path.suffix.lower() in PICTURES and path.is_file()
     )

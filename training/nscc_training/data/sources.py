@@ -37,9 +37,9 @@ _MOST_SIDE = 512
 _CAMERA_SIDE = 256
 """Minimum rows and columns of the clips made of a panorama."""
 _MOST_LIGHT = 1e32
-"""Sums of light over all slots beyond this overflow."""
+"""Largest valid light; larger values would overflow in sums over all slots."""
 _LIT_SHARE = 0.01
-"""The exposure of a clip follows from its brightest hundredth."""
+"""Fraction of a clip's pixels, the brightest ones, whose light determines its exposure."""
 _VALIDATION = 5
 """Every fifth file is for validation if no folder is named for it."""
 
@@ -267,7 +267,7 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
-    """Return the scene; Rejected (NS0811) if training cannot use it."""
+    """Return the scene; raise Rejected (NS0811) if training cannot use it."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"

@@ -16,7 +16,7 @@ from nscc_training.sensor_model import laid, lifted, shared_out
 
 LOG_FLOOR = 1e-3
 """Networks predict stills as log(1 + light / LOG_FLOOR)."""
-# The paper's networks start from nothing; the small ones train too briefly for that.
+# The networks of the paper have no first guess; the small ones train too briefly without one.
 _GUESSES = {"paper": False, "small": True}
 
 
@@ -63,17 +63,17 @@ class UNet(nn.Module):
         self.multiple = 2 ** (len(widths) - 1)
         for layer in self.modules():
             if isinstance(layer, convolution) and layer.bias is not None:
-                # He et al. 2015: without it the signal fades on the way through so many layers.
+                # He et al. 2015: with another initialisation, the signal fades in this many layers.
                 nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
                 nn.init.zeros_(layer.bias)
         if dimensions == 3:
-            # On CPUs a step takes half the time that it takes in the usual order.
+            # With this memory format, a step on a CPU takes half the time.
             self.to(memory_format=torch.channels_last_3d)  # type: ignore[call-overload]
 
     def forward(self, x: Tensor) -> Tensor:
         """Map an input (batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
         sizes = x.shape[2:]
-        # Its edges, repeated up to the next multiple.
+        # Repeat the edge pixels up to the next multiple.
         margins = [margin for size in reversed(sizes) for margin in (0, -size % self.multiple)]
         if any(margins):
             x = functional.pad(x, margins, mode="replicate")
@@ -107,12 +107,13 @@ class _Convolution3d(nn.Conv3d):
 class StillUNet(nn.Module):
     """A 2D U-Net.
 
-    Inputs: the frame, or the frames of two buckets. With `sees_code` also, for stills, the open
-    fraction of each pixel and the frame divided by it; for clips S^T E with one channel per slot.
+    Inputs: the frame, or the frames of two buckets. With `sees_code`, stills have two further
+    inputs, the open fraction of each pixel and the frame divided by it; clips have S^T E as input,
+    with one channel per slot. Output: the logarithm of the light of a still, or one channel per
+    slot of a clip (`slots`).
 
-    Output: the logarithm of the light of a still, or one channel per slot of a clip (`slots`). With
-    `guesses`, the first guess is another input, and the network predicts a correction to it, for
-    clips also a gain (`gated`); this needs `sees_code`."""
+    With `guesses`, the first guess is another input, and the network predicts a correction to it,
+    for clips also a gain (`gated`); this needs `sees_code`."""
 
     def __init__(
         self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False,

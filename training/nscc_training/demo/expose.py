@@ -122,7 +122,8 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """Return the electrons of a display picture's white, per frame, for clips per slot."""
+        """Return the electrons of a display picture's white: over the frame for stills, per slot
+        for clips."""
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 
@@ -151,7 +152,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     like = run_capture(RUNS[subject.still])
     program = like.program if subject.still else settings.program
     compiled = compile_file(program, Options()).container
-    assert compiled is not None  # what comes with nscc has compiled before
+    assert compiled is not None  # programs that come with nscc compile
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
@@ -182,11 +183,11 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
     """Expose a still with the example whose pixels look."""
     container = compile_file(examples()[LOOKING], Options()).container
-    assert container is not None  # an example has compiled before
+    assert container is not None  # example programs compile
     begin = working_s()
     laid = scene.laid(container.slot_us, container.target, progress=listener.progress)
     frame_arrays = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
-    # The buckets are the last but two axes; of colours there is one more.
+    # The bucket axis is the third from the end; colours add an axis in front.
     look_arrays = (
         frame_arrays[key].reshape(-1, *frame_arrays[key].shape[-3:])
         for key in (LIGHT, DEVIATION, OPEN)
@@ -245,7 +246,7 @@ def camera(
                         for k in range(frames))  # fmt: skip
     text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
     compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
-    assert compiled.container is not None  # one shutter fits wherever any does
+    assert compiled.container is not None  # a single shutter fits every chip
     return compiled.container
 
 

@@ -38,7 +38,7 @@ def merged_light(
     for a clip; colours are the last axis. `offset` is the dark value of the array in converter
     codes."""
     frame, container = capture.simulated.frame, capture.container
-    assert container.pixel_codes is not None  # it has been exposed
+    assert container.pixel_codes is not None  # the frame has been exposed
     lanes = container.table.shutter_of_code[container.pixel_codes]
     codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
     lsb_e, size = sensor.electrons_per_lsb, codes.shape[-2:]

@@ -276,7 +276,7 @@ def _shutters(shown: Shown) -> Image:
         shown.exposed_scene.container,
         shown.exposed_scene.codes(shown.exposed_scene.coded_capture).shape[:2],
     )
-    assert container.pixel_codes is not None  # it has been exposed
+    assert container.pixel_codes is not None  # the frame has been exposed
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
     # The last readout: the first of several is always open.

@@ -2,9 +2,9 @@
 
 A pixel closes at the first look that finds its light above the look's level. For constant light x
 and each of several comparator offsets o, the model follows the fraction S of pixels that are still
-open. Look k at time t closes the fraction p = P(x t + o + noise > level) of them; their light is
-then estimated from the exposure of length t. The expected error is the mean over the scene's light
-of the sum over k of S p e(x, t)."""
+open. Look k at time t closes the fraction p = P(x t + o + noise > level) of them. Their light is
+then estimated from the exposure of length t, with the error e(x, t). The expected error is the
+mean over the scene's light of the sum over k of S p e(x, t)."""
 
 from __future__ import annotations
 

@@ -155,11 +155,10 @@ def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu")
 def design_pattern(
     scenes: Scenes, frame: Frame | None = None, progress: Progress = iter
 ) -> PatternDesign:
-    """Design the pattern of stops that is best when merged with all effects and its words are
-    counted.
+    """Design the pattern of stops with the highest PSNR after merging, minus a cost for its words.
 
-    `nscc_training.design.stop_patterns` lists the patterns. `scenes` and errors are as for
-    `design_looks`."""
+    The PSNR is simulated with all effects. `nscc_training.design.stop_patterns` lists the patterns.
+    `scenes` and errors are as for `design_looks`."""
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
@@ -170,7 +169,7 @@ def design_pattern(
 
     def container_of(stop: int) -> Container:
         container = made_of([[stop]]).container
-        assert container is not None  # what does not fit is rejected
+        assert container is not None  # programs that do not fit are rejected
         return container
 
     def words_of(pattern: Pattern) -> int:

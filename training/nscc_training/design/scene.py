@@ -46,7 +46,7 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
     for number, scene in enumerate(scenes):
         light = np.asarray(scene, np.float64).reshape(-1)
         peak = peak_of(light, number)
-        # Below a billionth of the peak no shutter tells anything.
+        # Light below a billionth of the peak cannot be measured with any shutter.
         logs = np.log(np.maximum(light, 1e-9 * peak))
         low, high = float(logs.min()), float(logs.max())
         place = np.minimum(
@@ -79,7 +79,7 @@ def stops_tried(slots: int) -> list[int]:
 
 
 def peak_of(light: Values, number: int = 0) -> float:
-    """Return the light that counts as white; Rejected (NS0824) for a scene without light."""
+    """Return the light that counts as white; raise Rejected (NS0824) for a scene without light."""
     peak = float(np.percentile(light, PERCENTILE))
     if peak <= 0:
         peak = float(light.max())

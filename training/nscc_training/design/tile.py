@@ -48,8 +48,8 @@ def best_tile(
             chip, np.asarray(scene, np.float64), number, stops, slots, curve
         )
         for k, tile in enumerate(tiles):
-            # The pixel p of each tile, told by the pixel q: what q's stop tells of q's own light,
-            # and how far that is from the light at p.
+            # The error of pixel p of each tile if estimated from pixel q: the error of q's own
+            # measurement, and the difference between the light of q and p.
             by = np.stack([stop_errors[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
             risks[k] += (by[:, None, :] + apart).min(axis=2).mean() / len(scenes)
     best = int(risks.argmin())

@@ -45,7 +45,7 @@ class Encoder(nn.Module, ABC):
         self.noise = 0.0
         """Standard deviation of the noise on parameters while training, in their own unit."""
         self.tried_share = 1.0
-        """The part of the pixels that a trial moves."""
+        """The fraction of the pixels that a trial moves."""
 
     @abstractmethod
     def codes(self) -> Codes:

@@ -162,7 +162,7 @@ class Bump(Encoder):
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
-        # They snap to the legal ones.
+        # Round to the nearest legal codes.
         if any((values != codes[name]).any() for name, values in self.codes().items()):
             raise ValueError("some of its codes are not allowed by `require`")
 
@@ -183,7 +183,7 @@ class Stop(Bump):
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
 
     def trial_spread(self, fields: Tensor) -> Tensor:
-        # Exposures matter by their ratio: short ones are tried in small steps.
+        # The ratio of exposures matters, so short exposures are changed in small steps.
         return torch.minimum(super().trial_spread(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:

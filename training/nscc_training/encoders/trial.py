@@ -17,7 +17,7 @@ from torch import Tensor
 from nscc_training.draws import normal, uniform
 
 Over = Callable[[Tensor], Tensor]
-"""Maps values of a tile, (any, rows, cols), to the pixels of a patch."""
+"""A function that repeats the values of a tile, (any, rows, cols), over the pixels of a patch."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -206,7 +206,7 @@ def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
                 np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
             )
             title = {"quad": "2 x 2 tile", "run": f"run {RUNS[still]}"}.get(name, name)
-            # Stops span two decades: their root tells the short ones apart.
+            # Stops span two decades: the square root makes short stops distinguishable.
             shown = np.sqrt(share / share.max()) if still else mean_time
             note = "bright is long" if still else "dark is early, bright late"
             grey = np.rint(255 * shown).astype(np.uint8)

@@ -43,7 +43,8 @@ class Page:
         self._read = cache(read_result)
 
     def filled(self, template: str) -> str:
-        """Return a template with all words replaced; ValueError for unknown words and metrics."""
+        """Return a template with all words replaced; raise ValueError for unknown words and
+        metrics."""
         return re.sub(r"\{\{(.*?)\}\}", lambda match: self._word(*shlex.split(match[1])), template)
 
     def mean(self, name: str, metric: str) -> str:

@@ -194,7 +194,7 @@ def with_arrays(
 
 
 def read_result(path: Path) -> dict[str, Any]:
-    """Read a result of `nscc evaluate`; Rejected (NS0807) for a file that is not a result."""
+    """Read a result of `nscc evaluate`; raise Rejected (NS0807) for a file that is not a result."""
     try:
         document = json.loads(read_whole(path))
         if isinstance(document, dict) and document.get("schema") == SCHEMA:

@@ -35,7 +35,7 @@ def locked_folder(folder: Path) -> Iterator[None]:
             ) from None
         yield
     except BaseException:
-        if is_new:  # nothing is left of a run that did not begin
+        if is_new:  # remove the folder of a run that did not begin
             with suppress(OSError):
                 folder.rmdir()
         raise

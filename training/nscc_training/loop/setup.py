@@ -181,8 +181,8 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return the encoder with the initial shutters of a run; Rejected (NS0815) if the start is
-    invalid."""
+    """Return the encoder with the initial shutters of a run; raise Rejected (NS0815) if the start
+    is invalid."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -244,7 +244,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
-    """Load the weights of a run into a decoder; Rejected (NS0815) if they do not fit."""
+    """Load the weights of a run into a decoder; raise Rejected (NS0815) if they do not fit."""
     from safetensors.torch import load_file
 
     path = run_path(Path(run)) / WEIGHTS

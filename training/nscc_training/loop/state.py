@@ -60,7 +60,7 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors; KeyError, RuntimeError or ValueError if they belong to another
+        """Load the tensors; raise KeyError, RuntimeError or ValueError if they belong to another
         network."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
@@ -84,7 +84,7 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; KeyError or RuntimeError if they belong to another
+    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError if they belong to another
     network."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))

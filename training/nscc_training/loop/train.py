@@ -84,7 +84,7 @@ def train(
     checkpoint. `track` draws a progress bar, and `report` receives a text for each validation and
     at the end; both are used in the first process only. With `stop_after` the run stops after that
     step and writes a checkpoint."""
-    is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
+    is_first = os.environ.get("RANK", "0") == "0"  # only the first of several processes writes
     with locked_folder(out) if is_first else nullcontext():
         _train(settings, out, resume, track, report, stop_after)
 
@@ -223,7 +223,7 @@ def _steps(
 
 
 def _so_far(run: TrainingRun) -> dict[Path, bytes]:
-    """Return the files that a run resumes from: log and checkpoint."""
+    """Return the log and the checkpoint, from which a run can resume, by path."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),

@@ -39,10 +39,10 @@ def trial_of(
 def pull(
     setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
 ) -> Tensor:
-    """Return a scalar 0 whose gradient is that of the loss with respect to the codes.
+    """Return a scalar 0 whose gradient with respect to the codes is the gradient of the loss.
 
-    `prediction` is the decoder's output for the first side of the trial; `noise` must be in the
-    state that it had for that prediction."""
+    `prediction` is the decoder's output for the first side of the trial. `noise` must be a
+    generator in the state that it had before that prediction."""
     with torch.no_grad():
         other_prediction = decoded(setup, batch.light, trial.shutters[1], setup.model, noise)
     sides = [prediction.detach().requires_grad_(), other_prediction.requires_grad_()]

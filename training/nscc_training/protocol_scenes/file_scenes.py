@@ -29,8 +29,8 @@ _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
 
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:
-    """Return the files of a folder that a protocol uses, by name; Rejected (NS0811) if there are
-    none.
+    """Return the files of a folder that a protocol uses, by name; raise Rejected (NS0811) if there
+    are none.
 
     For sci8, `folder` may be a file."""
     if protocol.name == "sci8" and folder.is_file():
@@ -63,7 +63,7 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 
 
 def kinds_in(data: Path) -> list[Kind]:
-    """Return which kinds of scenes a folder contains; Rejected (NS0811) if there are none."""
+    """Return which kinds of scenes a folder contains; raise Rejected (NS0811) if there are none."""
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
     kinds = [kind for kind in KINDS if files_in(data, endings[kind])]
     if not kinds:

@@ -61,7 +61,7 @@ def sci_scenes(files: Sequence[Path], protocol: Protocol) -> Iterator[SciClip]:
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
-    """Read the clip in a `.mat` file; Rejected (NS0809) if it is not a benchmark clip."""
+    """Read the clip in a `.mat` file; raise Rejected (NS0809) if it is not a benchmark clip."""
     try:
         arrays = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:

@@ -76,7 +76,7 @@ def design_motion(
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
-        raise rejected("NS0843", "no scene whose motion can be measured",
+        raise rejected("NS0843", "there is no scene to measure the motion of",
                        helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
     encoders = _encoders(frame.slots)

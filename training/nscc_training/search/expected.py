@@ -46,8 +46,8 @@ class Motion:
 def told_db(opened: Opened, motion: Motion) -> float:
     """Return by how many dB a frame reduces the variance of the light, averaged over speeds.
 
-    `opened` (N, rows, cols) is a tile of shutters, 0..1. The compared variance is that of the light
-    of one slot at one place."""
+    `opened` (N, rows, cols) is a tile of shutters, 0..1. The variance before is the variance of the
+    light of one slot at one place."""
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
     decibels = []
     for speed in motion.speeds:
@@ -66,7 +66,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
     slots = len(opened)
-    # All over the square of a slot's mean light, times its contrast.
+    # All are relative to the square of a slot's mean light times the contrast.
     noise = motion.noise + motion.counts * opened.sum(axis=0) / slots
     inverse = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
     middle = covariance[:, _MIDDLE].reshape(-1, len(inverse))

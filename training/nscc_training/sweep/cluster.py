@@ -97,7 +97,7 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
         running[future] = task
         return future
 
-    # Few at a time: other sweeps may claim what this one has not begun.
+    # Submit few points at a time: other sweeps may claim points that have not begun.
     waiting = iter(tasks)
     at_once = _AHEAD * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
     queue = as_completed([start(task) for task in islice(waiting, at_once)], loop=client.loop)

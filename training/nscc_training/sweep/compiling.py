@@ -30,9 +30,7 @@ from nscc_training.sweep.point_programs import (
 def _compile(values: Values, _place: Place) -> Figures:
     compiled_program = compiled_of(values)
     assert compiled_program.proof is not None
-    if (
-        compiled_program.sending is not None
-    ):  # a chip without logic: no words, and nothing to count of them
+    if compiled_program.sending is not None:  # a chip without logic has no words to count
         build_report = stream_report(compiled_program.sending, compiled_program.proof)
         return _common(compiled_program, build_report)
     assert compiled_program.choice is not None

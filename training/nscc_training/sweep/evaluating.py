@@ -116,7 +116,8 @@ def _result(values: Values) -> dict[str, Any]:
 
 
 EVALUATE = PointKind(
-    "evaluate", "scores under a protocol; the whole result under results", _keys, _evaluate,
+    "evaluate", "scores under a protocol; complete results are stored under results", _keys,
+    _evaluate,
     ("psnr_db",), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves=".json",

@@ -48,10 +48,10 @@ _PLOT = "plot"
 _CALLED = Key(
     "", "name", TextKind(
         pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
-        phrase='a name, "{KEY}" in it for a value',
-    ), "what its points are called, instead of part and axes", "",
+        phrase='a name, in which "{KEY}" stands for a value',
+    ), "the names of its points, instead of the part's name and the values of the axes", "",
 )  # fmt: skip
-_LIKE = Key("", "like", TextKind(), "a part above whose keys it takes where it has none", "")
+_LIKE = Key("", "like", TextKind(), "an earlier part, whose keys this part copies", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
 _PLOT_KEYS = (
@@ -178,7 +178,7 @@ def part_text(kind: str) -> str:
 
     head = (
         f"A part of a grid for `nscc sweep`, of kind {kind}: {KINDS[kind].summary}.",
-        "Every key has its default here. A list of values makes a point of each, in every",
+        "Every key has its default here. A list of values creates one point for each, in every",
         "combination with those of the other keys. Keys without a default:",
         *(f"  {key.name}: {remark(key)}" for key in keys if key.default is MISSING),
     )
@@ -205,7 +205,7 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
 def _kinds(
     tables: Mapping[str, Any], grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
-    """Return the kind of each part; Rejected (NS0832) if a part lacks one."""
+    """Return the kind of each part; raise Rejected (NS0832) if a part lacks one."""
     problems: list[Diagnostic] = []
     head = _schema({})
     common = tables.get(_KIND.name)
@@ -223,7 +223,7 @@ def _kinds(
             continue
         section = grid_part if _KIND.name in keys else ""
         fault_text = "is missing" if kind is None else f"is not {str(kind)[:60]!a}"
-        message = f"the kind of [{grid_part}] {fault_text}: it is {_KIND.kind.allowed}"
+        message = f"the kind of [{grid_part}] {fault_text}: it must be {_KIND.kind.allowed}"
         help_text = 'write kind = "compile" above all parts, or in this one'
         problems.append(
             head.problem(_CODES.wrong_value, message, section, _KIND.name, source, help_text)
@@ -312,7 +312,7 @@ def _linked(
     linked: dict[int, GridPoint] = {}
 
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
-        help_text = "name a point of kind train, with what stands in its `name`"
+        help_text = "write the name of a point of kind train, as its `name` defines it"
         return Rejected(
             schema.problem(_CODES.wrong_value, message, point.grid_part, key, source, help_text),
             status=2,

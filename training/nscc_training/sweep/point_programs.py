@@ -60,7 +60,7 @@ def program_keys() -> tuple[Key, ...]:
         axis("rule", TextKind(), "instead of program: the statements below `frame`"),
         axis("class", TextKind(CLASSES), "instead of program: codes of a class on a tile"),
         axis("slots", Integer(1, 65536), "slots of a frame, for a rule or a class", 16),
-        axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
+        axis("slot_us", Number(1e-3, 1e9), "length of a slot in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
         axis("init", TextKind(STARTS), "the codes of a class", "random"),
         axis(
@@ -139,7 +139,7 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return a program's file and the files that it names; Rejected for unreadable files."""
+    """Return a program's file and the files that it names; raise Rejected for unreadable files."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 

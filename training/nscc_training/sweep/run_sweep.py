@@ -93,7 +93,7 @@ def sweep(
         }
         count = len({keys[point] for point in points})
         report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
-        for key in todo.keys() & rows.keys():  # failed before, or lost their output
+        for key in todo.keys() & rows.keys():  # points that failed before or lost their output
             store.forget(POINTS, key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:

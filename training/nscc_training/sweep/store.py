@@ -16,7 +16,8 @@ POINTS = "points"
 
 
 def store_in(folder: Path) -> ExperimentStore:
-    """Create `folder` and return the experiment store in it; NS0784 if that fails."""
+    """Create `folder` and return the experiment store in it; raise Rejected (NS0784) if
+    that fails."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -97,7 +97,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 
 TRAIN = PointKind(
-    "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
+    "train", "a run of nscc train and its validation; the run is stored under runs", _keys, _train,
     ("psnr_db",), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",

@@ -69,7 +69,7 @@ def work(task: PointTask) -> Done:
 
     Errors become part of the row, except ModuleNotFoundError for a missing package."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # what compilers and scenes say of a point
+        warnings.simplefilter("ignore")  # errors of the compiler and of scenes for this point
         current_key = key_of(task.point, task.threads)
         begin = perf_counter()
         if current_key != task.key:
@@ -98,7 +98,7 @@ def _row(task: PointTask) -> tuple[PointRow, bool]:
         return PointRow(task.key, code=first.code, error=_anywhere(first.message, task)), False
     except ModuleNotFoundError:
         raise
-    except Exception as error:  # a point must not end the others, whatever it raises
+    except Exception as error:  # no exception of one point may stop the others
         return failure(task, f"{type(error).__name__}: {error}"), True
     return PointRow(task.key, {name: _stored(figures[name]) for name in figures}), False
 

@@ -117,8 +117,8 @@ class Bench:
 
     @cached_property
     def signal_e(self) -> float:
-        """The mean of `ideal_e`, with each value limited to a full well; NS0826 for a dark
-        scene."""
+        """The mean of `ideal_e`, with each value limited to a full well; raises Rejected (NS0826)
+        for a dark scene."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -132,7 +132,7 @@ class Bench:
 
     @cached_property
     def target(self) -> Tolerance:
-        """The largest allowed error; Rejected (NS0827) for an invalid one."""
+        """The largest allowed error; raises Rejected (NS0827) for an invalid one."""
         return target_of(self.request.target_error, self.sensor, _Follows(self))
 
     @cached_property
@@ -203,7 +203,7 @@ class Bench:
     def _captured(self, container: Container, light: Light) -> Simulated:
         """Simulate a frame with all effects."""
         tolerance = None
-        if not container.target.streamed:  # it has no plans, and is exact
+        if not container.target.streamed:  # such a chip has no plans, and its simulation is exact
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
             effects="all", tolerance=tolerance, seed=self.request.seed,
@@ -222,7 +222,7 @@ class Bench:
 
 @dataclass(frozen=True, eq=False)
 class _Follows:
-    """Quantities to which a target error may be relative."""
+    """The quantities to which a target error may be relative."""
 
     bench: Bench
 
@@ -279,7 +279,7 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
         "NS0827",
         reason,
         notes=(
-            "%: of the scene's mean signal; e: electrons; lsb: codes of the ADC; noise: a "
+            "%: of the scene's mean signal; e: electrons; lsb: converter codes; noise: a "
             "fraction of the frame's own noise",
             f"it must be between {LEAST_E:g} electrons and the mean signal",
         ),
@@ -290,7 +290,7 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
 def scaled_text(target: str, factor: float) -> str:
     """Return a tolerance multiplied by `factor`, as text in its unit: 3 % for 1 %."""
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
-    assert match is not None  # it was read as a tolerance
+    assert match is not None  # the text was parsed as a tolerance before
     return f"{float(match[1]) * factor:g}{match[2]}"
 
 

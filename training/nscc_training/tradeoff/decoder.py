@@ -109,7 +109,7 @@ def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Cas
         tile = run.setup.encoder.hard().cpu()
         key = (run.setup.still, run.setup.model, tuple(tile.shape), tile.numpy().tobytes())
         by_code.setdefault(key, []).append(run)
-    # The shortest names that tell folders apart.
+    # The shortest names that distinguish the folders.
     paths = [together[0].path for together in by_code.values()]
     names = [path.resolve().name for path in paths]
     if len(set(names)) < len(names):

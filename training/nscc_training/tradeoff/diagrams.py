@@ -44,7 +44,7 @@ def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure
     def names(point: Point) -> tuple[str, str]:
         """Return the panel and line of a point."""
         shutters, _, way = point.method.partition(", ")
-        if not way:  # pixels that look have one way to compile, and their exposures for a number
+        if not way:  # pixels that look have one lowering; their number is the number of exposures
             return ("stills, pixels that look", shutters.partition("-")[0])
         return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
 

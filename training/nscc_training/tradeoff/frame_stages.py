@@ -50,7 +50,7 @@ def effects(bench: Bench) -> StageResult:
     def measured(chosen: str, tolerance: str) -> dict[str, Any]:
         def emulated() -> tuple[Frame, float]:
             """Return a frame, and the milliseconds of its plan."""
-            # A scene that nothing has been found out about yet: its sums are part of a frame.
+            # A scene without stored sums: computing them is part of the frame's time.
             begin, light = perf_counter(), unknown(bench.light)
             planning = planning_of(container, bench.sensor, light, request.device_seed)
             plan = make_plan(planning, PlanRequest(selected(chosen), tolerance))

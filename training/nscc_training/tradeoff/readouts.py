@@ -44,9 +44,9 @@ def measure_readouts(
     """Return the points of coded readouts and of bursts, and the settings that do not fit the
     target.
 
-    `counts` are numbers of readouts, and of ordinary frames in a burst. The time of a point is that
-    of its readouts. Coded readouts are decoded by the decoder for any code; every frame of a burst
-    is shown for as long as it was open."""
+    `counts` are numbers of readouts, and of ordinary frames in a burst. The time of a point is the
+    time of its readouts. Coded readouts are decoded by the decoder for any code; every frame of a
+    burst is shown for as long as it was open."""
     target = load_target(settings.target, Path())
     bench = SensorBench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
     points: list[Point] = []
@@ -70,7 +70,7 @@ def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
         else:
             options = Options(level=settings.level, target=settings.target)
             coded = compile_file(examples()[CLIPS[count]], options).container
-            assert coded is not None  # what does not fit is rejected
+            assert coded is not None  # programs that do not fit are rejected
             container = coded
     except Rejected as error:
         first = error.diagnostics[0]
