@@ -23,14 +23,28 @@ _MOST_EXPOSURES = 32
 _MOST_READOUTS = 4
 
 
-def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Parse numbers of slots, separated by commas, and sort them."""
-    items = [item.strip() for item in value.split(",")]
-    for item in items:
-        if not (item.isdecimal() and 2 <= int(item) <= _MOST_SLOTS):
-            message = f"invalid number of slots {item[:40]!r}: 2 to {_MOST_SLOTS} are allowed"
-            raise click.BadParameter(message, context, option)
-    return tuple(sorted({int(item) for item in items}))
+def _numbers(
+    quantity: str, least: int, most: int, none: bool = True
+) -> Callable[..., tuple[int, ...]]:
+    """Return the callback of an option that takes distinct numbers, separated by commas; with
+    `none` also that word."""
+
+    def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+        if none and value.strip() == "none":
+            return ()
+        items = [item.strip() for item in value.split(",")]
+        for item in items:
+            if not (item.isdecimal() and least <= int(item) <= most):
+                message = (
+                    f"invalid number of {quantity} {item[:40]!r}: {least} to {most} are allowed"
+                )
+                raise click.BadParameter(message, context, option)
+        return tuple(sorted({int(item) for item in items}))
+
+    return numbers
+
+
+_counts = _numbers("slots", 2, _MOST_SLOTS, none=False)
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
@@ -44,24 +58,6 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
             )
             raise click.BadParameter(message, context, option)
     return counts
-
-
-def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, ...]]:
-    """Return the callback of an option that takes numbers, separated by commas, or `none`."""
-
-    def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-        if value.strip() == "none":
-            return ()
-        items = [item.strip() for item in value.split(",")]
-        for item in items:
-            if not (item.isdecimal() and least <= int(item) <= most):
-                message = (
-                    f"invalid number of {quantity} {item[:40]!r}: {least} to {most} are allowed"
-                )
-                raise click.BadParameter(message, context, option)
-        return tuple(sorted({int(item) for item in items}))
-
-    return numbers
 
 
 @click.command("sensor", cls=CommonCommand)
