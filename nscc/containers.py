@@ -1,7 +1,8 @@
-"""Loading of containers from `.icw` files or by compiling programs."""
+"""Loading of containers from `.icw` files or by compiling programs, and of programs' texts."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.compiler import compile_file
+from nscc.diagnostics.arguments import path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
@@ -19,10 +21,12 @@ from nscc.program.analyse import ranges_of
 from nscc.program.pixel_codes import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
 from nscc.stream.planes import with_planes
+from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
 SUFFIX = ".icw"
+_PATHS = (".nsl", SUFFIX)
 
 
 def is_compiled(path: Path) -> bool:
@@ -91,3 +95,34 @@ def _ranges(container: Container, program: Path) -> Ranges:
     """Return the ranges of the fields in the source text that a container includes."""
     source = Source(program.name, "\n".join(container.source_lines))
     return ranges_of(source, container.target, program.parent)
+
+
+def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
+    """Return the text of a program or of its file, and the folder for its relative paths.
+
+    Raises WrongArgument for anything else, a container, and a `folder` beside a file."""
+    if not isinstance(source, str | os.PathLike):
+        raise wrong_argument(
+            f"nscc.compile takes a program's path or its text, not {shown(source)}",
+            helps=("a str that ends in .nsl is a path, any other the text of a program",),
+        )
+    if isinstance(source, str) and ("\n" in source or not source.lower().endswith(_PATHS)):
+        if source.strip() and not any(map(str.isspace, source.strip())):
+            raise wrong_argument(
+                f"nscc.compile: {shown(source)} is neither a program nor the path of one",
+                notes=("a str is a path if it ends in .nsl, else the text of a program",),
+            )
+        base = Path() if folder is None else path_of("nscc.compile", folder)
+        return Source("<text>", source), base
+    path = path_of("nscc.compile", source)
+    if is_compiled(path):
+        raise wrong_argument(
+            f"nscc.compile takes the text of a program, but '{path}' is compiled already",
+            helps=(f"use nscc.load('{path}')",),
+        )
+    if folder is not None:
+        raise wrong_argument(
+            "nscc.compile: folder applies only to a program without a file",
+            helps=("leave it out: paths in a program file are relative to the file",),
+        )
+    return read_source(path), path.parent

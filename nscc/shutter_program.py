@@ -23,11 +23,17 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
-from nscc.containers import is_compiled, with_pixels
-from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn, wrong_argument
+from nscc.containers import program_text, with_pixels
+from nscc.diagnostics.arguments import (
+    one_of,
+    path_of,
+    require_whole_number,
+    shown,
+    warn,
+    wrong_argument,
+)
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.render import render
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
 from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
@@ -35,13 +41,10 @@ from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
 from nscc.source import Source
-from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
 _DEFAULTS = Options()
-_TEXT = "<text>"
-"""The name that messages use for a program without a file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -166,17 +169,12 @@ class ShutterProgram:
         Rejected
             NS0743 for a loaded program, which has no report.
         """
-        from nscc.emit.picture_report import with_pictures
-        from nscc.emit.report import report
+        from nscc.emit.products import report_of
 
         compiled, options = self._as_compiled("report")
-        assert compiled.proof is not None
-        if compiled.sending is not None:
-            from nscc.emit.sending_report import stream_report
-
-            return stream_report(compiled.sending, compiled.proof)
-        made = report(all_lowerings(compiled.program, options), compiled.proof)
-        return made if compiled.container is None else with_pictures(made, compiled.container)
+        if compiled.sending is None:
+            compiled = replace(compiled, choice=all_lowerings(compiled.program, options))
+        return report_of(compiled)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the program to a file, completely or not at all.
@@ -237,7 +235,7 @@ class ShutterProgram:
         """
         if codes is not None and fields:
             raise wrong_argument("with_pixels takes either a file or fields")
-        pixel_source = fields if codes is None else _path("with_pixels", codes)
+        pixel_source = fields if codes is None else path_of("with_pixels", codes)
         return replace(self, container=with_pixels(self.container, self.name, pixel_source))
 
     def __repr__(self) -> str:
@@ -255,27 +253,9 @@ class ShutterProgram:
         return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:
-        from nscc import html
-        from nscc.emit.notebook import shutter_chart
-        from nscc.emit.summary import summary_rows
-        from nscc.words.shutters import shutters_of
+        from nscc.emit.notebook import program_card
 
-        chart = html.Html()
-        if self.container.has_table and self.container.machine is None:
-            drawn = shutters_of(self.container)
-            chart = shutter_chart(drawn.rows, drawn.labels, self.slot_us, self.buckets)
-        if self.compiled is not None:
-            rows: list[tuple[str, str]] = summary_rows(self.compiled)
-        else:
-            size_row = ("words", f"{len(self.words)} stored, {self.words_per_frame} a frame")
-            if self.target.streamed:
-                size_row = (
-                    "planes",
-                    f"{self.slots} of {self.target.rows} x {self.target.cols} bits",
-                )
-            rows = [*sorted(self.container.notes.items()), size_row]
-        messages = html.plain(render(self.messages, "human")) if self.messages else html.Html()
-        return html.card(self.name, f"for {self.target.name}", chart, html.table(rows), messages)
+        return program_card(self.name, self.container, self.compiled)
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
@@ -380,7 +360,7 @@ def compile(
         level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
     )  # fmt: skip
-    return compiled(*_source(source, folder), options)
+    return compiled(*program_text(source, folder), options)
 
 
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
@@ -408,52 +388,10 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
     Rejected
         If the file is not a valid container.
     """
-    file = _path("nscc.load", path)
+    file = path_of("nscc.load", path)
     if file.suffix.lower() == ".nsl":
         raise wrong_argument(
             f"nscc.load reads compiled programs (.icw), but '{file}' is the text of a program",
             helps=(f"nscc.compile('{file}') compiles it",),
         )
     return ShutterProgram(file.as_posix(), read_container(file))
-
-
-def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
-    """Return a program's text, and the folder for its relative paths."""
-    if not isinstance(source, str | os.PathLike):
-        raise wrong_argument(
-            f"nscc.compile takes a program's path or its text, not {shown(source)}",
-            helps=("a str that ends in .nsl is a path, any other the text of a program",),
-        )
-    is_path = not isinstance(source, str) or _is_path(source)
-    if not is_path:
-        text = str(source)
-        if text.strip() and not any(map(str.isspace, text.strip())):
-            raise wrong_argument(
-                f"nscc.compile: {shown(text)} is neither a program nor the path of one",
-                notes=("a str is a path if it ends in .nsl, else the text of a program",),
-            )
-        return Source(_TEXT, text), Path() if folder is None else _path("nscc.compile", folder)
-    path = _path("nscc.compile", source)
-    if is_compiled(path):
-        raise wrong_argument(
-            f"nscc.compile takes the text of a program, but '{path}' is compiled already",
-            helps=(f"use nscc.load('{path}')",),
-        )
-    if folder is not None:
-        raise wrong_argument(
-            "nscc.compile: folder applies only to a program without a file",
-            helps=("leave it out: paths in a program file are relative to the file",),
-        )
-    return read_source(path), path.parent
-
-
-def _is_path(text: str) -> bool:
-    return "\n" not in text and text.lower().endswith((".nsl", ".icw"))
-
-
-def _path(call: str, value: object) -> Path:
-    if isinstance(value, str | os.PathLike):
-        path = os.fspath(value)
-        if isinstance(path, str):
-            return Path(path)
-    raise wrong_argument(f"{call} takes a path, not {shown(value)}")

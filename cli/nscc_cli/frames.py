@@ -185,7 +185,7 @@ def summary(
     """Describe each bucket of the first frame and each file, one line each.
 
     `alike` means that all frames are identical, `colours` that they are red, green and blue."""
-    from nscc_runtime.frame_file import frame_lines
+    from nscc_runtime.run_messages import frame_lines
 
     lines = frame_lines(container, frame)
     if frame.frame.ndim == 4:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import warnings
 from collections.abc import Collection, Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -73,3 +75,12 @@ def shown(value: object) -> str:
         kind_text = "an array" if name == "ndarray" else f"a {name}"
         return f"{kind_text} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
     return f"{'an' if name[:1].lower() in 'aeiou' else 'a'} {name}"
+
+
+def path_of(call: str, value: object) -> Path:
+    """Return an argument of `call` as a path; raise WrongArgument for anything else."""
+    if isinstance(value, str | os.PathLike):
+        path = os.fspath(value)
+        if isinstance(path, str):
+            return Path(path)
+    raise wrong_argument(f"{call} takes a path, not {shown(value)}")
