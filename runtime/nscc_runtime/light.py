@@ -277,12 +277,12 @@ class Light:
         Parameters
         ----------
         slots : array of float64
-            (N, J).
+            J weights of each slot, (N, J).
 
         Returns
         -------
         array of float64
-            (T, J).
+            J weights of each frame, (T, J).
         """
         if len(self.frames) == 1 and self.one_each:
             return (self.weight @ slots)[None]

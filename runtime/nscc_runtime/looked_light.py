@@ -132,7 +132,8 @@ def light_of(
 
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
-    """Invert the soft saturation of two registers in a row."""
+    """Return the charge before soft saturation in two registers in a row, from exposures
+    `read_e`."""
     soft = effects.find_part(Soft)
     if soft is None:
         return read_e

@@ -91,7 +91,8 @@ class LoopParameter:
 
 @dataclass(frozen=True)
 class ArrayGroup:
-    """Several arrays as one loop parameter, a NamedTuple. Machine code receives single fields."""
+    """Several arrays that are one argument of a loop, a NamedTuple; machine code receives each
+    array."""
 
     name: str
     kind: type[tuple[Any, ...]]

@@ -206,7 +206,8 @@ class SimulatedChip:
 
     @cached_property
     def noise(self) -> tuple[list[tuple[int, int]], Values]:
-        """Streams and draw numbers of small errors; their deviations (draws, buckets, lanes)."""
+        """(stream, draw number) of small errors, and their standard deviations (draws, buckets,
+        lanes)."""
         program, full_model = self.program, self.program.model(self.requested_effects)
 
         def make() -> tuple[list[tuple[int, int]], Values]:

@@ -51,8 +51,8 @@ def _drawable(rate: float, cap: float) -> float:
 
 @compiled
 def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
-    """Replace the uniform numbers out[i] by counts of the formula. There are no branches, so LLVM
-    vectorises the loops. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
+    """Replace the uniform numbers out[i] by Poisson counts that `quantile` approximates. There are
+    no branches, so LLVM vectorises the loops. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
     for i in range(first, stop):
         out[i] = normal(out[i])
     for i in range(first, stop):
