@@ -36,8 +36,8 @@ def plan_text(plan: ExposurePlan) -> str:
 
 
 def planned_text(planned: Planned) -> str:
-    """Return all exposure plans, fewest analog writes first, and why other lowerings have
-    no plan."""
+    """Return all exposure plans, fewest analog writes first, and the reasons why other lowerings
+    have no plan."""
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 

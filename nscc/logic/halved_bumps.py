@@ -21,8 +21,10 @@ from nscc.truth import columns
 
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solution with bits of start and last slot, the half of the last slot, and the
-    masked pair."""
+    """Yield the solution with binary start and last slot, if the demands are bumps and it fits.
+
+    Its planes hold the bits of the start and of the last slot, and the half of the frame in which
+    the last slot is. The masked register and its mask hold the state."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
