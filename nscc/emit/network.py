@@ -187,7 +187,7 @@ def of_kind(network: nx.DiGraph, *kinds: str) -> list[str]:
 
 
 def depth(network: nx.DiGraph) -> int:
-    """Number of gates on the longest path."""
+    """Return the number of gates on the longest path."""
     gates = network.subgraph(of_kind(network, "gate"))
     return len(nx.dag_longest_path(gates))
 

@@ -23,8 +23,8 @@ from nscc.truth import columns
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield the solution with binary start and last slot, if the demands are bumps and it fits.
 
-    Its planes hold the bits of the start and of the last slot, and the half of the frame in which
-    the last slot is. The masked register and its mask hold the state."""
+    Its planes hold the bits of the start and of the last slot, each in its half of the frame, and
+    the half in which the last slot is. The mask register holds the half in which the start is."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:

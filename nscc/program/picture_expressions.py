@@ -47,7 +47,8 @@ class Reader:
         self._outside_asked = False
 
     def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
-        """Declare an image or plane for the following expressions; if not `sound`, as invalid."""
+        """Declare an image or plane for the following expressions; unless `sound`, mark it as
+        invalid."""
         if not sound:
             self.failed.add(name)
         else:

@@ -113,8 +113,10 @@ class Exposed:
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:
-        """Electrons over the frame (rows, cols), or per slot (T, rows, cols); colours are the last
-        axis."""
+        """Return the true light: electrons over the frame (rows, cols), or per slot (T, rows,
+        cols).
+
+        Colours are the last axis."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid
