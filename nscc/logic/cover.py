@@ -57,7 +57,7 @@ _MOST_SEEDS = 40
 
 @dataclass(frozen=True)
 class Covers:
-    """Search for covers within `budget`.
+    """A search for covers within `budget`.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
     accepts."""

@@ -18,7 +18,7 @@ def words_of(sources: int, fan_in: int | None) -> int:
 
 
 class Gates:
-    """Collects gates, and splits gates with more sources than one word accepts."""
+    """A list of gates; gates with more sources than one word accepts are split."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine

@@ -37,7 +37,7 @@ def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame.
+    """The gates of one frame, under construction.
 
     `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
     holds the bumps that end in the second half, and `mask` those that have not ended. In the second

@@ -26,8 +26,7 @@ class _Wrong(Exception):
 
 
 class Reader:
-    """Reads expressions in the order of the text; `kinds` are the images and planes declared so
-    far."""
+    """A reader of expressions in the order of the text; `kinds` are the names declared so far."""
 
     def __init__(
         self,

@@ -90,7 +90,7 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
 
 
 class _Painter:
-    """Assigns registers to values in execution order."""
+    """An assignment of registers to values, made in execution order."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]

@@ -51,7 +51,7 @@ _BRIGHTER = ("@99", "@100")
 
 @dataclass(frozen=True)
 class Settings:
-    """Settings of a demo.
+    """The settings of a demo.
 
     `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
     uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
