@@ -30,7 +30,7 @@ _PATHS = (".nsl", SUFFIX)
 
 
 def is_compiled(path: Path) -> bool:
-    """Whether the file name is that of a container, not of a program text."""
+    """Return whether a file name is the name of a container, not of a program text."""
     return path.suffix.lower() == SUFFIX
 
 

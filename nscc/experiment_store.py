@@ -142,7 +142,7 @@ class ExperimentStore:
         return value
 
     def claim(self, experiment: str, name: str) -> bool:
-        """Claim a measurement; False if another process has the claim."""
+        """Claim a measurement; return False if another process has the claim, else True."""
         try:
             fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _place(experiment, name))
         except BlockingIOError:

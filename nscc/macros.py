@@ -2,8 +2,8 @@
 
 Mnemonics are the names of whole words in the table of operations, the macros of the public SCAMP-5
 library, and the in-place forms (`NOT d`, `OR d, x`, `NOR d, x`, `REFRESH d`), which are pairs of
-half-words. `OR` and `NOR` with one source are in place; with more sources, if the destination is
-also one of them.
+half-words. `OR` and `NOR` are in place if they have a single source, or if the destination is one
+of several sources.
 
 Operands are register names, destinations first."""
 

@@ -42,7 +42,8 @@ class WordEffect(Enum):
 
 
 class Phase(Enum):
-    """Whether a word is whole, or the reading or writing half of a pair."""
+    """The part of a pair that a word is: the reading half, the writing half, or none (a whole
+    word)."""
 
     WHOLE = auto()
     READ = auto()

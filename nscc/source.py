@@ -33,7 +33,7 @@ class Source:
         return starts
 
     def row_column(self, offset: int) -> tuple[int, int]:
-        """Row and column of a character offset, both counted from 1."""
+        """Return the row and the column of a character offset, both counted from 1."""
         row = bisect_right(self._line_starts, offset)
         return row, offset - self._line_starts[row - 1] + 1
 

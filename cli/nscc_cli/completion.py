@@ -18,10 +18,10 @@ Items = list[CompletionItem]
 
 
 class Name(click.types.StringParamType):
-    """A text option for which the shell suggests names.
+    """The click type of a name.
 
-    `files` also suggests files. `several` allows a list separated by commas, in which each name
-    may begin with one of the characters in `signs`."""
+    The shell suggests names; with `files` also files. `several` allows a list separated by commas,
+    in which each name may begin with one of the characters in `signs`."""
 
     name = "text"
 
@@ -53,8 +53,9 @@ class Name(click.types.StringParamType):
 
 
 class RunPath(click.Path):
-    """The folder of a run; the shell suggests run folders, shipped runs, `more`, and other
-    folders."""
+    """The click type of a run folder.
+
+    The shell suggests run folders, shipped runs, the names in `more`, and other folders."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)

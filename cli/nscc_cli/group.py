@@ -16,7 +16,7 @@ from nscc_cli.table import COMMANDS, MODULES
 
 
 class LazyGroup(click.Group):
-    """Finds commands in nscc's table, then among the commands that other distributions add.
+    """The group of all commands: nscc's table, then the commands that other distributions add.
 
     Other distributions are searched only if the name is not in the table. An unknown name is
     rejected (NS0781)."""

@@ -15,7 +15,7 @@ _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 class Positions:
-    """Converts between character offsets and protocol positions of one text."""
+    """A converter between character offsets and protocol positions of one text."""
 
     def __init__(self, text: str) -> None:
         self.text = text

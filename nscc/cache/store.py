@@ -100,7 +100,7 @@ class Store:
         return sum(status.st_size for _, status in self._files(_ENTRY))
 
     def writable(self) -> bool:
-        """Whether the folder, or its first existing parent, is writable."""
+        """Return whether the folder, or its first existing parent, is writable."""
         folder = self.folder.absolute()
         existing = next(p for p in (folder, *folder.parents) if os.path.exists(p))
         return os.path.isdir(existing) and os.access(existing, os.W_OK | os.X_OK)

@@ -38,8 +38,11 @@ def plan_text(plan: ExposurePlan) -> str:
 
 
 def planned_text(planned: Planned | LookingPlan | Sending) -> str:
-    """All exposure plans, fewest analog writes first, and why other lowerings have none; of a
-    program that looks its moments, of a chip without logic the times of its planes."""
+    """Return all exposure plans, fewest analog writes first, and the reasons why other lowerings
+    have no plan.
+
+    For a program with senses, return its moments; for a chip without logic, the times of its bit
+    planes."""
     if isinstance(planned, Sending):
         return sending_text(planned)
     if isinstance(planned, LookingPlan):
@@ -48,7 +51,8 @@ def planned_text(planned: Planned | LookingPlan | Sending) -> str:
 
 
 def _moments_text(plan: LookingPlan) -> str:
-    """The comparisons of each boundary, and the pixels that close, reset PIX and open there."""
+    """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
+    and open there."""
     lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
     for moment in plan.moments:
         changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
@@ -86,7 +90,7 @@ def gates_text(decoding: Decoding, target: Target) -> str:
 
 
 def looking_gates_text(lowered: LookingLowered) -> str:
-    """The words of every boundary on virtual registers, and the registers' places."""
+    """Return the words of every boundary on virtual registers, and the chip registers of each."""
     solution, places = lowered.looking, lowered.schedule.allocation.places
     assert solution is not None
     lines = [f"encoding: {solution.encoding.name}"]

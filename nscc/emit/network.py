@@ -45,7 +45,7 @@ from nscc.operations import Op
 
 
 class NetworkMaker:
-    """Builds a network; keeps the nodes so far, and for each register the node of its current
+    """A network under construction: its nodes so far, and for each register the node of its current
     value."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
@@ -155,7 +155,7 @@ def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
 
 
 class KernelFinder:
-    """Finds the kernel that contains each gate's words."""
+    """A search for the kernel that contains each gate's words."""
 
     def __init__(self, lowered: Lowered) -> None:
         schedule = lowered.schedule
@@ -187,7 +187,7 @@ def of_kind(network: nx.DiGraph, *kinds: str) -> list[str]:
 
 
 def depth(network: nx.DiGraph) -> int:
-    """Number of gates on the longest path."""
+    """Return the number of gates on the longest path."""
     gates = network.subgraph(of_kind(network, "gate"))
     return len(nx.dag_longest_path(gates))
 

@@ -128,7 +128,8 @@ def random_rows(count: int, slots: int) -> list[str]:
 
 
 def _mixed(number: int) -> int:
-    """64 pseudo-random bits from a counter, by the mixer of SplitMix64 (Steele et al., 2014)."""
+    """Return 64 pseudo-random bits from a counter, by the mixer of SplitMix64 (Steele et al.,
+    2014)."""
     bits = number * 0x9E3779B97F4A7C15 % _WORD
     bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9 % _WORD
     bits = (bits ^ bits >> 27) * 0x94D049BB133111EB % _WORD

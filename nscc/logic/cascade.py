@@ -93,7 +93,7 @@ def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
 
 
 class _Finder:
-    """Search for plans of one problem."""
+    """A search for plans of one problem."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
         self._problem = problem

@@ -138,7 +138,7 @@ At the end of a cascade, the last item says whether the old FLAG is read."""
 
 
 class Search:
-    """Search for cascades over one set of planes, with `scratch` registers."""
+    """A search for cascades over one set of planes, with `scratch` registers."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
         self._table = planes

@@ -1,10 +1,12 @@
 """Covers of a predicate: an OR of NORs (cubes) over values in registers.
 
-This is two-level minimisation (prime cubes, then the cheapest choice of them: Quine and McCluskey,
-Petrick) with two differences: literals are only values as stored, and the cost of a cube is shared.
-NOR(A) is 1 where every value of A is 0, so the cube lies inside a predicate if the values of A
-cover all shutters outside. A cube costs one word and needs no inverted literal. A cube inside later
-predicates may stay in its register, and these demands share its word."""
+This is two-level logic minimisation: find prime cubes (Quine and McCluskey), then the cheapest
+choice of them (Petrick). It differs in two points. A cube can read only values that are in
+registers, not their inverses. The cost of a cube is shared by all demands that use it.
+
+NOR(A) is 1 where every value of A is 0. So the cube lies inside a predicate if the values of A
+cover all shutters outside of it. A cube costs one word. If it lies inside later predicates, too, it
+may stay in its register, and these demands share its word."""
 
 from __future__ import annotations
 
@@ -55,7 +57,7 @@ _MOST_SEEDS = 40
 
 @dataclass(frozen=True)
 class Covers:
-    """Search for covers within `budget`.
+    """A search for covers within `budget`.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
     accepts."""

@@ -187,7 +187,7 @@ class Standing:
 
 
 class _Emitter:
-    """Emits gates and tracks the contents of registers."""
+    """A list of gates under construction, with the contents of registers."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
         self._machine = machine

@@ -18,7 +18,7 @@ def words_of(sources: int, fan_in: int | None) -> int:
 
 
 class Gates:
-    """Collects gates, and splits gates with more sources than one word accepts."""
+    """A list of gates; gates with more sources than one word accepts are split."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
@@ -35,11 +35,12 @@ class Gates:
         self._gates.append(gate)
 
     def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """Add destination := NOR(sources), 1 without sources; the destination may be a source."""
+        """Add destination := NOR(sources), or 1 without sources; the destination may be a
+        source."""
         self._gather("NOR", "NOT", destination, sources, mask)
 
     def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """Add destination := OR(sources), 0 without sources; the destination may be a source."""
+        """Add destination := OR(sources), or 0 without sources; the destination may be a source."""
         self._gather("OR", "MOV", destination, sources, mask)
 
     def invert(self, register: str) -> None:

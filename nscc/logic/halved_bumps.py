@@ -21,8 +21,10 @@ from nscc.truth import columns
 
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solution with bits of start and last slot, the half of the last slot, and the
-    masked pair."""
+    """Yield the solution with binary start and last slot, if the demands are bumps and it fits.
+
+    Its planes hold the bits of the start and of the last slot, each in its half of the frame, and
+    the half in which the last slot is. The mask register holds the half in which the start is."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
@@ -35,7 +37,7 @@ def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame.
+    """The gates of one frame, under construction.
 
     `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
     holds the bumps that end in the second half, and `mask` those that have not ended. In the second

@@ -54,7 +54,7 @@ def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame.
+    """The gates of one frame, under construction.
 
     `on` holds the bumps that continue after a group; `scratch` is for intermediate values. If it
     keeps its content (`lasts`), planes may move into it."""

@@ -98,7 +98,7 @@ def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], 
 
 
 class _Walker:
-    """Emits the gates of events and levels."""
+    """The gates of events and levels, under construction."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int, in_flag: bool) -> None:
         self._machine = machine

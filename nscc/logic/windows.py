@@ -154,10 +154,10 @@ def _script(
     low: int,
     turns: _Turns,
 ) -> Script:
-    """Return the script for these parameters; `codes` are those of the groups.
+    """Return the script for these parameters; `codes` are the codes of the groups.
 
-    With `doubled`, both polarities are stored of offset planes and of the `low` lowest bits of the
-    group."""
+    With `doubled`, the offset planes and the planes of the `low` lowest bits of the group are
+    stored in both polarities."""
     # At place m, shutters of this group are open if offset <= m, and those of the previous group if
     # not. One of the two groups is odd, and its planes are inverted, so both read a plane in the
     # same way.

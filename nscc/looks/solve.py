@@ -136,7 +136,7 @@ class _Solver:
 
 
 class _Moment:
-    """Generates the words of one moment."""
+    """The words of one moment, under construction."""
 
     def __init__(self, solver: _Solver, moment: Moment) -> None:
         self.solver, self.moment, self.plan = solver, moment, solver.plan

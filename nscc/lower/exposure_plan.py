@@ -198,7 +198,7 @@ RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
-    """Collects the steps of a plan in execution order."""
+    """The steps of a plan in execution order, under construction."""
 
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters

@@ -180,7 +180,9 @@ class Choice:
 def lay_out(
     program: Program, decoding: Decoding, time: Timeline, most_words: int | None
 ) -> Lowered:
-    """Lay out the words of a decoding over the frame's boundaries. `most_words` as in Lowered."""
+    """Lay out the words of a decoding over the frame's boundaries.
+
+    `most_words` is the user's limit on words at a boundary, as in `Lowered`."""
     laid = schedule(decoding, time, program.target)
     return Lowered(program, decoding, laid, time, most_words)
 

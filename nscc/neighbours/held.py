@@ -48,7 +48,8 @@ class Held:
 
 
 class Emitter(ABC):
-    """An interface that emits words in order; `now` is the image or plane being computed."""
+    """A sequence of words under construction; `now` is the image or plane that the words
+    compute."""
 
     def __init__(self, pictures: p.Pictures) -> None:
         self.pictures = pictures

@@ -55,8 +55,8 @@ def with_pictures(
 
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
-    """Lower images and planes to words that follow a container's exposure; `Refused` if they don't
-    fit."""
+    """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
+    do not fit."""
     target = container.target
     buckets = {
         readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)

@@ -21,7 +21,7 @@ from nscc.words.container import DecodeTable
 
 
 class Recognised(NamedTuple):
-    """Class `name` (a, b, c, d, e, codebook or general) with a `reason` sentence.
+    """A recognised class: its `name` (a, b, c, d, e, codebook or general) and a `reason` sentence.
 
     `cut` is the number of shutters whose bump the end of the frame shortens."""
 

@@ -26,8 +26,7 @@ class _Wrong(Exception):
 
 
 class Reader:
-    """Reads expressions in the order of the text; `kinds` are the images and planes declared so
-    far."""
+    """A reader of expressions in the order of the text; `kinds` are the names declared so far."""
 
     def __init__(
         self,
@@ -47,7 +46,8 @@ class Reader:
         self._outside_asked = False
 
     def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
-        """Declare an image or plane for the following expressions; if not `sound`, as invalid."""
+        """Declare an image or plane for the following expressions; unless `sound`, mark it as
+        invalid."""
         if not sound:
             self.failed.add(name)
         else:

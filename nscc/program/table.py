@@ -51,7 +51,7 @@ class MissingValue:
 
     @property
     def text(self) -> str:
-        """Return the places, in words."""
+        """The first place without a value and the number of such places, in words."""
         if self.count == 1:
             return self.place
         return f"first {self.place}; {self.count} times in all"

@@ -37,7 +37,7 @@ class _Part(NamedTuple):
 
 
 class Builder(Transformer_NonRecursive[Token, _Part]):
-    """Builds the node of a statement from lark's tree, from the leaves up.
+    """A builder of a statement's node from lark's tree, from the leaves up.
 
     Raises Rejected, without a source, for statements that parse but exceed a limit: NS0110 for more
     than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero."""

@@ -94,7 +94,7 @@ def _comments(source: Source) -> list[str]:
 
 @dataclass
 class _Writer:
-    """Writes the statements of a tree, with the comments of its source."""
+    """A writer of the statements of a tree, with the comments of its source."""
 
     source: Source
     file: tree.File

@@ -31,8 +31,8 @@ _OPTIONS = {
 
 
 class _PlainValues(pickle.Unpickler):
-    """Unpickles only numbers, texts and collections, because files in the cache must not
-    run code."""
+    """An unpickler of only numbers, texts and collections, because files in the cache must not run
+    code."""
 
     def find_class(self, module: str, name: str) -> Any:
         if (module, name) == ("lark.lexer", "Token"):  # text; lark 1.2 stores such values

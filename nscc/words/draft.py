@@ -75,7 +75,7 @@ class TextBlock:
 
 
 class Faults:
-    """Collects the errors of a text, and stops after too many."""
+    """The errors of a text; collection stops after too many."""
 
     _MOST = 50
 

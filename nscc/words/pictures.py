@@ -100,7 +100,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Above:
-    """Whether an image is above a level (steps of IN)."""
+    """A condition: an image is above a level (steps of IN)."""
 
     value: Value
     steps: int
@@ -124,7 +124,7 @@ class Joined:
 
 @dataclass(frozen=True)
 class Near:
-    """Whether any, or all, of a pixel's neighbours under a convolution kernel have a 1.
+    """A condition: any, or all, of a pixel's neighbours under a convolution kernel have a 1.
 
     Bits outside the array are the program's `outside`."""
 

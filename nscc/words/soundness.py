@@ -19,8 +19,8 @@ _SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 def faults(container: Container) -> list[str]:
     """Return the errors of a container, each as part of a sentence; empty if it is consistent.
 
-    Of the words it only checks that each is five 32-bit integers and that all fit the target's
-    store (see `nscc.words.legality`)."""
+    Words are only checked to be five 32-bit integers each and to fit the target's store. The module
+    `nscc.words.legality` checks their meaning."""
     checks = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
         machine_file.faults, _stream_faults, pictures_file.faults,

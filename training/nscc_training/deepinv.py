@@ -152,9 +152,9 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
 class SensorNoise(NoiseModel):  # type: ignore[misc]
     """The sensor noise of training: photons, full well, readout noise, converter.
 
-    It maps exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame
-    file gives them: whole codes, of which the last means saturated. Gradients pass as in
-    `nscc_training.differentiable_capture`.
+    It maps exact electrons to the electrons that a frame file gives: `(frame - adc_offset) *
+    electrons_per_lsb`. The converter codes `frame` are integers, and the largest code means
+    saturated. Gradients pass as in `nscc_training.differentiable_capture`.
 
     Parameters
     ----------

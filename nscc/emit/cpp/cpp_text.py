@@ -53,7 +53,7 @@ def entry(title: str, text: str) -> list[str]:
 
 
 def literal(text: str) -> str:
-    """`text` as a C string literal, in UTF-8."""
+    """Return `text` as a C string literal, in UTF-8."""
     return '"' + "".join(map(_literal_byte, text.encode("utf-8", "replace"))) + '"'
 
 

@@ -100,7 +100,7 @@ def exact(value: float) -> Fraction:
 
 
 def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
-    """Time of one launch of a kernel, in microseconds."""
+    """Return the time of one launch of a kernel, in microseconds."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (

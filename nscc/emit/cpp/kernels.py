@@ -57,7 +57,7 @@ def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
 
 
 def calls_words(recorded: Sequence[Call]) -> int:
-    """Number of words that the calls record."""
+    """Return the number of words that the calls record."""
     return sum(len(expand(name, operands)) for name, operands in recorded)
 
 
@@ -108,7 +108,7 @@ def _integers(word: Word) -> str:
 
 @cache
 def _lengths() -> tuple[int, ...]:
-    """Possible numbers of words of a macro, descending."""
+    """Return the possible numbers of words of a macro, in descending order."""
     return tuple(sorted({1, *map(len, _shapes())}, reverse=True))
 
 

@@ -90,7 +90,7 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
 
 
 class _Painter:
-    """Assigns registers to values in execution order."""
+    """An assignment of registers to values, made in execution order."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
@@ -168,7 +168,8 @@ class _Painter:
         return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
-        """Append copies of all displaced planes to their homes; None if a register is missing.
+        """Append copies of all displaced planes to their homes; return None if a register is
+        missing.
 
         This is a parallel move. A plane is copied after the plane in its home has left, which is a
         topological order of the graph "plane -> plane in its home". For each cycle of this graph,

@@ -29,8 +29,10 @@ def any_code(channels: Sequence[int], task: DecoderTask, size: str) -> AnyCode:
 
 
 class AnyCode(nn.Module):
-    """Alternates a step towards the frames and a denoiser, `stages` times; starts from nscc's
-    weights.
+    """The decoder for any code as a network: `stages` times a step towards the frames and a
+    denoiser.
+
+    It starts from nscc's weights.
 
     Inputs: frames (batch, rows, cols), or of two buckets (batch, 2, rows, cols), in full wells and
     saturated at 1; shutters (N, r, c) of the first bucket, as a tile. Output: light in full wells

@@ -37,8 +37,9 @@ class Lesson(NamedTuple):
     """The examples of one training step.
 
     `light` is a batch of clips (batch, T, rows, cols) from 0 to 1 in display encoding, or of stills
-    (batch, 1, rows, cols) in full wells; `mask` has the same shape. `exact` means no measurement
-    noise, as in benchmarks. `filmed` means a camera's view: linear light with unknown white."""
+    (batch, 1, rows, cols) in full wells; `mask` has the same shape. `exact` means that there is no
+    measurement noise, as in benchmarks. `filmed` means linear light with unknown white, as a camera
+    records it."""
 
     light: Tensor
     mask: Tensor

@@ -17,7 +17,7 @@ _FOLD = 2
 
 
 class ClipDenoiser(nn.Module):
-    """Removes noise or reconstruction errors from a clip of any length and size.
+    """A network that removes noise or reconstruction errors from a clip of any length and size.
 
     The clip (batch, T, rows, cols) has values of about 0 to 1 and errors with the standard
     deviation `sigma` (batch,). `seen` (batch, SEEN, T, rows, cols) describes the measurement; it is

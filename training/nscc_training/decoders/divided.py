@@ -16,7 +16,9 @@ def divided(channels: Sequence[int], task: DecoderTask, size: str) -> Divided:
 
 
 class Divided(nn.Module):
-    """Divides a frame by the open fraction of each pixel; has no weights and uses no neighbours.
+    """A decoder that divides a frame by the open fraction of each pixel.
+
+    It has no weights and uses no neighbours.
 
     The frame is (batch, rows, cols), the shutters are (N, r, c); returns light (batch, rows, cols).
     """

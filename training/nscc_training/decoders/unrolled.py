@@ -29,7 +29,7 @@ def refined(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
 
 
 class Unrolled(nn.Module):
-    """Alternate a projection and a 2D U-Net, `stages` times.
+    """A decoder that alternates a projection and a 2D U-Net, `stages` times.
 
     The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
     on Imaging Sciences 2014): it distributes the difference between the frame and the clip's own

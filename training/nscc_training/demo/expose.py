@@ -51,7 +51,7 @@ _BRIGHTER = ("@99", "@100")
 
 @dataclass(frozen=True)
 class Settings:
-    """Settings of a demo.
+    """The settings of a demo.
 
     `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
     uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
@@ -113,8 +113,10 @@ class Exposed:
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:
-        """Electrons over the frame (rows, cols), or per slot (T, rows, cols); colours are the last
-        axis."""
+        """Return the true light: electrons over the frame (rows, cols), or per slot (T, rows,
+        cols).
+
+        Colours are the last axis."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid

@@ -49,7 +49,7 @@ class Expected:
 
 
 class LookModel:
-    """Computes the expected error of schedules on a chip, for a frame with given slot lengths."""
+    """A model of a chip and a frame that computes the expected error of schedules."""
 
     def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
         self.chip, self.scene, self._slot_us = chip, scene, slot_us

@@ -49,7 +49,7 @@ class AlwaysOpen(Encoder):
 
 
 class Bump(Encoder):
-    """Open from an opening edge to a closing edge, either of which may be fixed.
+    """The base of classes b to d: open between two edges, either of which may be fixed.
 
     Edges are boundaries 0..N between slots: real parameters in float64, precise for thousands of
     slots. The gradient of an edge is the light that flows through the slots beside it.

@@ -32,7 +32,7 @@ _SETTINGS = {
 
 
 class Page:
-    """Computes the words of a template from the results in a folder.
+    """A page of results: it computes the words of a template from the results in a folder.
 
     A dagger marks runs without weights in the folder `runs` beside the results. `rows` collects the
     filled rows of the paper's tables, as JSON values."""

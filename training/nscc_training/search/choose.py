@@ -1,7 +1,7 @@
 """Choice of a code for clips by the motion of the scene, within a limit of words per slot.
 
-No code is best for all scenes: static parts need long exposures, fast parts short exposures at many
-times. The information in a frame is computed in closed form (`nscc_training.search`)."""
+No code is best for all scenes. Static parts need long exposures. Fast parts need short exposures
+at many times. The information in a frame is computed in closed form (`nscc_training.search`)."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _WINDOW, _STEP = 8, 4
-"""Side of the windows of measurements in places, and of their middle, whose light is estimated."""
+"""Side of a window of measurements, and side of its middle, whose light is estimated, in places."""
 _MOST_WINDOWS = 4
 _MOST_SLOTS = 16
 """Most time steps; longer frames are averaged to this number."""

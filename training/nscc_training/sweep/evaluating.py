@@ -81,9 +81,10 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it.
+    """Return the mean of each score over the items that have this score.
 
-    An item may lack a score, for example a crop without dark pixels the score of dark pixels."""
+    An item may lack a score. For example, a crop without dark pixels has no score of dark pixels.
+    """
     from nscc_training.statistics import summary
 
     means = {}

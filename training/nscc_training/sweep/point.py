@@ -30,7 +30,7 @@ class PointFault:
 
 @dataclass(frozen=True)
 class Place:
-    """Paths and resources for computing a point: `files` is the start of its file names."""
+    """Paths and resources for computing a point; `files` is the prefix of its output file names."""
 
     files: Path
     threads: int

@@ -48,7 +48,7 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 @dataclass(frozen=True)
 class DecoderStudySettings:
-    """Settings of the measurement.
+    """The settings of the measurement of decoders.
 
     `data` is a folder of scenes; None uses procedural scenes. `size` is the side of a scene in
     pixels. Repeats end after `budget_s` seconds, but everything is measured at least once."""

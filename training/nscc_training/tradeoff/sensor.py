@@ -52,7 +52,7 @@ _TICK_US = 0.01
 
 @dataclass(frozen=True)
 class SensorStudySettings:
-    """Settings of the measurement.
+    """The settings of the measurement of shutters on a chip.
 
     Clips are captured with `classes` in `slots`; stills with class b in `stop_slots`, and with
     pixels that look and have `looks` exposures. A clip has `frames`, a multiple of all `slots`;
