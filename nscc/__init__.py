@@ -3,11 +3,10 @@
     import nscc
 
     p = nscc.compile("examples/hdr_2x2.nsl")
-    p.shutters()    # bool (buckets, codes, slots)
+    p.shutters()  # bool (buckets, codes, slots)
 
-`docs/python.md` documents the Python interface. This package is the compiler: it needs lark,
-networkx and numpy, and imports none of the packages above it.
-"""
+`docs/python.md` documents the Python interface. This package is the compiler. It needs lark,
+networkx and numpy, and does not import nscc_runtime, nscc_training or nscc_cli."""
 
 from __future__ import annotations
 
@@ -28,7 +27,7 @@ _NAMES = {
     "shutter_program": ("ShutterProgram", "compile", "load"),
     "chips.target": ("Target",),
 }
-"""What is public, by its module."""
+"""The public names, by module."""
 
 __all__ = [
     "Diagnostic",

@@ -6,8 +6,7 @@
     code stop : 1..256
     open when n < stop
 
-shows the open times of shutters and the cost in words, and assigns the program to `stops`.
-"""
+shows the open times of shutters and the cost in words, and assigns the program to `stops`."""
 
 from __future__ import annotations
 
@@ -27,14 +26,14 @@ from nscc.source import Source
 
 
 class CellRejected(Rejected):
-    """The errors of a cell. IPython shows them without a traceback."""
+    """Raised for errors in a cell; IPython shows them without a traceback."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
 
 
 class _Usage(Exception):
-    """Invalid options in the first line of a cell."""
+    """Raised for invalid options in the first line of a cell."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
@@ -46,7 +45,7 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """The parser of a cell's first line, with the options of `nscc build`."""
+    """Return the parser of a cell's first line, with the options of `nscc build`."""
     parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
     parser.add_argument("name", nargs="?", metavar="NAME")
     parser.add_argument("-O", dest="level", type=int, choices=LEVELS)
@@ -66,7 +65,8 @@ def load_ipython_extension(shell: Any) -> None:
     """
 
     def nsl(line: str, cell: str) -> ShutterProgram:
-        """Compile the cell, show its shutters and costs; NAME, if given, becomes the program."""
+        """Compile the cell, show its shutters and costs, and assign the program to NAME if
+        given."""
         try:
             arguments = vars(_line().parse_args(shlex.split(line)))
         except ValueError as error:
@@ -77,7 +77,7 @@ def load_ipython_extension(shell: Any) -> None:
         options = Options(**{key: value for key, value in arguments.items() if value is not None})
         text = Source(f"In [{shell.execution_count}]", cell)
         try:
-            with warnings.catch_warnings(action="ignore"):  # the card shows them
+            with warnings.catch_warnings(action="ignore"):  # the notebook's card shows the warnings
                 program = compiled(text, Path(), options)
         except Rejected as rejected:
             raise CellRejected(rejected.diagnostics, rejected.status) from None

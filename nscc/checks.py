@@ -1,7 +1,6 @@
-"""Consistency checks between two passes; a failed check is a fault of the compiler.
+"""Consistency checks between two passes; a failed check is a bug of the compiler.
 
-A check takes little time compared with the pass, and shares no code with it.
-"""
+A check takes little time compared with the pass, and shares no code with it."""
 
 from __future__ import annotations
 
@@ -36,7 +35,7 @@ _ROUNDING = 1e-9
 
 
 class Inconsistent(Exception):
-    """The output of a pass violates its invariants: a fault of the compiler."""
+    """Raised if the output of a pass violates its invariants: a bug of the compiler."""
 
 
 def check_tree(source: Source, tree: File) -> None:
@@ -49,7 +48,8 @@ def check_tree(source: Source, tree: File) -> None:
 
 
 def check_program(program: Program) -> None:
-    """Check that the decode table has one row for each code, and the frame's slots and buckets."""
+    """Check that the decode table has a shutter for each code, with the frame's slots and
+    buckets."""
     table = program.table
     _, buckets, slots = table.shutters.shape
     _require(len(table.codes) == len(table.shutter_of_code), "a code without a shutter")
@@ -68,8 +68,9 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """For each slot, the shutters whose light is collected; `first` is the set of shutters open in
-    slot 0."""
+    """Return for each slot the set of shutters whose light is collected, as a truth vector.
+
+    `first` is the set of shutters that are open in slot 0."""
     at = {
         (s.boundary, s.role): plan.everywhere if s.predicate is None else s.predicate
         for s in plan.steps
@@ -104,7 +105,7 @@ def check_gates(gated: Gated) -> None:
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
-    """Check that every change of a node's open buckets is a moment that closes or opens these
+    """Check that every change of a node's open buckets is a moment that opens or closes these
     buckets."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
@@ -120,7 +121,7 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 
 def _check_moment(moment: Moment, machine: StateMachine) -> None:
-    """Check that the buckets open before a moment, minus `falls`, plus `rises`, are those open
+    """Check that the open buckets before a moment, minus `falls`, plus `rises`, are those
     after it."""
     _require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
     lanes, boundary = len(moment.before), moment.boundary
@@ -173,8 +174,9 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
 
 
 def check_route(sending: Sending) -> None:
-    """Check that the light of every slot goes to the tap of the open bucket, or to no bucket's
-    tap."""
+    """Check that in every slot the light goes to the tap of the open bucket.
+
+    If no bucket is open, the light must go to the drain or to a tap without a bucket."""
     route, shutters = sending.route, sending.program.table.shutters
     place = np.where(route.bits, route.ones, route.zeros)[:, None]
     collected = place == np.arange(shutters.shape[1])[:, None]

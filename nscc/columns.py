@@ -1,4 +1,4 @@
-"""Tables as text."""
+"""Text tables with aligned columns."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from collections.abc import Collection, Sequence
 def columns(
     rows: Sequence[Sequence[str]], left_aligned: Collection[int] | None = None, indent: str = ""
 ) -> str:
-    """Format rows of equal length as lines of aligned columns, those in `left_aligned` (None: all)
-    to the left, others to the right."""
+    """Format rows of equal length as lines of aligned columns.
+
+    Columns in `left_aligned` (None: all) are aligned to the left, others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
 
     def line(row: Sequence[str]) -> str:

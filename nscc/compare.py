@@ -1,4 +1,4 @@
-"""One program compiled for several chips: whether it fits, shortest slots, data rates."""
+"""Comparison of one program on several chips: whether it fits, shortest slots, data rates."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from nscc.program.problems import counted
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
-"""Expected noise in electrons: in the dark, and at half a full well."""
+"""A function that returns the expected noise in electrons: in the dark, and at half a full well."""
 
 
 @dataclass(frozen=True, eq=False)
 class OnChip:
     """A program compiled for one chip, or the first error.
 
-    `shortest_slot_us` is None if unknown; `frame_us` includes the readout. `sent_bits` is the data
-    per frame, `bits_per_us` the rate while data is sent; `stored` describes the chip's memory use.
-    `noise_e` is the noise in the dark and at half a full well, None if unknown.
+    `shortest_slot_us` is None if unknown; `frame_us` includes the readout. `sent_bits` is the
+    amount of data per frame, `bits_per_us` the data rate while data is sent. `stored` describes the
+    chip's memory use. `noise_e` is the noise in the dark and at half a full well, None if unknown.
     """
 
     target: Target
@@ -44,8 +44,9 @@ class OnChip:
 def compare(
     path: Path, targets: Sequence[Target], level: int, noise_of: NoiseOf | None = None
 ) -> list[OnChip]:
-    """Compile the program of a file for each chip. Raises Rejected for errors that do not depend on
-    the chip: syntax, names and types."""
+    """Compile the program in a file for each chip.
+
+    Raises Rejected for errors that do not depend on the chip: syntax, names and types."""
     return [_on(path, target, level, noise_of) for target in targets]
 
 
@@ -80,7 +81,7 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
 
 
 def compared_text(chips: Sequence[OnChip]) -> str:
-    """A table with one column for each chip, followed by the errors and ways out of those that do
+    """Return a table with one column for each chip, then errors and alternatives for chips it does
     not fit."""
     rows: list[tuple[str, ...]] = [("", *(chip.target.name for chip in chips))]
     for title, cell_text in _ROWS.items():
@@ -97,7 +98,7 @@ def compared_text(chips: Sequence[OnChip]) -> str:
 
 
 def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
-    """The comparison as JSON values; unknown values are null."""
+    """Return the comparison as JSON values; unknown values are null."""
     return [
         {
             "target": chip.target.name,

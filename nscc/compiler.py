@@ -1,4 +1,4 @@
-"""The compiler's entry points: the pipeline, and ways out for programs that do not fit."""
+"""The compiler's entry points: the pipeline, and alternatives for programs that do not fit."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nscc.source import Source
 from nscc.syntax.parse import read_source
 
 CHECK = Options(level=1, unproved_is_error=False)
-"""Options of `nscc check`: a quick search, with notes where only a longer one can tell."""
+"""Options of `nscc check`: a short search; a note tells if only a longer search can decide."""
 
 
 def compile_file(
@@ -27,9 +27,10 @@ def compile_file(
 def compile_source(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compile a program's text; paths in it are relative to the folder `base`. Raises Rejected with
-    all errors. If the program only does not fit, nearby programs are compiled, and the diagnostics
-    offer those that fit."""
+    """Compile a program's text; paths in it are relative to the folder `base`.
+
+    Raises Rejected with all errors. If the only error is that the program does not fit, similar
+    programs are compiled, and the diagnostics suggest those that fit."""
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:
@@ -40,10 +41,10 @@ def compile_source(
 def _with_ways_out(
     diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
-    """Add compiled ways out to the diagnostics that can have some."""
+    """Add alternatives that fit to the diagnostics of a program that does not fit."""
     if not any(has_ways_out(d) for d in diagnostics):
         return list(diagnostics)
-    from nscc.limits.ways_out import ways_out  # only for what does not fit
+    from nscc.limits.ways_out import ways_out  # imported only for programs that do not fit
 
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
 

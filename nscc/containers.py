@@ -1,7 +1,8 @@
-"""Containers from an `.icw` file or from a program that is compiled on the fly."""
+"""Loading of containers from `.icw` files or by compiling programs, and of programs' texts."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
@@ -12,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.compiler import compile_file
+from nscc.diagnostics.arguments import path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
@@ -19,26 +21,29 @@ from nscc.program.analyse import ranges_of
 from nscc.program.pixel_codes import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
 from nscc.stream.planes import with_planes
+from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
 SUFFIX = ".icw"
+_PATHS = (".nsl", SUFFIX)
 
 
 def is_compiled(path: Path) -> bool:
-    """Whether the file name is that of a container, not of a program text."""
+    """Return whether a file name is the name of a container, not of a program text."""
     return path.suffix.lower() == SUFFIX
 
 
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Read an `.icw` file, or compile a program; returns the container and the messages. `options`
-    are for the compiler. Raises Rejected if a program does not compile or a file cannot be read."""
+    """Read an `.icw` file, or compile a program with `options`; return container and messages.
+
+    Raises Rejected if a program does not compile or a file cannot be read."""
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
-    if compiled.container is None:  # only a search can tell, and the options let that pass
+    if compiled.container is None:  # undecided programs pass here
         raise ValueError(f"{path}: there are no words")
     return compiled.container, compiled.diagnostics
 
@@ -48,7 +53,9 @@ def with_pixels(
     name: str | Path,
     pixels: Path | Mapping[str, NDArray[Any]] | None = None,
 ) -> Container:
-    """The container with the pixel codes of `pixels` (a file, or arrays by field), or with its own.
+    """Return the container with the pixel codes of `pixels` (a file, or arrays by field), or its
+    own.
+
     Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
     and the errors of `codes_from_file` and `codes_from_arrays`."""
     target, fields = container.target, container.table.fields
@@ -80,11 +87,42 @@ def with_pixels(
 
 
 def _laid(container: Container) -> Container:
-    """Add the bit planes of the codes, for a chip without logic."""
+    """Add the bit planes of the pixel codes, for a chip without logic."""
     return with_planes(container) if container.target.streamed else container
 
 
 def _ranges(container: Container, program: Path) -> Ranges:
-    """The ranges of the fields in the source text that a container carries."""
+    """Return the ranges of the fields in the source text that a container includes."""
     source = Source(program.name, "\n".join(container.source_lines))
     return ranges_of(source, container.target, program.parent)
+
+
+def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
+    """Return the text of a program or of its file, and the folder for its relative paths.
+
+    Raises WrongArgument for anything else, a container, and a `folder` beside a file."""
+    if not isinstance(source, str | os.PathLike):
+        raise wrong_argument(
+            f"nscc.compile takes a program's path or its text, not {shown(source)}",
+            helps=("a str that ends in .nsl is a path, any other the text of a program",),
+        )
+    if isinstance(source, str) and ("\n" in source or not source.lower().endswith(_PATHS)):
+        if source.strip() and not any(map(str.isspace, source.strip())):
+            raise wrong_argument(
+                f"nscc.compile: {shown(source)} is neither a program nor the path of one",
+                notes=("a str is a path if it ends in .nsl, else the text of a program",),
+            )
+        base = Path() if folder is None else path_of("nscc.compile", folder)
+        return Source("<text>", source), base
+    path = path_of("nscc.compile", source)
+    if is_compiled(path):
+        raise wrong_argument(
+            f"nscc.compile takes the text of a program, but '{path}' is compiled already",
+            helps=(f"use nscc.load('{path}')",),
+        )
+    if folder is not None:
+        raise wrong_argument(
+            "nscc.compile: folder applies only to a program without a file",
+            helps=("leave it out: paths in a program file are relative to the file",),
+        )
+    return read_source(path), path.parent

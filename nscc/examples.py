@@ -12,39 +12,39 @@ from nscc.notebooks import notebook
 _ENDINGS = (".nsl", ".toml")
 
 START = """\
-# What this program is for: who sees what, and when.
+# Describe here what the program is for.
 nsl 1
 
-frame 64 slots of 500us             # a frame is a row of time slots: 32 ms in all
+frame 64 slots of 500us             # the frame has 64 time slots, 32 ms in all
 
-# A pixel's code is one or more fields; what they mean is the next statement's business.
+# The code of a pixel has one or more fields. The rule below defines what they mean.
 code start : 0..N - 1               # N is the number of slots, 64
 code stop  : 1..N
-require start < stop                # legal codes only: pixels must obey
+require start < stop                # other codes are an error
 
-# In slot n a pixel's shutter is open where this holds.
+# In slot n, the shutter of a pixel is open if this condition is true.
 open when start <= n < stop
 
-# The data: which pixel has which code, here a tile that repeats over the array. It may also be
-# computed from x and y, or come from a file: pixels from "codes.npz".
+# The codes of the pixels, here a tile that is repeated over the array. Codes can also be computed
+# from x and y, or read from a file: pixels from "codes.npz".
 pixels start = tile [[0, 16],
                      [0, 48]]
 pixels stop  = tile [[64, 32],
                      [16, 64]]
 
-# nscc check FILE     whether it fits the chip, and what it costs
-# nscc view FILE      when each pixel is open
+# nscc check FILE     reports whether the program fits the chip, and how many words it needs
+# nscc view FILE      draws when each pixel is open
 # nscc run FILE --scene builtin:motion --png frame.png
-# nscc examples       more programs to look at
+# nscc examples       lists further programs
 """
 """A commented program of class d, for `nscc new`."""
 
 
 def examples() -> Mapping[str, Path]:
-    """The paths of example programs, configurations and tutorials by name, without `.nsl`.
+    """Return the paths of example programs, configurations and tutorials by name, without `.nsl`.
 
-    A tutorial has the name of its notebook, and the path of the page that `contents` makes it from.
-    """
+    The name of a tutorial is that of its notebook; its path is the page from which `contents` makes
+    the notebook."""
     files = sorted(path for path in _folder("example_files", "examples").iterdir()
                    if path.suffix in _ENDINGS)  # fmt: skip
     known = {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
@@ -58,14 +58,14 @@ def _folder(installed: str, of_sources: str) -> Path:
 
 
 def contents(path: Path) -> tuple[str, bytes]:
-    """The name and the bytes of the file that a user gets of an example."""
+    """Return the name and the bytes of the file that a user receives for an example."""
     if path.suffix != ".md":
         return path.name, path.read_bytes()
     return f"{path.stem}.ipynb", notebook(path.read_text(encoding="utf-8"))
 
 
 def example(name: str) -> Path:
-    """The path of an example; raises Rejected (NS0787) for an unknown name."""
+    """Return the path of an example; raise Rejected (NS0787) for an unknown name."""
     known = examples()
     path = known.get(name.removesuffix(".nsl"))
     if path is None:
@@ -81,8 +81,9 @@ def example(name: str) -> Path:
 
 
 def about(path: Path) -> str:
-    """The description of an example: a tutorial's title, or the first sentence of the comment at
-    the head of a file."""
+    """Return the description of an example.
+
+    It is a tutorial's title, or the first sentence of the comment at the start of a file."""
     lines = path.read_text(encoding="utf-8").splitlines()
     if path.suffix == ".md":
         title = next((line for line in lines if line.startswith("# ")), "")

@@ -1,4 +1,4 @@
-"""Measurements in an SQLite file, written atomically, also if a process is killed."""
+"""Measurements in an SQLite file; each is written atomically, even if a process is killed."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from nscc.diagnostics.rejection import rejected
 STORE = "store.sqlite"
 """The file name of the store in a folder of results."""
 CLAIMS = ".claims"
-"""The file of claims has the store's name with this suffix."""
+"""Suffix of the file that contains the claims of processes."""
 _BUSY_S = 60.0
-"""How long a write waits for other processes."""
+"""Seconds for which a write waits for other processes."""
 _POLL_S = 0.2
 _IN_USE = 1 << 60
-"""The byte of the claims file on which every process that uses the store holds a shared lock."""
+"""Byte of the claims file on which each process that uses the store holds a shared lock."""
 _TABLE = """
 CREATE TABLE IF NOT EXISTS measurement (
     experiment TEXT, name TEXT, value TEXT NOT NULL, label TEXT NOT NULL, seconds REAL NOT NULL,
@@ -35,8 +35,10 @@ CREATE TABLE IF NOT EXISTS measurement (
 
 @dataclass(frozen=True)
 class Timing:
-    """The duration of a measurement, its end (in seconds since the epoch), and its worker. `label`
-    describes the measurement for people."""
+    """The duration of a measurement in seconds, its end (in seconds since the epoch), and its
+    worker.
+
+    `label` describes the measurement for people."""
 
     name: str
     label: str
@@ -48,12 +50,11 @@ class Timing:
 class ExperimentStore:
     """Measurements of experiments, as JSON values, by name.
 
-    A measurement is on the disk when `keep` returns. Several processes may use a store:
-    the process that has the claim of a name measures it, and the others wait for the result. The
-    claims of a process end with it. The first value that is written for a name is never replaced.
+    A measurement is on the disk when `keep` returns. Several processes may use a store: the process
+    that has the claim of a name measures it, and the others wait for the result. A claim ends with
+    its process. The first value that is written for a name is never replaced.
 
-    Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store.
-    """
+    Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -98,7 +99,7 @@ class ExperimentStore:
         return [Timing(*row) for row in rows]
 
     def get(self, experiment: str, name: str) -> Any | None:
-        """Return a measurement; None if there is none."""
+        """Return a measurement, or None if it is not stored."""
         row = self._database.execute(
             "SELECT value FROM measurement WHERE experiment = ? AND name = ?", (experiment, name)
         ).fetchone()
@@ -108,7 +109,7 @@ class ExperimentStore:
         self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
         worker: str = "",
     ) -> None:  # fmt: skip
-        """Store a measurement. Raises ValueError for None, NaN and infinity, which JSON cannot
+        """Store a measurement; raise ValueError for None, NaN and infinity, which JSON cannot
         represent."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
@@ -125,8 +126,10 @@ class ExperimentStore:
         )
 
     def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
-        """Return a stored measurement, or call `measure` and store its result. If another process
-        has the claim, wait for its result. Results pass through JSON: tuples become lists."""
+        """Return a stored measurement, or call `measure` and store its result.
+
+        If another process has the claim, wait for its result. Results pass through JSON, so tuples
+        become lists."""
         while (value := self.get(experiment, name)) is None:
             if not self.claim(experiment, name):
                 sleep(_POLL_S)
@@ -139,7 +142,7 @@ class ExperimentStore:
         return value
 
     def claim(self, experiment: str, name: str) -> bool:
-        """Claim a measurement; False if another process has the claim."""
+        """Claim a measurement; return False if another process has the claim, else True."""
         try:
             fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _place(experiment, name))
         except BlockingIOError:
@@ -177,5 +180,5 @@ class ExperimentStore:
 
 
 def _place(experiment: str, name: str) -> int:
-    """The offset in the claims file of the byte whose lock is the claim of a measurement."""
+    """Return the offset in the claims file of the byte whose lock is the claim of a measurement."""
     return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])

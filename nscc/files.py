@@ -1,4 +1,4 @@
-"""Atomic writing of one or several files that never overwrites input files."""
+"""Atomic writing of files, without overwriting input files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default
 
 @contextmanager
 def inputs_kept() -> Iterator[None]:
-    """A context for one command, in which writing to a file noted by `reads` is refused."""
+    """Refuse writing to files recorded by `reads`, within a `with` block for one command."""
     token = _inputs.set({})
     try:
         yield
@@ -38,21 +38,22 @@ def inputs_kept() -> Iterator[None]:
 
 
 def reads(*paths: Path) -> None:
-    """Note input files by device and inode; ignore other paths."""
+    """Record input files by device and inode; ignore paths that are not regular files."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
             status = path.stat()
-        except (OSError, ValueError):  # it is read, if at all, by somebody who says what is wrong
+        except (OSError, ValueError):  # the function that reads the file reports the error
             continue
         if known is not None and stat.S_ISREG(status.st_mode):
             known[status.st_dev, status.st_ino] = path
 
 
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
-    """Read an input file, and note it with `reads`. Raises OSError if it cannot be read, and
-    ValueError if it has more than `most_bytes`. The size on disk is not trusted, because devices
-    have none."""
+    """Read an input file, and record it with `reads`.
+
+    Raises OSError if it cannot be read, and ValueError if it has more than `most_bytes`. The size
+    on disk is not used, because devices have none."""
     reads(path)
     with open(path, "rb") as file:
         data = file.read(most_bytes + 1)
@@ -62,7 +63,7 @@ def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
 
 
 def file_sha256(path: Path) -> str:
-    """The SHA-256 of a file in hexadecimal, read block by block."""
+    """Return the SHA-256 of a file in hexadecimal, read block by block."""
     from hashlib import file_digest
 
     with open(path, "rb") as file:
@@ -70,15 +71,17 @@ def file_sha256(path: Path) -> str:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file atomically, keeping the permissions of a file that it replaces. Raises Rejected
-    (NS0784, status 2) if it cannot be written."""
+    """Write a file atomically, with the permissions of the file that it replaces.
+
+    Raises Rejected (NS0784, status 2) if it cannot be written."""
     write_together({path: data})
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write several files; none is replaced before all data is on the disk. Raises Rejected (status
-    2) and leaves no partial file: NS0784 if a file cannot be written, NS0785 if it is an input of
-    the same command (`reads`) and would change."""
+    """Write several files; none is replaced before all data is on the disk.
+
+    Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,
+    NS0785 if it is an input of the same command (`reads`) and would change."""
     for path, data in products.items():
         _refuse_input(path, data)
     waiting: list[tuple[Path, Path]] = []
@@ -101,7 +104,7 @@ def write_together(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """Like `write_whole`, for an input file that the user asked to change."""
+    """Write an input file that the user asked to change, as `write_whole` does."""
     known = _inputs.get()
     if known:
         for identity in [key for key, name in known.items() if name == path]:
@@ -110,7 +113,7 @@ def write_back(path: Path, data: Product) -> None:
 
 
 def write_new(products: Mapping[Path, Product]) -> None:
-    """Like `write_together`; raises Rejected (NS0788, status 2) if a file exists."""
+    """Write files as `write_together` does; raise Rejected (NS0788, status 2) if a file exists."""
     for path in products:
         if path.exists():
             raise rejected(
@@ -122,8 +125,9 @@ def write_new(products: Mapping[Path, Product]) -> None:
 
 
 def refuse_same(paths: Collection[Path], options: str) -> None:
-    """Raise Rejected (NS0745, status 2) if two products have the same path. `options` are the
-    options that name them."""
+    """Raise Rejected (NS0745, status 2) if two products have the same path.
+
+    `options` are the options that name the paths."""
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
             "NS0745",
@@ -133,8 +137,7 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
 
 
 def refuse_inputs(*paths: Path) -> None:
-    """Raise Rejected (NS0785) if a product would replace an input, before any work is done. Writing
-    checks again."""
+    """Raise Rejected (NS0785) if a product would replace an input; call this before long work."""
     for path in paths:
         _refuse_input(path, lambda _: None)
 
@@ -155,8 +158,10 @@ def _refuse_input(path: Path, data: Product) -> None:
 
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
-    """Write to a temporary file in the folder of `path`, with the permissions of an existing file;
-    write pipes and devices directly."""
+    """Write to a temporary file beside `path`, with the permissions of an existing file.
+
+    Returns the pair (temporary, final path); pipes and devices are written directly and return no
+    pair."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
     # The name itself is checked, because the target of a descriptor's link need not have a path.
@@ -178,7 +183,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             _fill(file, data)
         if old_mode not in (None, temporary.stat().st_mode & 0o777):
-            temporary.chmod(mode)  # the umask took rights away
+            temporary.chmod(mode)  # the umask removed permissions
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
@@ -186,8 +191,9 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 
 
 def _temporary_beside(final: Path) -> Path:
-    """A short file name in the folder of `final` that no other write uses. It is unique by digest
-    (products and machines), process number, and count of writes."""
+    """Return a short file name beside `final` that no other write uses.
+
+    It consists of a digest of file and machine name, the process number, and a count of writes."""
     from hashlib import sha256
 
     digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]

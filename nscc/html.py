@@ -2,8 +2,7 @@
 
 Text has the page's colour (`currentColor`), for light and dark pages. The series colours (blue,
 orange and green of Okabe and Ito) suit both and are distinguishable for colour-blind readers. All
-text is escaped in this module.
-"""
+text is escaped in this module."""
 
 from __future__ import annotations
 
@@ -12,22 +11,22 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 SERIES = ("#3b8fd4", "#e69f00", "#009e73", "#cc79a7")
-"""Series colours, repeated if there are more series."""
+"""Colours of series, repeated if there are more series."""
 
 _FAINT = "opacity:.7"
 
 
 class Html(str):
-    """A string of HTML, which `text` does not escape."""
+    """A string of HTML, which `text` does not escape again."""
 
 
 def text(value: object) -> Html:
-    """Escape any value, except Html, for display."""
+    """Escape a value for HTML, unless it is Html already."""
     return value if isinstance(value, Html) else Html(escape(str(value)))
 
 
 def card(title: str, subtitle: str, *sections: Html) -> str:
-    """A box with a title, a subtitle and the sections below each other."""
+    """Return a box with a title, a subtitle and sections below each other."""
     head = (
         f"<div><strong>{text(title)}</strong> <span style='{_FAINT}'>{text(subtitle)}</span></div>"
     )
@@ -38,7 +37,8 @@ def card(title: str, subtitle: str, *sections: Html) -> str:
 
 
 def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html:
-    """A table of left-aligned cells; without `head` the first cell of each row is its label."""
+    """Return a table of left-aligned cells; without `head` the first cell of each row is
+    its label."""
     cell = "text-align:left;padding:.1em .8em .1em 0;border:none;background:none"
     lines = []
     if head:
@@ -52,23 +52,23 @@ def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html
 
 
 def folded(summary: str, inside: Html) -> Html:
-    """A line that expands on a click."""
+    """Return a line that expands on a click."""
     return Html(f"<details><summary>{text(summary)}</summary>{inside}</details>")
 
 
 def plain(value: str) -> Html:
-    """Preformatted text."""
+    """Return preformatted text."""
     return Html(f"<pre style='margin:0;background:none;color:inherit'>{text(value)}</pre>")
 
 
 def side_by_side(blocks: Iterable[Html]) -> Html:
-    """Blocks in a row that wraps if the page is narrow."""
+    """Return blocks in a row that wraps on narrow pages."""
     joined = "".join(f"<div>{block}</div>" for block in blocks)
     return Html(f"<div style='display:flex;flex-wrap:wrap;gap:1em'>{joined}</div>")
 
 
 def legend(names: Sequence[str]) -> Html:
-    """Names with the colours of SERIES."""
+    """Return names with the colours of SERIES."""
     return side_by_side(
         Html(f"<span style='color:{SERIES[number % len(SERIES)]}'>&#9632;</span> {text(name)}")
         for number, name in enumerate(names)
@@ -76,7 +76,7 @@ def legend(names: Sequence[str]) -> Html:
 
 
 def picture(png: bytes, caption: str, width: int) -> Html:
-    """A PNG with a caption, displayed `width` pixels wide without smoothing."""
+    """Return a PNG with a caption, displayed `width` pixels wide without smoothing."""
     data = b64encode(png).decode()
     return Html(
         f"<figure style='margin:0'><img alt='{text(caption)}' src='data:image/png;base64,{data}' "
@@ -86,7 +86,7 @@ def picture(png: bytes, caption: str, width: int) -> Html:
 
 
 def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> Html:
-    """An SVG of this size in pixels, which shrinks with the page."""
+    """Return an SVG of this size in pixels, which shrinks with the page."""
     return Html(
         f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {width:g} {height:g}' "
         f"role='img' style='width:100%;max-width:{width:g}px;height:auto' "
@@ -96,5 +96,5 @@ def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> H
 
 
 def words(x: float, y: float, value: object, anchor: str = "start") -> str:
-    """Text in a drawing with its baseline at y."""
+    """Return SVG text with its baseline at y."""
     return f"<text x='{x:g}' y='{y:g}' text-anchor='{anchor}'>{text(value)}</text>"

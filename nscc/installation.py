@@ -22,12 +22,13 @@ from nscc.version import __version__
 GOOD, ABSENT, BROKEN, WRONG = "ok", "absent", "broken", "WRONG"
 
 _OWN_WORK = ("bench", "test")
-"""Extras of those who work on nscc itself."""
+"""Extras for developers of nscc."""
 
 
 class Finding(NamedTuple):
-    """A result of a check with its state: GOOD, ABSENT or BROKEN (only some commands need it), or
-    WRONG."""
+    """The result of a check, with its state.
+
+    The state is GOOD, WRONG, or for packages that only some commands need ABSENT or BROKEN."""
 
     state: str
     text: str
@@ -76,7 +77,7 @@ def _version(distribution: str) -> str:
 
 
 def _import_error(distribution: str) -> str:
-    """Return why what a distribution brings cannot be imported; "" where it can."""
+    """Return why a distribution's module cannot be imported, or "" if it can."""
     try:
         with redirect_stderr(StringIO()), warnings.catch_warnings(action="ignore"):
             import_module(module_of(distribution))

@@ -1,4 +1,4 @@
-"""Lazy public names of a package: the module of a name is imported on first use."""
+"""Lazy public names of a package: a module is imported when one of its names is first used."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from typing import Any
 
 
 def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> Any:
-    """The public attribute `name` of `package`; `names` lists the public names of each module.
-    Raises AttributeError for an unknown name, and ModuleNotFoundError with an install command if a
-    distribution is missing."""
+    """Return the public attribute `name` of `package`.
+
+    `names` lists the public names of each module. Raises AttributeError for an unknown name, and
+    ModuleNotFoundError with an install command if a distribution is missing."""
     module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
         raise AttributeError(f"module '{package}' has no attribute '{name}'")

@@ -2,11 +2,10 @@
 
 Mnemonics are the names of whole words in the table of operations, the macros of the public SCAMP-5
 library, and the in-place forms (`NOT d`, `OR d, x`, `NOR d, x`, `REFRESH d`), which are pairs of
-half-words. `OR` and `NOR` with one source are in place; with more sources, if the destination is
-also one of them.
+half-words. `OR` and `NOR` are in place if they have a single source, or if the destination is one
+of several sources.
 
-Operands are register names, destinations first.
-"""
+Operands are register names, destinations first."""
 
 from __future__ import annotations
 
@@ -36,8 +35,9 @@ SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
 
 
 class OperandError(Exception):
-    """Operands that a mnemonic does not accept; `index` is the wrong operand, None if it is not a
-    single one."""
+    """Raised for operands that a mnemonic does not accept.
+
+    `index` is the invalid operand, None if no single operand is invalid."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
         super().__init__(message)
@@ -50,9 +50,10 @@ Ops = tuple[Op, ...]
 
 @dataclass(frozen=True)
 class Mnemonic:
-    """The name at the start of an assembly instruction. `usage` shows its forms; it takes `least`
-    to `most` operands (None: any number). It overwrites the registers `scratch`, which cannot be
-    operands."""
+    """The name at the start of an assembly instruction.
+
+    `usage` shows its forms. It takes `least` to `most` operands (None: any number). It overwrites
+    the registers `scratch`, which cannot be operands."""
 
     name: str
     usage: str
@@ -63,8 +64,10 @@ class Mnemonic:
 
 
 def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
-    """The operations of a line `name operands`; `own_words` are the target's own words. Raises
-    KeyError for a name that is no mnemonic and OperandError for operands it does not take."""
+    """Return the operations of an assembly line `name operands`.
+
+    `own_words` are the target's own words. Raises KeyError for an unknown mnemonic and OperandError
+    for invalid operands."""
     mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):
@@ -95,7 +98,7 @@ def _count(mnemonic: Mnemonic) -> str:
 
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """A word of the operation `row`; raises OperandError for invalid operands."""
+    """Return a word of the operation `row`; raise OperandError for invalid operands."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES
@@ -146,8 +149,8 @@ def _native(row: Operation) -> Mnemonic:
 
 # In-place forms, and mnemonics of the same names.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
-    """The pair of half-words that writes the OR, NOR or REFRESH of all operands to the first
-    one."""
+    """Return the pair of words that writes the OR, NOR or REFRESH of all operands to the
+    first one."""
     for index, register in enumerate(operands):
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:
@@ -213,7 +216,7 @@ _DISTINCT = {
     "CLR_IF l, x": "the register and its condition must differ",
     "XORX l, x, y": "l, x and y must be three registers",
 }
-"""Forms whose operands must all be different, and why."""
+"""Forms whose operands must all be different, with the reason."""
 
 
 class _Form:
@@ -240,7 +243,7 @@ class _Form:
 
 
 def _macros() -> Iterator[Mnemonic]:
-    """All macros; registers that an expansion names are scratch."""
+    """Yield all macros; registers that an expansion names itself are scratch registers."""
     for name, lines in groupby(_MACROS.strip().split("\n"), lambda line: re.split("[ :]", line)[0]):
         shown, forms = [], {}
         for line in lines:
@@ -268,10 +271,10 @@ MNEMONICS: dict[str, Mnemonic] = {
     **{row.name: _WORDS[row.name] for row in OPERATIONS if row.phase is Phase.WHOLE},
     **{macro.name: macro for macro in (*_macros(), *_IN_PLACE)},
 }
-"""Every mnemonic by name; names are case sensitive (`where` is analog, `WHERE` digital)."""
+"""Mnemonics by name; names are case sensitive (`where` is analog, `WHERE` digital)."""
 
 
 @cache
 def mnemonics(own_words: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
-    """All mnemonics by name, including those of a target's own words."""
+    """Return all mnemonics by name, including those of a target's own words."""
     return MNEMONICS | {row.name: _native(row) for row in own_words}

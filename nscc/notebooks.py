@@ -1,4 +1,4 @@
-"""Tutorials as Jupyter notebooks, made from pages with `code-cell` blocks."""
+"""Conversion of tutorial pages with `code-cell` blocks to Jupyter notebooks."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ _LOCAL_LINK = re.compile(r"\[([^\]]+)\]\((?!https?:)[^)]*\)")
 
 
 def notebook(page: str) -> bytes:
-    """Return the notebook file of a page of Markdown: its text and its code cells, not run.
+    """Return the notebook file of a Markdown page, with its text and its code cells without
+    outputs.
 
-    Links to other pages become plain text, because a notebook is read outside the site.
-    """
-    texts = _CELL.split(_HEAD.sub("", page))  # text and code by turns
+    Links to other pages become plain text, because a notebook is read outside the site."""
+    texts = _CELL.split(_HEAD.sub("", page))  # text and code alternate
     cells = [_cell("code" if k % 2 else "markdown", text) for k, text in enumerate(texts)]
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     document = {

@@ -1,8 +1,9 @@
-"""Safe reading of untrusted .npy and .npz files: sizes are checked before data is read."""
+"""Safe reading of untrusted .npy and .npz files; sizes are checked before data is read."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from math import prod
 from pathlib import Path
 from typing import IO, Any
@@ -18,12 +19,17 @@ _BLOCK_BYTES = 1 << 24
 
 
 class InvalidArrays(ValueError):
-    """The reason why a file of arrays cannot be read."""
+    """Raised if a file of arrays cannot be read; the text is the reason."""
+
+
+class UnsuitableArray(InvalidArrays):
+    """The reason why an intact array is not read: its size, or Python objects in it."""
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
-    """Version, shape, Fortran order and dtype of an .npy stream. Raises numpy's errors for a
-    damaged header."""
+    """Return version, shape, Fortran order and dtype of an .npy stream.
+
+    Raises numpy's errors for a damaged header."""
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
@@ -33,7 +39,8 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 
 
 def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """`numpy.lib.format.read_array_header_2_0` with a limit on the header's length."""
+    """Read a version 2 header like `numpy.lib.format.read_array_header_2_0`, with a limit on its
+    length."""
     from io import BytesIO
 
     from numpy.lib import format as npy
@@ -48,7 +55,7 @@ def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
-    """The values after the header; None if the stream is too short or too long."""
+    """Return the values after the header; None if the stream is too short or too long."""
     data = memoryview(bytearray(prod(shape) * dtype.itemsize))
     filled = 0
     while block := stream.read(_BLOCK_BYTES):
@@ -63,15 +70,16 @@ def npy_values(
 
 
 def npz_arrays(
-    path: Path, is_wanted: Callable[[str], bool] = lambda name: True, most_bytes: int = MOST_BYTES
+    path: Path | IO[bytes],
+    is_wanted: Callable[[str], bool] = lambda name: True,
+    most_bytes: int = MOST_BYTES,
 ) -> tuple[dict[str, NDArray[Any]], list[str]]:
-    """Read the arrays of an .npz file whose names satisfy `is_wanted`; list all names.
+    """Return the arrays of an .npz file whose names satisfy `is_wanted`, and the names of all
+    arrays.
 
-    Together the arrays may take `most_bytes`, which is checked before anything is unpacked.
-
-    Raises InvalidArrays for an invalid or damaged file, one that is too large, and Python objects;
-    OSError if it cannot be read.
-    """
+    The arrays may take `most_bytes` together, which is checked before anything is unpacked. Raises
+    InvalidArrays for an invalid, damaged or too large file, and for Python objects; OSError if the
+    file cannot be read."""
     from zipfile import BadZipFile, ZipFile
 
     try:
@@ -79,43 +87,54 @@ def npz_arrays(
     except (BadZipFile, ValueError, NotImplementedError, EOFError) as error:
         raise InvalidArrays("it is not an .npz file") from error
     arrays: dict[str, NDArray[Any]] = {}
-    unpacked_bytes = 0
     with archive:
         names = [
             entry.removesuffix(".npy") for entry in archive.namelist() if entry.endswith(".npy")
         ]
         for name in filter(is_wanted, names):
-            try:
-                with archive.open(f"{name}.npy") as stream:
-                    _, shape, fortran, dtype = npy_header(stream)
-                    unpacked_bytes += prod(shape) * dtype.itemsize
-                    check_size(unpacked_bytes, most_bytes)
-                    if dtype.hasobject:
-                        raise InvalidArrays(f"`{name[:40]}` holds Python objects")
-                    values = npy_values(stream, shape, fortran, dtype)
-            except (InvalidArrays, MemoryError):
-                raise
-            except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
-                raise InvalidArrays(f"its array `{name[:40]}` is damaged: {error}") from error
-            if values is None:
-                raise InvalidArrays(f"its array `{name[:40]}` is cut short or too long")
-            arrays[name] = values
+            with _damage_of(name):
+                stream = archive.open(f"{name}.npy")
+            with stream:
+                before_bytes = sum(values.nbytes for values in arrays.values())
+                arrays[name] = _array(stream, name, most_bytes, before_bytes)
     return arrays, names
 
 
-def npy_array(path: Path, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read the array of an .npy file. Raises InvalidArrays if it takes more than `most_bytes` or
-    holds Python objects, and numpy's errors for a damaged file."""
-    with open(path, "rb") as stream:
-        _, shape, _, dtype = npy_header(stream)
-        check_size(prod(shape) * dtype.itemsize, most_bytes)
-    return np.asarray(np.load(path, allow_pickle=False))
+def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[Any]:
+    """Read the array of an .npy file. Raises as `npz_arrays`."""
+    if isinstance(file, Path):
+        with open(file, "rb") as stream:
+            return _array(stream, file.name, most_bytes)
+    return _array(file, "array", most_bytes)
+
+
+def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0) -> NDArray[Any]:
+    with _damage_of(name):
+        _, shape, fortran, dtype = npy_header(stream)
+        check_size(before_bytes + prod(shape) * dtype.itemsize, most_bytes)
+        if dtype.hasobject:
+            raise UnsuitableArray(f"`{name[:40]}` holds Python objects")
+        values = npy_values(stream, shape, fortran, dtype)
+    if values is None:
+        raise InvalidArrays(f"its array `{name[:40]}` is cut short or too long")
+    return values
+
+
+@contextmanager
+def _damage_of(name: str) -> Iterator[None]:
+    """Turn the dozen types that zipfile and numpy raise for damaged files into InvalidArrays."""
+    try:
+        yield
+    except (InvalidArrays, MemoryError):
+        raise
+    except Exception as error:
+        raise InvalidArrays(f"its array `{name[:40]}` is damaged: {error}") from error
 
 
 def check_size(size: int, most_bytes: int = MOST_BYTES) -> None:
-    """Raise InvalidArrays if `size` exceeds `most_bytes`."""
+    """Raise UnsuitableArray if `size` exceeds `most_bytes`."""
     if size > most_bytes:
-        raise InvalidArrays(
+        raise UnsuitableArray(
             f"its arrays unpack to {size / 2**20:,.0f} MiB, but at most "
             f"{most_bytes >> 20:,} MiB are allowed"
         )

@@ -1,15 +1,13 @@
-"""The one table of operations: what each instruction code word (ICW) is called, which control
-lines it raises and what it does.
+"""The table of operations: the name, control lines and effect of each instruction word (ICW).
 
-Assembler, proof and emulator take their meaning from here and from nowhere else: this is the
-living definition of the pixel's instruction set. Line numbers are those of the 160-bit SCAMP-5d
-word (`nscc.words.encoding` lays lines out in words).
+Assembler, proof, emulator, C++ output and firmware use this table; no other code defines the
+meaning of words. Line numbers are those of the 160-bit SCAMP-5d word; `nscc.words.encoding` has
+their places in words.
 
-A word either acts at once, or is half of a pair. The first half of a pair (`Phase.READ`) leaves
-its result on the pixel's bus, the second (`Phase.WRITE`) stores it and must follow at once: any
-other word in between loses it. Pairs exist because a register cannot be read and written in one
-word.
-"""
+A word is either whole or one half of a pair. The first word of a pair (`Phase.READ`) leaves its
+result on the pixel's bus. The second (`Phase.WRITE`) stores it and must follow immediately, because
+any other word in between destroys the result. Pairs exist because a register cannot be read and
+written in the same word."""
 
 from __future__ import annotations
 
@@ -19,13 +17,12 @@ from enum import Enum, auto
 
 
 class WordEffect(Enum):
-    """What a word does to the state of a pixel.
+    """The effect of a word on the state of a pixel.
 
-    `total` is the sum of the analog sources, `some` the OR of the digital ones.
-    """
+    `total` is the sum of the analog sources, `some` the OR of the digital sources."""
 
     NONE = auto()
-    """Nothing."""
+    """No effect."""
     RESET_PIX = auto()
     """PIX := reset level, in every pixel or where FLAG = 1 (`Target.reset_honours_flag`)."""
     BUS = auto()
@@ -39,12 +36,14 @@ class WordEffect(Enum):
     DIGITAL = auto()
     """Each destination := some, or NOT some if inverted; without sources, some is 0."""
     DIGITAL_NEIGHBOURS = auto()
-    """The destination := the OR of the source in those neighbours that `STEERING` of the pixel
-    chooses; beyond the array the source counts as 0, or as 1 if inverted."""
+    """The destination := the OR of the source in the neighbours chosen by the `STEERING` registers.
+
+    Outside the array the source counts as 0, or as 1 if inverted."""
 
 
 class Phase(Enum):
-    """Whether a word is whole or one half of a pair."""
+    """The part of a pair that a word is: the reading half, the writing half, or none (a whole
+    word)."""
 
     WHOLE = auto()
     READ = auto()
@@ -53,12 +52,12 @@ class Phase(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """A row of the table.
+    """A row of the table of operations.
 
-    `lines` are raised besides the operands' own; `destinations` and `sources` are the fewest and
-    the most operands that the array takes (None: no limit, the digital bus is a wired OR; a
-    target may allow fewer). `clock` is the clock class in bits 19-21 of word 0; `us` the time that
-    a word takes where the clock does not say it.
+    `lines` are the control lines that the word raises in addition to those of its operands.
+    `destinations` and `sources` are the fewest and most operands that the chip accepts; None means
+    no limit, because the digital bus is a wired OR. A target may allow fewer. `clock` is the clock
+    class in bits 19-21 of word 0. `us` is the word's duration if the clock does not determine it.
     """
 
     name: str
@@ -104,7 +103,7 @@ _GROUPS = (
 LINE_NAMES: dict[int, str] = {
     first + i: name for first, names in _GROUPS for i, name in enumerate(names.split())
 }
-"""The name of every control line; line 8 has none."""
+"""The names of the control lines; line 8 has no name."""
 
 # An operand's own lines, as a source and as a destination. NEWS also needs selx to be read.
 READ_LINES: dict[str, tuple[int, ...]] = {
@@ -116,14 +115,16 @@ READ_LINES: dict[str, tuple[int, ...]] = {
 }  # fmt: skip
 ANALOG_WRITE = {"A": 13, "B": 14, "C": 15, "NEWS": 16, "D": 17, "E": 18, "F": 19}
 NEIGHBOURS = {"XN": (24, 7), "XE": (24, 9), "XS": (24, 12), "XW": (24, 29)}
-"""The lines of NEWS where a bus is joined to that of a neighbour. As a source, the pixel reads NEWS
-of the neighbour to the north, east, south or west; as a destination, NEWS takes the value on the
-bus of the opposite neighbour."""
+"""The control lines that connect a pixel's bus with NEWS of a neighbour.
+
+As a source, the pixel reads NEWS of the neighbour to the north, east, south or west. As a
+destination, NEWS receives the value on the bus of the opposite neighbour."""
 STEPS = {"XN": (0, -1), "XE": (1, 0), "XS": (0, 1), "XW": (-1, 0)}
-"""Columns to the right and rows down from a pixel to the neighbour that it reads."""
+"""The offset (columns to the right, rows down) from a pixel to the neighbour that it reads."""
 STEERING = {"R1": (0, 1), "R2": (-1, 0), "R3": (0, -1), "R4": (1, 0)}
-"""The registers by which a pixel chooses the neighbours that digital words read, and the columns to
-the right and rows down to each."""
+"""The registers with which a pixel chooses the neighbours that digital words read.
+
+The values are the offsets (columns to the right, rows down) of these neighbours."""
 DIGITAL_WRITE = {
     "R0": 56,
     **{f"R{i}": 43 + i for i in range(1, 13)},
@@ -196,12 +197,11 @@ BY_NAME: dict[str, Operation] = {row.name: row for row in OPERATIONS}
 
 @dataclass(frozen=True, slots=True)
 class Op:
-    """One ICW as an operation with its operands, destinations first.
+    """One instruction word: an operation with its operands, destinations first.
 
-    Sources are a set to the array; they are kept in the order of `READ_LINES`, so that equal
-    words are equal values. The halves of a pair are two of these. `target_operation` is the row of
-    a word that only some targets have.
-    """
+    Sources are a set; they are kept in the order of `READ_LINES`, so that equal words are equal
+    values. A pair consists of two such values. `target_operation` is the operation of a word that
+    only some targets have."""
 
     name: str
     destinations: tuple[str, ...] = ()
@@ -210,7 +210,7 @@ class Op:
 
     @property
     def operation(self) -> Operation:
-        """The row that says what this word does."""
+        """The operation of the word."""
         return self.target_operation or BY_NAME[self.name]
 
     @property
@@ -226,7 +226,7 @@ _ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """An operation of the table with its operands in canonical order; see `make_op`."""
+    """Return an operation of the table with its operands in canonical order; see `make_op`."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")
@@ -234,10 +234,10 @@ def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ())
 
 
 def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """An operation with its operands in canonical order; equal words give equal values.
+    """Return an operation with its operands in canonical order, so that equal words are equal
+    values.
 
-    Raises ValueError where it does not take these operands: callers check what a user wrote first.
-    """
+    Raises ValueError for invalid operands; callers check user input before."""
     name = row.name
     dests = tuple(sorted(set(destinations), key=_ORDER.__getitem__))
     srcs = tuple(sorted(set(sources), key=_ORDER.__getitem__))
@@ -272,5 +272,5 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
 
 
 def pair(kind: str, destination: str, sources: Iterable[str]) -> tuple[Op, Op]:
-    """The two words of an in-place form; `kind` is OR, NOR or REFRESH."""
+    """Return the two words of an in-place form; `kind` is OR, NOR or REFRESH."""
     return op(f"{kind}.read", (), sources), op(f"{kind}.write", (destination,))

@@ -1,7 +1,6 @@
-"""The way through the compiler: one visible list of passes, and the proof at its end.
+"""The compiler's list of passes, from text to proof.
 
-`nscc.compiler` stands above it, and offers ways out where a program does not fit.
-"""
+`nscc.compiler` calls it and adds alternatives if a program does not fit."""
 
 from __future__ import annotations
 
@@ -18,7 +17,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
-from nscc.lower.exposure_plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
+from nscc.lower.exposure_plan import LoweringOption, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
 from nscc.program.analyse import analyse
@@ -32,22 +31,21 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.looks.looking_plan import LookingPlan
     from nscc.stream.sending import Sending
 
 LEVELS = (0, 1, 2, 3)
-"""How many steps the search for gates may take: the same level always takes the same ones."""
+"""Optimisation levels; a higher level allows more steps in the search for gates."""
 
 
 @dataclass(frozen=True)
 class Options:
-    """How to compile.
+    """Options of the compiler.
 
-    `level` is one of LEVELS. `target` (a value, or a name or file as `--target` takes it) overrides
-    the program's own. `price_all` lowers in every way, for the report's alternatives. Without
-    `unproved_is_error`, what only a search can tell is a note. Without `cache`, no search result is
-    read or kept. `max_words_per_slot` limits the words, digital and analog, of every boundary.
-    """
+    `level` is one of LEVELS. `target` (a `Target`, or a name or file as for `--target`) replaces
+    the program's own. `price_all` computes the costs of all lowerings, for the report. If
+    `unproved_is_error` is false and only a longer search can decide whether the program fits, this
+    is a note instead of an error. Without `cache`, search results are neither read nor stored.
+    `max_words_per_slot` limits the digital and analog words at every boundary."""
 
     level: int = 2
     codes: Codes = "fixed"
@@ -61,8 +59,8 @@ class Options:
 
 @dataclass(frozen=True)
 class Job:
-    """What every pass may know beside the value before it: the options, the folder that paths in
-    the program are relative to, and the search results that are known."""
+    """The context of all passes: options, the folder for relative paths, and stored search
+    results."""
 
     options: Options
     base: Path
@@ -78,23 +76,22 @@ class Parsed:
 
 
 Found = Sequence[Diagnostic]
-"""What a pass has to say; an error among it ends the compilation."""
+"""The diagnostics of a pass; an error among them ends the compilation."""
 
 
 def parse_text(source: Source, job: Job) -> tuple[Parsed, Found]:
-    """A source becomes a tree, whole or with gaps.
+    """Parse a source text to a tree, which lacks the invalid statements.
 
-    Refuses what the grammar does not know: NS01xx.
-    """
+    Errors: NS01xx for invalid syntax."""
     tree, errors = parse(source)
     return Parsed(source, tree), errors
 
 
 def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
-    """A tree becomes a decode table for a target: names, ranges, classes, codes x slots.
+    """Analyse a tree: names, ranges, classes, and the decode table of codes x slots for a target.
 
-    Refuses what has no meaning (NS02xx, NS03xx, NS04xx), and targets and files that cannot be read.
-    """
+    Errors: NS02xx, NS03xx and NS04xx for invalid statements, and for targets and files that cannot
+    be read."""
     chip = job.options.target
     if isinstance(chip, str):
         chip = load_target(chip, Path())
@@ -105,11 +102,10 @@ def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
 
 
 def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
-    """A program becomes exposure plans, one for each lowering that can serve it.
+    """Make an exposure plan for each lowering that supports the program.
 
-    Refuses shutters beyond the states of a pixel (NS0412), buckets beyond its analog registers
-    (NS0413) and a lowering that cannot serve them (NS0414).
-    """
+    Errors: NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for more
+    buckets than analog registers, NS0414 for a lowering that does not support the program."""
     fault = fit.capacity_fault(program)
     if fault is not None:
         return Planned(program, frame_time(program), (), (), {}), [fault]
@@ -118,12 +114,11 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
 
 
 def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
-    """Plans become gates with their encodings, priced by laying them out; the best first.
+    """Find gates and encodings for the plans, with their costs; the best comes first.
 
-    Plans that cannot be better than one that fits are not tried, unless all are to be priced.
-    Refuses programs for which no gates are found (NS0502), which proves nothing, and what a
-    generator from outside does not do as it says (NS0905). Warns where a generator fails (NS0504).
-    """
+    Plans that cannot be better than one that fits are not tried, unless all costs are requested.
+    Errors: NS0502 if no gates are found, which does not prove that none exist; NS0905 if a
+    generator of another package returns invalid gates. Warning: NS0504 if a generator fails."""
     options, results = job.options, job.results
     search = partial(
         find_gates,
@@ -135,7 +130,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     )
     gated = search()
     if results is not None and results.read and not gated.fits:
-        # That nothing fits is never taken from the cache.
+        # The result that nothing fits is never taken from the cache.
         results.distrust()
         gated = search()
     messages = list({fault.generator: fault.diagnostic() for fault in gated.faults}.values())
@@ -145,11 +140,10 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
 
 
 def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
-    """Gates become kernels and launches at the frame's boundaries; the best lowering is the first.
+    """Assign kernels and launches to the frame's boundaries; the best lowering comes first.
 
-    Refuses what the store (NS0501), the slots' time (NS0601), the retention of memory (NS0602) or
-    the user's limit (NS0603) does not allow.
-    """
+    Errors: a program that exceeds the store (NS0501), the slots' time (NS0601), the retention time
+    of registers (NS0602) or the user's limit (NS0603)."""
     most_words = job.options.max_words_per_slot
     layouts = (
         lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
@@ -160,10 +154,9 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
 
 
 def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
-    """The best lowering becomes a container of instruction code words.
+    """Convert the best lowering to a container of instruction words.
 
-    Refuses images and planes that need more than the chip has (NS0535, NS0540, NS0541).
-    """
+    Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
     container, program = assemble(choice.best, job.options.level), choice.best.program
     if program.pictures is None:
         return container, []
@@ -172,68 +165,16 @@ def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
     return with_pictures(container, program, job.options.level)
 
 
-def plan_looking(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
-    """A program that looks becomes one plan: what each boundary does to which pixels.
-
-    Refuses buckets beyond the analog registers (NS0413) and lowerings that lose light (NS0414).
-    """
-    from nscc.looks.passes import plan_of
-
-    return plan_of(program, job.options.lowering)
-
-
-def find_looking_gates(plan: LookingPlan, job: Job) -> tuple[Sequence[Lowered], Found]:
-    """A plan becomes words for several encodings of what pixels know, the best first.
-
-    Refuses programs for which no gates are found (NS0502), which proves nothing.
-    """
-    from nscc.looks.passes import lowered_of
-
-    return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
-
-
 def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
-    """The best of them. Refuses as `lay_out_words` does."""
+    """Choose the best words; errors are as for `lay_out_words`."""
     choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
 
 
-def make_looking_container(choice: Choice, job: Job) -> tuple[Container, Found]:
-    """The best lowering becomes a container that carries its machine. Refuses nothing."""
-    from nscc.looks.passes import container_of
-
-    return container_of(choice.best, job.options.level), []
-
-
-def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
-    """A program for a chip without logic becomes a way for the light of every slot.
-
-    Refuses buckets that pixels cannot sort light into (NS0509), and options for words (NS0510).
-    """
-    from nscc.stream.passes import plan_of
-
-    lowering, most_words = job.options.lowering, job.options.max_words_per_slot
-    options_for_words = [f"--lowering {lowering}"] * (lowering != "auto")
-    return plan_of(program, options_for_words + ["--max-words-per-slot"] * (most_words is not None))
-
-
-def time_sending(sending: Sending, job: Job) -> tuple[Sending, Found]:
-    """The way with the times at which planes are sent. Refuses slots shorter than that (NS0508)."""
-    from nscc.stream.passes import timed
-
-    return timed(sending)
-
-
-def make_planes(sending: Sending, job: Job) -> tuple[Container, Found]:
-    """A way becomes a container of planes. Refuses nothing."""
-    from nscc.stream.passes import container_of
-
-    return container_of(sending), []
-
-
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
-    """A container's words, decoded and replayed, or its planes, followed pixel by pixel, become a
-    proof. Refuses nothing: what does not satisfy the program is a fault of the compiler."""
+    """Prove a container by replaying its words, or by following the light of its bit planes.
+
+    A failed proof is a bug of the compiler, not an error of the program."""
     if container.target.streamed:
         return prove_stream(container), []
     try:
@@ -245,11 +186,10 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
 
 @dataclass(frozen=True)
 class Pass:
-    """A step from one value to the next.
+    """A compiler pass.
 
-    `run` takes the value before and the job, and gives its own value with what it found. `verify`
-    raises checks.Inconsistent where the value is not what it promises.
-    """
+    `run` takes the previous value and the job, and returns the new value and its diagnostics.
+    `verify` raises checks.Inconsistent if the new value violates its invariants."""
 
     name: str
     run: Callable[[Any, Job], tuple[Any, Found]]
@@ -268,31 +208,65 @@ PASSES = (
     Pass("words", make_container, checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
 )
-"""What runs, in this order. `nscc build --print-after PASS` shows the value that a pass made."""
+"""The passes in order. `nscc build --print-after PASS` prints the value after a pass."""
+
+
+def _looks() -> Any:
+    """Import the passes for programs with senses on first use."""
+    from nscc.looks import passes
+
+    return passes
+
 
 LOOKING_PASSES = (
     *_READING,
-    Pass("plan", plan_looking, checks.check_looking_plan),
-    Pass("gates", find_looking_gates, checks.check_looking_gates),
+    Pass(
+        "plan", lambda program, job: _looks().plan_of(program, job.options.lowering),
+        checks.check_looking_plan,
+    ),
+    Pass(
+        "gates",
+        lambda plan, job: _looks().lowered_of(
+            plan, job.options.level, job.options.max_words_per_slot
+        ),
+        checks.check_looking_gates,
+    ),
     Pass("schedule", lay_out_looking, checks.check_schedule),
-    Pass("words", make_looking_container, checks.check_words),
+    Pass(
+        "words", lambda choice, job: (_looks().container_of(choice.best, job.options.level), []),
+        checks.check_words,
+    ),
     Pass("prove", prove_words, checks.check_proof),
-)
-"""The same for programs whose shutters depend on the light: what is wanted of the gates is a
-machine's steps, not a table's shutters."""
+)  # fmt: skip
+"""The passes for programs whose shutters depend on the light: the gates implement a state
+machine."""
+
+
+def _stream() -> Any:
+    """Import the passes for chips without logic on first use."""
+    from nscc.stream import passes
+
+    return passes
+
 
 STREAM_PASSES = (
     *_READING,
-    Pass("plan", plan_sending, checks.check_route),
-    Pass("schedule", time_sending, checks.check_loadings),
-    Pass("words", make_planes, checks.check_words),
+    Pass(
+        "plan",
+        lambda program, job: _stream().plan_of(
+            program, job.options.lowering, job.options.max_words_per_slot
+        ),
+        checks.check_route,
+    ),
+    Pass("schedule", lambda sending, _job: _stream().timed(sending), checks.check_loadings),
+    Pass("words", lambda sending, _job: (_stream().container_of(sending), []), checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
 )
-"""The same for chips without logic, whose pixels decode nothing: there are no gates."""
+"""The passes for chips without logic, which need no gates."""
 
 
 def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
-    """What runs on a program, which the first two passes have read by the time that it counts."""
+    """Yield the passes for a program, whose kind is known after the first two passes."""
     read = len(_READING)
     yield from PASSES[:read]
     program: Program = values["program"]
@@ -301,17 +275,15 @@ def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
 
 
 Observer = Callable[[str, Any], None]
-"""Sees (pass name, value) after each pass, before the value is verified."""
+"""A function called with (pass name, value) after each pass, before the value is verified."""
 
 
 @dataclass(frozen=True, repr=False)
 class Compiled:
-    """A program that compiled: its words, proved, and what there is to say about it.
+    """A successfully compiled program: its proved words and its diagnostics.
 
-    `choice`, `container` and `proof` are None only where `unproved_is_error` is off and only a
-    search can tell whether the program fits. For a chip without logic nothing is chosen: there
-    `sending` stands in place of `choice`.
-    """
+    `choice`, `container` and `proof` are None only if `unproved_is_error` is false and it is
+    unknown whether the program fits. For a chip without logic, `sending` replaces `choice`."""
 
     tree: File
     program: Program
@@ -323,15 +295,15 @@ class Compiled:
 
     @property
     def lowered(self) -> Lowered | None:
-        """The lowering that was chosen."""
+        """The chosen lowering; None for a chip without logic, or if it is unknown whether the
+        program fits."""
         return None if self.choice is None else self.choice.best
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot that leaves time for its words, or for loading its plane of bits.
+        """The shortest slot in microseconds that fits its words, or the loading of its bit plane.
 
-        ValueError where only a search can tell whether the program fits.
-        """
+        Raises ValueError if it is unknown whether the program fits."""
         plan = self.lowered or self.sending
         if plan is None:
             raise ValueError("nothing was laid out")
@@ -343,7 +315,7 @@ class Compiled:
 
 
 class Unfit(Rejected):
-    """A program without faults of its own that does not fit its target."""
+    """Raised for a valid program that does not fit its target."""
 
     def __init__(self, program: Program, diagnostics: Sequence[Diagnostic]) -> None:
         super().__init__(diagnostics)
@@ -353,10 +325,9 @@ class Unfit(Rejected):
 def run_passes(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compiles a program's text; `base` is the folder that its paths are relative to.
+    """Compile a program's text; paths in it are relative to the folder `base`.
 
-    Raises Rejected with everything that is wrong with it: Unfit if it is only too large.
-    """
+    Raises Rejected with all errors, or Unfit if the program only does not fit its target."""
     if options.level not in LEVELS:
         raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _name, _value: None)
@@ -367,13 +338,13 @@ def run_passes(
     except Exception:
         if results is None or not results.read:
             raise
-    # What came from the cache led nowhere: a file there is not what it says it is.
+    # The cached solution does not work: the cache file is wrong.
     results.distrust()
     return _run(source, job, see)
 
 
 def all_lowerings(program: Program, options: Options) -> Choice:
-    """A program that compiled with these options, laid out in every way that it can be lowered."""
+    """Return all lowerings of a program that compiled with these options, with their words."""
     priced = replace(options, price_all=True)
     job = Job(priced, Path(), results_of_user() if options.cache else None)
     value: Any = program
@@ -383,7 +354,7 @@ def all_lowerings(program: Program, options: Options) -> Choice:
 
 
 def _run(source: Source, job: Job, see: Observer) -> Compiled:
-    """One pass after the other, each value seen and verified before the next one takes it."""
+    """Run all passes in order; each value is observed and verified before the next pass."""
     values: dict[str, Any] = {}
     messages: list[Diagnostic] = []
     value: Any = source

@@ -5,8 +5,8 @@ A distribution declares a plugin in its metadata, for example
     [project.entry-points."nscc.effects"]
     columns = "my_package.columns:COLUMNS"
 
-and nscc's table for that kind checks it and uses it like a built-in one, or refuses it by name.
-"""
+nscc checks the object like a built-in one of the same kind and uses it, or refuses it in a message
+that names it."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encoding
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
-    """The objects that other distributions add to `group`, keyed and sorted by name. Raises
-    Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or used
-    twice."""
+    """Return the objects that other distributions add to `group`, by name, sorted.
+
+    Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
+    used twice."""
     loaded = _loaded(group)
     for name in loaded:
         if name in reserved:
@@ -32,13 +33,13 @@ def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, An
 
 
 def sources(group: Group) -> dict[str, str]:
-    """The names of the modules that define those objects. Raises as `added` does."""
+    """Return the modules that define the added objects, by name; raise as `added` does."""
     return {name: module for name, (_, module) in _loaded(group).items()}
 
 
 @cache
 def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
-    """The objects and their modules by name, loaded once."""
+    """Return the objects and their modules by name, loaded once."""
     # Importing takes 20 ms, which commands without plugins should not spend.
     from importlib.metadata import entry_points
 
@@ -55,7 +56,7 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
 
 
 def unusable(group: Group, name: str, reason: str) -> Rejected:
-    """NS0905: nscc cannot use what a distribution adds under that name, for `reason`."""
+    """Return the error (NS0905) for an added object that nscc cannot use, for `reason`."""
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",

@@ -7,7 +7,7 @@ from functools import cache
 
 _MODULES = {"cv2": "opencv-python-headless", "PIL": "pillow", "pillow_heif": "pillow-heif",
             "serial": "pyserial", "OpenEXR": "openexr", "pyxel": "pyxel-sim"}  # fmt: skip
-"""Modules whose distribution has another name."""
+"""Distributions whose name differs from the name of their module, by module."""
 
 _REQUIREMENT = re.compile(
     r"""(?P<name>[\w.-]+)\s*(?:\[[\w,\s-]*\])?[^;]*(?:;.*\bextra\s*==\s*['"](?P<extra>[\w-]+)['"])?"""
@@ -16,8 +16,9 @@ _REQUIREMENT = re.compile(
 
 @cache
 def extras() -> dict[str, str]:
-    """The smallest extra that installs each distribution, "" for required ones. Empty if nscc is
-    not installed but runs from its sources."""
+    """Return for each distribution the smallest extra that installs it, "" for required ones.
+
+    Empty if nscc is not installed but runs from its sources."""
     from importlib import metadata
 
     try:
@@ -34,27 +35,27 @@ def extras() -> dict[str, str]:
 
 
 def distribution_of(module: str) -> str:
-    """The distribution that provides a module."""
+    """Return the distribution that provides a module."""
     top = module.partition(".")[0]
     return next((name for known, name in _MODULES.items() if known.lower() == top.lower()), top)
 
 
 def module_of(distribution: str) -> str:
-    """The module that a distribution brings."""
+    """Return the module that a distribution installs."""
     names = {name: module for module, name in _MODULES.items()}
     return names.get(distribution, distribution.replace("-", "_"))
 
 
 def install_line(extra: str) -> str:
-    """The command that installs an extra."""
+    """Return the command that installs an extra."""
     return f"pip install 'nscc[{extra}]'" if extra else "pip install nscc"
 
 
 def line_for(module: str) -> str:
-    """The command that installs a module."""
+    """Return the command that installs a module."""
     return install_line(extras().get(_normal(distribution_of(module)), "all"))
 
 
 def _normal(name: str) -> str:
-    """A distribution's name in normal form, for comparison."""
+    """Return a distribution's name in normal form, for comparison."""
     return re.sub(r"[-_.]+", "-", name).lower()

@@ -1,4 +1,4 @@
-"""Programs in Python: compiled from text or a file, or loaded from words.
+"""The Python interface to programs: compile text or files, or load compiled words.
 
     import nscc
 
@@ -8,8 +8,7 @@
     p.save("hdr_2x2.icw")
     p = nscc.load("hdr_2x2.icw")
 
-Options are those of `nscc build`, with its defaults.
-"""
+Options and their defaults are those of `nscc build`."""
 
 from __future__ import annotations
 
@@ -24,11 +23,17 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
-from nscc.containers import is_compiled, with_pixels
-from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn, wrong_argument
+from nscc.containers import program_text, with_pixels
+from nscc.diagnostics.arguments import (
+    one_of,
+    path_of,
+    require_whole_number,
+    shown,
+    warn,
+    wrong_argument,
+)
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.render import render
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
 from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
@@ -36,13 +41,10 @@ from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
 from nscc.source import Source
-from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
 _DEFAULTS = Options()
-_TEXT = "<text>"
-"""The name in messages of a program without a file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,7 +58,7 @@ class ShutterProgram:
     container : Container
         The words with their launches, planes and decode table, as the runtime executes them.
     compiled : Compiled, optional
-        Everything that the compiler found out; None for a loaded program.
+        All results of the compiler; None for a loaded program.
     options : Options, optional
         The options of the compilation; None for a loaded program.
     """
@@ -68,7 +70,8 @@ class ShutterProgram:
 
     @property
     def target(self) -> Target:
-        """The chip that it is for; `dataclasses.replace(target, rows=64, cols=64)` is another."""
+        """The chip of the program; `dataclasses.replace(target, rows=64, cols=64)` gives another
+        chip."""
         return self.container.target
 
     @property
@@ -83,7 +86,7 @@ class ShutterProgram:
 
     @property
     def buckets(self) -> tuple[str, ...]:
-        """The names of the frames that one exposure gives; mostly there is one."""
+        """The names of the buckets; most programs have one."""
         return self.container.buckets
 
     @property
@@ -100,22 +103,22 @@ class ShutterProgram:
     def codes(self) -> dict[str, NDArray[np.int64]]:
         """The value of each field of the code, int64 (codes,), by the field's name.
 
-        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code.
-        """
+        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code."""
         table = self.container.table
         return {name: table.codes[:, i].copy() for i, name in enumerate(table.fields)}
 
     @property
     def code_at_pixels(self) -> NDArray[np.int32]:
-        """Index of each pixel's code, int32 (rows, cols): `codes[field][code_at_pixels]` is a map.
+        """The index of each pixel's code, int32 (rows, cols): `codes[field][code_at_pixels]` is a
+        map.
 
         Raises
         ------
         Rejected
-            NS0741 if the program has no pixel data. `with_pixels` adds it.
+            NS0741 if the program has no pixel data; `with_pixels` adds it.
         """
         codes = self._with_data.container.pixel_codes
-        assert codes is not None  # what has none is rejected
+        assert codes is not None  # programs without a schedule are rejected
         return codes
 
     def shutters(self, *, pixels: bool = False) -> NDArray[np.bool_]:
@@ -148,13 +151,13 @@ class ShutterProgram:
 
     @property
     def words(self) -> NDArray[np.uint32]:
-        """The stored instruction code words, kernel after kernel: uint32 (words, 5)."""
+        """The stored instruction words, kernel after kernel: uint32 (words, 5)."""
         stored = [word for kernel in self.container.kernels for word in kernel.words]
         return np.array(stored, np.uint32).reshape(len(stored), 5)
 
     @property
     def words_per_frame(self) -> int:
-        """How many words a frame executes."""
+        """The number of words that a frame executes."""
         return self.container.words_per_frame
 
     @cached_property
@@ -166,17 +169,12 @@ class ShutterProgram:
         Rejected
             NS0743 for a loaded program, which has no report.
         """
-        from nscc.emit.picture_report import with_pictures
-        from nscc.emit.report import report
+        from nscc.emit.products import report_of
 
         compiled, options = self._as_compiled("report")
-        assert compiled.proof is not None
-        if compiled.sending is not None:
-            from nscc.emit.sending_report import stream_report
-
-            return stream_report(compiled.sending, compiled.proof)
-        made = report(all_lowerings(compiled.program, options), compiled.proof)
-        return made if compiled.container is None else with_pictures(made, compiled.container)
+        if compiled.sending is None:
+            compiled = replace(compiled, choice=all_lowerings(compiled.program, options))
+        return report_of(compiled)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the program to a file, completely or not at all.
@@ -237,7 +235,7 @@ class ShutterProgram:
         """
         if codes is not None and fields:
             raise wrong_argument("with_pixels takes either a file or fields")
-        pixel_source = fields if codes is None else _path("with_pixels", codes)
+        pixel_source = fields if codes is None else path_of("with_pixels", codes)
         return replace(self, container=with_pixels(self.container, self.name, pixel_source))
 
     def __repr__(self) -> str:
@@ -251,31 +249,13 @@ class ShutterProgram:
     @property
     def _a_frame(self) -> str:
         if self.target.streamed:
-            return counted(self.slots, "plane of bits", "planes of bits")
+            return counted(self.slots, "bit plane")
         return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:
-        from nscc import html
-        from nscc.emit.notebook import shutter_chart
-        from nscc.emit.summary import summary_rows
-        from nscc.words.shutters import shutters_of
+        from nscc.emit.notebook import program_card
 
-        chart = html.Html()
-        if self.container.has_table and self.container.machine is None:
-            drawn = shutters_of(self.container)
-            chart = shutter_chart(drawn.rows, drawn.labels, self.slot_us, self.buckets)
-        if self.compiled is not None:
-            rows: list[tuple[str, str]] = summary_rows(self.compiled)
-        else:
-            size_row = ("words", f"{len(self.words)} stored, {self.words_per_frame} a frame")
-            if self.target.streamed:
-                size_row = (
-                    "planes",
-                    f"{self.slots} of {self.target.rows} x {self.target.cols} bits",
-                )
-            rows = [*sorted(self.container.notes.items()), size_row]
-        messages = html.plain(render(self.messages, "human")) if self.messages else html.Html()
-        return html.card(self.name, f"for {self.target.name}", chart, html.table(rows), messages)
+        return program_card(self.name, self.container, self.compiled)
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
@@ -291,7 +271,7 @@ class ShutterProgram:
 
     @cached_property
     def _with_data(self) -> ShutterProgram:
-        """The same program, its pixels' codes known; NS0741 where they are not."""
+        """The program with pixel codes; raises Rejected (NS0741) if it has none."""
         return replace(self, container=with_pixels(self.container, self.name))
 
     def _as_compiled(self, product: str) -> tuple[Compiled, Options]:
@@ -304,7 +284,7 @@ class ShutterProgram:
         return self.compiled, self.options
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
-        """What a kind of file holds, with the files that go beside it."""
+        """Return the contents of the product `kind` and of the files that belong to it, by path."""
         if kind == "icw":
             from nscc.words.file import to_bytes
 
@@ -380,13 +360,13 @@ def compile(
         level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
     )  # fmt: skip
-    return compiled(*_source(source, folder), options)
+    return compiled(*program_text(source, folder), options)
 
 
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
-    """Compile a text whose messages have its own name; raises and warns as `compile`."""
+    """Compile a text whose name is used in messages; raises and warns as `compile` does."""
     compiled = compile_source(text, folder, options)
-    assert compiled.container is not None  # what does not fit is rejected
+    assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)
     return ShutterProgram(text.name, compiled.container, compiled, options)
 
@@ -408,52 +388,10 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
     Rejected
         If the file is not a valid container.
     """
-    file = _path("nscc.load", path)
+    file = path_of("nscc.load", path)
     if file.suffix.lower() == ".nsl":
         raise wrong_argument(
             f"nscc.load reads compiled programs (.icw), but '{file}' is the text of a program",
             helps=(f"nscc.compile('{file}') compiles it",),
         )
     return ShutterProgram(file.as_posix(), read_container(file))
-
-
-def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
-    """A program's text, and the folder for its relative paths."""
-    if not isinstance(source, str | os.PathLike):
-        raise wrong_argument(
-            f"nscc.compile takes a program's path or its text, not {shown(source)}",
-            helps=("a str that ends in .nsl is a path, any other the text of a program",),
-        )
-    is_path = not isinstance(source, str) or _is_path(source)
-    if not is_path:
-        text = str(source)
-        if text.strip() and not any(map(str.isspace, text.strip())):
-            raise wrong_argument(
-                f"nscc.compile: {shown(text)} is neither a program nor the path of one",
-                notes=("a str is a path if it ends in .nsl, else the text of a program",),
-            )
-        return Source(_TEXT, text), Path() if folder is None else _path("nscc.compile", folder)
-    path = _path("nscc.compile", source)
-    if is_compiled(path):
-        raise wrong_argument(
-            f"nscc.compile takes the text of a program, but '{path}' is compiled already",
-            helps=(f"use nscc.load('{path}')",),
-        )
-    if folder is not None:
-        raise wrong_argument(
-            "nscc.compile: folder applies only to a program without a file",
-            helps=("leave it out: paths in a program file are relative to the file",),
-        )
-    return read_source(path), path.parent
-
-
-def _is_path(text: str) -> bool:
-    return "\n" not in text and text.lower().endswith((".nsl", ".icw"))
-
-
-def _path(call: str, value: object) -> Path:
-    if isinstance(value, str | os.PathLike):
-        path = os.fspath(value)
-        if isinstance(path, str):
-            return Path(path)
-    raise wrong_argument(f"{call} takes a path, not {shown(value)}")

@@ -1,4 +1,4 @@
-"""Source text and places in it."""
+"""Source texts, and places in them."""
 
 from __future__ import annotations
 
@@ -15,14 +15,13 @@ class Span:
     end: int
 
     def to(self, last: Span) -> Span:
-        """The span from the start of this one to the end of `last`."""
+        """Return the span from the start of this one to the end of `last`."""
         return Span(self.start, max(self.end, last.end))
 
 
 @dataclass(frozen=True)
 class Source:
-    """A decoded text and the name that messages show for it. `name` is the path as the user wrote
-    it."""
+    """A text, and its name in messages: the path as the user wrote it."""
 
     name: str
     text: str
@@ -34,12 +33,12 @@ class Source:
         return starts
 
     def row_column(self, offset: int) -> tuple[int, int]:
-        """Row and column of a character offset, both counted from 1."""
+        """Return the row and the column of a character offset, both counted from 1."""
         row = bisect_right(self._line_starts, offset)
         return row, offset - self._line_starts[row - 1] + 1
 
     def line(self, row: int) -> str:
-        """The text of row `row` (from 1), without its line break."""
+        """Return the text of row `row` (from 1), without its line break."""
         start = self._line_starts[row - 1]
         end = self._line_starts[row] - 1 if row < len(self._line_starts) else len(self.text)
         return self.text[start:end].rstrip("\r")

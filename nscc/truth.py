@@ -1,8 +1,7 @@
 """Truth vectors: Python integers with one bit for each shutter.
 
-Bit i belongs to shutter i of the decode table. Operations on integers of thousands of bits are
-fast, which makes exhaustive search and proof cheap.
-"""
+Bit i belongs to shutter i of the decode table. Operations on integers with thousands of bits are
+fast, so that exhaustive searches and proofs are cheap."""
 
 from __future__ import annotations
 
@@ -15,13 +14,13 @@ from numpy.typing import NDArray
 
 
 def columns(bits: NDArray[np.bool_]) -> list[int]:
-    """The truth vectors of the columns of `bits` (shutters, columns)."""
+    """Return the truth vectors of the columns of `bits` (shutters, columns)."""
     packed = np.packbits(np.ascontiguousarray(bits.T), axis=1, bitorder="little")
     return [int.from_bytes(row.tobytes(), "little") for row in packed]
 
 
 def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
-    """The inverse of `columns`: bool (count, len(vectors))."""
+    """Return the inverse of `columns`: bool (count, len(vectors))."""
     size = max(1, (count + 7) // 8)
     if not vectors:
         return np.zeros((count, 0), dtype=np.bool_)
@@ -32,7 +31,7 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
 
 
 def members(vector: int, count: int) -> NDArray[np.intp]:
-    """The numbers of the shutters, out of `count`, whose bit is set, ascending."""
+    """Return the indices of the shutters, out of `count`, whose bit is set, ascending."""
     if vector & (vector - 1) == 0:
         return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
     packed = np.frombuffer(vector.to_bytes((count + 7) // 8, "little"), dtype=np.uint8)
@@ -40,7 +39,7 @@ def members(vector: int, count: int) -> NDArray[np.intp]:
 
 
 def vector(shutters: NDArray[np.intp]) -> int:
-    """The inverse of `members`: the truth vector of these shutters."""
+    """Return the truth vector of a set of shutters, given by their indices."""
     if not len(shutters):
         return 0
     bits = np.zeros(int(shutters.max()) + 1, dtype=np.uint8)
@@ -49,12 +48,12 @@ def vector(shutters: NDArray[np.intp]) -> int:
 
 
 def union(vectors: Iterable[int]) -> int:
-    """The OR of all vectors."""
+    """Return the OR of all vectors."""
     return reduce(or_, vectors, 0)
 
 
 def set_bits(mask: int) -> tuple[int, ...]:
-    """The positions of the 1 bits, ascending."""
+    """Return the positions of the 1 bits, ascending."""
     places = []
     while mask:
         low = mask & -mask
@@ -64,5 +63,5 @@ def set_bits(mask: int) -> tuple[int, ...]:
 
 
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
-    """Truth vectors of the `width` lowest bits of each shutter's number (shutters,)."""
+    """Return truth vectors of the `width` lowest bits of each shutter's number (shutters,)."""
     return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

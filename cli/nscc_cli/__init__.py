@@ -1,5 +1,4 @@
-"""The command line: reads options, calls what the three packages below offer, prints.
+"""The command line: parses options, calls functions of the lower packages, and prints results.
 
-It imports nscc, nscc_runtime and nscc_training, each command when it is called; nobody imports it,
-except commands of other distributions, which find in `nscc_cli.support` what nscc's own share.
-"""
+It imports nscc, nscc_runtime and nscc_training, each only when a command needs it. No other
+package imports nscc_cli, except commands of other distributions, which use `nscc_cli.support`."""

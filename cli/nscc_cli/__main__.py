@@ -1,4 +1,4 @@
-"""`python -m nscc_cli` is `nscc`."""
+"""Run nscc by `python -m nscc_cli`."""
 
 from __future__ import annotations
 

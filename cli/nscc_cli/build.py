@@ -1,4 +1,4 @@
-"""`nscc build`: compile a program to a container of instruction code words."""
+"""`nscc build`: compile a program to a container of instruction words."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from nscc_cli.support import CommonCommand, say, say_done
 @click.command("build", cls=CommonCommand)
 @click.argument("file", type=PATH)
 @click.option("-o", "out", type=OUT, metavar="OUT.icw",
-              help="The container to write (default: beside FILE, without --emit).")  # fmt: skip
+              help="The container (default: FILE with .icw; with --emit, none).")  # fmt: skip
 @click.option("--emit", "kinds", type=PRODUCTS, default="", metavar="KINDS",
-              help=f"Write any of {', '.join(SUFFIXES)}, separated by commas, beside OUT or "
-              "FILE; KIND=- prints it. The container is among them where icw or -o asks "
-              "for it.")  # fmt: skip
+              help=f"Write these files next to OUT or FILE, separated by commas: "
+              f"{', '.join(SUFFIXES)}. KIND=- prints one. The container is written only "
+              "with icw or -o.")  # fmt: skip
 @click.option("--print-after", "after", type=PASS, metavar="PASS",
               help="Print the result of a compiler pass.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
-    """Compile FILE, prove the words, and write them, or what --emit names."""
+    """Compile FILE, prove the words, and write the container or the products that --emit names."""
     places_by_kind = _kinds(kinds)
     compiled = compile_program(
         file,
@@ -58,7 +58,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
             continue
         if beside:
             names = ", ".join(beside_name for beside_name, _ in beside)
-            click.echo(f"not written: {names}, without `=-` they are", err=True)
+            click.echo(f"not written: {names}; without `=-` they are written, too", err=True)
         _print(data)
     write_together(products)
     if products:
@@ -67,7 +67,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
 
 
 def _kinds(text: str) -> dict[str, bool]:
-    """KIND -> whether it goes to standard output."""
+    """Return the kinds in the value of `--emit`; True means that the product is printed."""
     places_by_kind: dict[str, bool] = {}
     for item in filter(None, (item_text.strip() for item_text in text.split(","))):
         kind, _, place = item.partition("=")
@@ -82,7 +82,7 @@ def _kinds(text: str) -> dict[str, bool]:
 
 
 def _printer(after: str | None) -> Callable[[str, Any], None] | None:
-    """An observer that prints what pass `after` made."""
+    """Return an observer of passes that prints the result of the pass named `after`."""
     if after is None:
         return None
     from nscc.pipeline import PASSES

@@ -1,4 +1,4 @@
-"""`nscc calibrate`: a sensor file from flat and dark frames."""
+"""`nscc calibrate`: write a sensor file, measured from flat and dark frames."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ _DARK = "--dark"
 
 
 class _Calibrate(CommonCommand):
-    """Takes several files after one `--dark`, up to the next option."""
+    """The command `calibrate`, whose option `--dark` accepts several files."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse after writing `--dark a b` as `--dark a --dark b`."""
+        """Parse the arguments after rewriting `--dark a b` as `--dark a --dark b`."""
         return super().parse_args(ctx, _spread(args))
 
 
@@ -29,7 +29,7 @@ def _spread(args: list[str]) -> list[str]:
     taking, first = False, False
     for arg in args:
         if arg.startswith("-") and arg != "-":
-            # A `--dark` at the very end stays, for click to complain about.
+            # A `--dark` without files stays, so that click reports it.
             if taking and first:
                 spread_args.append(_DARK)
             taking = first = arg == _DARK
@@ -61,13 +61,12 @@ def command(
     flats: tuple[str, ...], darks: tuple[str, ...], out: Path, as_json: bool, program: Path | None,
     crosstalk: float | None, target: str,
 ) -> None:  # fmt: skip
-    """Measure a sensor by photon transfer, from flat and dark frames of several exposures.
+    """Measure a sensor by photon transfer, from flat and dark frames at several exposures.
 
-    Each of FLATS and DARKS is one level: frames of the same light and exposure time, two or more.
-    It is a frame file (nscc run --repeat K), an array of codes (rows, cols) or (K, rows, cols) in
-    .npz, .npy or .mat, a picture or a folder of pictures. PATH@TIME, such as flats/3@2ms, says how
-    long its pixels were open; frame files know.
-    """
+    Each of FLATS and DARKS is one exposure level: two or more frames with the same light and
+    exposure time. A level is a frame file (nscc run --repeat K), an array of converter codes
+    (rows, cols) or (K, rows, cols) in .npz, .npy or .mat, a picture, or a folder of pictures.
+    PATH@TIME, for example flats/3@2ms, gives the exposure time; frame files contain it."""
     from nscc_runtime import calibrate
 
     chip = load_target(target, Path())

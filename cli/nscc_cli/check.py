@@ -1,4 +1,4 @@
-"""`nscc check`: parse, check, fit; writes nothing."""
+"""`nscc check`: report errors of programs and whether they fit the chip, without writing files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc_cli.programs import compile_program
 from nscc_cli.support import CommonCommand, say, say_done, session, show
 
 _MOST_ROUNDS = 20
-"""Of mending: each ends at least one mistake."""
+"""Most passes of automatic fixes over a file; each pass fixes at least one error."""
 
 
 @click.command("check", cls=CommonCommand)
@@ -27,11 +27,10 @@ _MOST_ROUNDS = 20
               help="Check again whenever a file changes, until Ctrl-C.")  # fmt: skip
 @build_options
 def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> int:
-    """Check programs: what they are, whether they fit the chip, and that their words are right.
+    """Check programs: report errors, whether they fit the chip, and whether their words are right.
 
-    Lowers at -O1, unless -O says otherwise, and proves that. Where only a search can tell whether
-    a program fits, a note says that `nscc build` decides.
-    """
+    Compiles at -O1 unless -O is given, and proves the result. If only a longer search can tell
+    whether a program fits, a note refers to `nscc build`."""
     if options["level"] is None:
         options["level"] = CHECK.level
     if watch:
@@ -41,7 +40,8 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
-    """Say what the programs are; Rejected with what is wrong with all of them."""
+    """Compile all programs and print their messages; raise Rejected with the errors of all
+    programs."""
     diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:
@@ -60,7 +60,7 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check now and after each change; the status of the last time, once the user ends it."""
+    """Check now and after each change; return the last exit status when the user stops it."""
     from nscc.editing.program_files import files_of
     from nscc_cli.watching import rounds
 
@@ -81,7 +81,7 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 
 def _shown(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check, and show what is wrong; the status that it would have ended with."""
+    """Check the programs, print the errors, and return the exit status."""
     try:
         _check(files, fix, options)
     except Rejected as rejected:
@@ -91,7 +91,7 @@ def _shown(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
-    """Apply sure fixes until none is left: one mistake may have hidden another."""
+    """Apply all safe fixes to a file repeatedly, because one error may hide another."""
     from nscc.diagnostics.mend import mended
     from nscc.files import write_back
     from nscc.syntax.reading import read_source

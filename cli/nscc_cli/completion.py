@@ -1,8 +1,7 @@
-"""What a shell offers after an option or for an argument, and how it is told.
+"""Shell completion: the values that a shell suggests for options and arguments.
 
-A kind of value says so itself, as a click type: options declare it with `type=`, and need no more.
-Names are asked for when somebody presses the key, so that commands do not wait for them.
-"""
+A click type suggests its own values, so an option only declares `type=`. The values are computed
+when the user presses the completion key, so that commands start fast."""
 
 from __future__ import annotations
 
@@ -19,11 +18,10 @@ Items = list[CompletionItem]
 
 
 class Name(click.types.StringParamType):
-    """Any text; shells offer names, and with `files` what lies in folders, too.
+    """The click type of a name.
 
-    With `several` the text is a list with commas between; each name may have one of `signs` before
-    it.
-    """
+    The shell suggests names; with `files` also files. `several` allows a list separated by commas,
+    in which each name may begin with one of the characters in `signs`."""
 
     name = "text"
 
@@ -35,7 +33,8 @@ class Name(click.types.StringParamType):
         self.files, self.several, self.signs = files, several, signs
 
     def names(self) -> Iterator[str]:
-        """All names: `more`, then those in MODULE:ATTRIBUTE, which is imported now."""
+        """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE), which is imported
+        here."""
         yield from self.more
         if self.source:
             module, _, name = self.source.partition(":")
@@ -44,25 +43,26 @@ class Name(click.types.StringParamType):
                 yield (entry if isinstance(entry, str) else entry.name) + self.ending
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """The names that begin as what was typed does."""
+        """Return the names that begin with the incomplete text."""
         head, comma, typed = incomplete.rpartition(",") if self.several else ("", "", incomplete)
         sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)
         items = [CompletionItem(before + name) for name in self.names() if name.startswith(typed)]
-        # Shells that look at files only where there is no name see this one first.
+        # Some shells complete files only if there is no name; they see this one first.
         return [*([CompletionItem(incomplete, type="file")] if self.files else []), *items]
 
 
 class RunPath(click.Path):
-    """The folder of a run; shells offer those, the names of runs that come with nscc, `more`, and
-    folders on the way to them."""
+    """The click type of a run folder.
+
+    The shell suggests run folders, shipped runs, the names in `more`, and other folders."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)
         self.more = further_names
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """Folders that `nscc train` has written, and the names that begin alike."""
+        """Return the run folders and names that begin with the incomplete text."""
         from nscc_training.run_files import shipped_runs
 
         names = [n for n in (*self.more, *shipped_runs()) if n.startswith(incomplete)]
@@ -71,7 +71,7 @@ class RunPath(click.Path):
 
 
 def _runs(typed: str) -> Iterator[str]:
-    """The run folders whose paths begin as typed."""
+    """Yield the run folders whose paths begin with the typed text."""
     from nscc_training.run_files import CONFIG
 
     folder, begin = os.path.split(typed)
@@ -101,7 +101,7 @@ RUN_OR_ANY = RunPath(("any",), path_type=str)
 
 
 class Fish(FishComplete):
-    """Click's own script for fish takes the part of a value behind a comma for something else."""
+    """Completion for fish that keeps values with commas whole; click's script splits them."""
 
     source_template = FishComplete.source_template.replace(
         'string split ","', "string split --max 1 ,"

@@ -1,4 +1,4 @@
-"""`nscc asm`, `disasm`, `diff`, `prove` and `shutters`: containers of words and their text."""
+"""`nscc asm`, `disasm`, `diff`, `prove` and `shutters`: commands for compiled programs."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def asm(file: str, output: str | None, words: bool) -> None:
 
 
 def read_text(file: str) -> Source:
-    """The text of a file, or of standard input; raises Rejected (NS0717, status 2)."""
+    """Read a file, or standard input if `file` is `-`; raise Rejected (NS0717) if that fails."""
     name = "<standard input>" if file == "-" else file
     try:
         if file == "-":
@@ -78,7 +78,7 @@ def read_text(file: str) -> Source:
 @click.option("-o", "output", type=OutPath(str), metavar="OUT",
               help="Where to write (default: standard output).")  # fmt: skip
 def disasm(file: str, output: str | None) -> None:
-    """List FILE.icw as text that `nscc asm` turns into the same file again."""
+    """Write FILE.icw as assembly text, from which `nscc asm` makes the same file again."""
     text = disassemble(read_container(Path(file)))
     if output is None or output == "-":
         click.echo(text.encode("utf-8"), nl=False)
@@ -90,7 +90,7 @@ def disasm(file: str, output: str | None) -> None:
 @click.argument("first", metavar="A.icw")
 @click.argument("second", metavar="B.icw")
 def diff(first: str, second: str) -> None:
-    """Say what differs between A.icw and B.icw: words, kernels, schedule, codes, costs."""
+    """Print the differences between A.icw and B.icw: words, kernels, schedule, codes, costs."""
     lines = differences(read_container(Path(first)), read_container(Path(second)))
     click.echo("\n".join(lines) if lines else "identical")
 
@@ -98,12 +98,11 @@ def diff(first: str, second: str) -> None:
 @click.command("prove", cls=CommonCommand)
 @click.argument("file", metavar="FILE.icw", type=PATH)
 def prove(file: Path) -> None:
-    """Replay FILE's words over all its codes and two frames of random light.
+    """Prove FILE by replaying its words for all codes and two frames of random light.
 
-    Proves that every code opens the shutter of the decode table, equation (7), and that each
-    bucket gathers the light of its open slots and nothing else, equation (3). Of a chip without
-    logic it follows the light of every pixel through the planes of bits.
-    """
+    The proof checks that every code opens the shutter in the decode table, and that each bucket
+    contains exactly the light of its open slots. For a chip that receives
+    bit planes, it follows the light of every pixel through the planes."""
     from nscc.program.problems import counted
     from nscc.prove.container_proof import prove_file
 
@@ -121,12 +120,11 @@ def prove(file: Path) -> None:
 @click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT)
 @build_options
 def shutters(file: Path, out: Path, **options: Any) -> None:
-    """Write the shutters of all pixels of FILE (.nsl or .icw) as the words open them.
+    """Write the shutters of all pixels of FILE (.nsl or .icw), as its words open them.
 
-    In an .npz `shutter` holds (buckets, rows, cols, N) packed along N in little bit order,
-    `shutter_shape` that shape, `codes_FIELD` the pixels' codes; a .npy holds them unpacked, a .mat
-    `mask` (rows, cols, N).
-    """
+    An .npz file contains `shutter`, which is (buckets, rows, cols, N) packed along N in
+    little-endian bit order, its unpacked shape `shutter_shape`, and the pixels' codes
+    `codes_FIELD`. A .npy file contains the unpacked array, a .mat file `mask` (rows, cols, N)."""
     from nscc_runtime.formats import check_ending, endings, file_of
     from nscc_runtime.formats.frame_content import shutter_content
 

@@ -1,4 +1,4 @@
-"""`nscc demo`: what a coded exposure makes of a photo or a clip, as pictures in a folder."""
+"""`nscc demo`: expose a photo or a clip, reconstruct it, and write pictures into a folder."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
 @color_option
 @click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P "
               "(default: as the run was trained).")  # fmt: skip
-@click.option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time "
-              "(default: a frame a slot).")  # fmt: skip
+@click.option("--fps", type=float, help="Frame rate of the clip (default: each slot shows the next "
+              "frame).")  # fmt: skip
 @tone_option
-@click.option("--merge", is_flag=True, help="Without the decoder: no torch is needed.")
+@click.option("--merge", is_flag=True, help="Reconstruct without the decoder, which needs torch.")
 @click.option("--readouts", type=click.IntRange(1, 4), metavar="K",
-              help="Of a clip, 1 to 4 in one exposure (default: the best number).")  # fmt: skip
+              help="Readouts of one exposure of a clip, 1 to 4 (default: 4).")  # fmt: skip
 @click.option("--seed", type=SEED, default=0, help="Seed of the frame's noise.")
 def command(
     scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
@@ -33,11 +33,11 @@ def command(
 ) -> None:  # fmt: skip
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
-    It leaves a sheet of truth, an ordinary exposure, the readout, the reconstruction and its
-    error, and the reconstruction as files that other programs open. Beside them a photo is exposed
-    by pixels that look at the light, which needs no decoder, and a clip in a burst of as many
-    ordinary frames as it has readouts. Without a PHOTO, a scene that is built in.
-    """
+    Writes a sheet with the ground truth, an ordinary exposure, the readout, the reconstruction and
+    its error, and the reconstruction as a separate file. For a photo, the sheet also shows pixels
+    that look at their light, which need no decoder. For a clip with several readouts, it also
+    shows a burst of the same number of ordinary frames. Without PHOTO, a built-in scene is
+    exposed."""
     from nscc_runtime.scenes import Scene
     from nscc_runtime.simulate import Listener
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text
@@ -49,7 +49,7 @@ def command(
     if merge:
         settings = replace(settings, learned=False)
     elif not settings.learned:
-        say_done(f"without torch the frame is merged; {line_for('torch')} brings the decoder")
+        say_done(f"without torch the frame is merged; {line_for('torch')} installs the decoder")
     folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     for name in (scene,) if scene else BUILTIN:

@@ -1,4 +1,4 @@
-"""`nscc design`: a program made for scenes: where its pixels look, or which stops they have."""
+"""`nscc design`: compute a program for given scenes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _SVE_RISK = "sve-risk"
 _MOTIONS = ("slow", "fast", "scene")
 _CLIP_SLOTS, _STILL_SLOTS = 16, 256
 _CLIP_PARTS = 16
-"""Motion is looked at in so many parts of a frame."""
+"""The number of time intervals of a frame in which motion is measured."""
 _MOST_LOOKS = 32
 _MOST_SLOTS = 4096
 
@@ -72,16 +72,15 @@ def command(
     scenes: tuple[str, ...], looks: int | None, criterion: str | None, search: bool,
     motion: Kind | None, level: int, out: Path | None, **options: Any,
 ) -> None:  # fmt: skip
-    """Write a program that is made for scenes, and say what it is expected to do.
+    """Compute a program for scenes, write it, and print its expected error.
 
-    With --looks, pixels close at the first look that finds them above a level. Moments and levels
-    are those of the least error that noise, converter, copies and comparators of the sensor let
-    expect over the light that the scenes have, without a decoder. With --criterion sve-risk, every
-    2 x 2 tile of half stops is tried for what an ideal decoder could not make good. With --search,
-    patterns of one to eight geometric stops are tried on the emulated chip. With --motion,
-    bumps of several lengths and patterns are compared by what a frame of theirs tells of moving
-    light. The program is compiled and proved before it is written.
-    """
+    --looks: each pixel closes at the first look that finds its light above a level. The times and
+    levels minimize the expected error without a decoder, from the light of the scenes and the
+    noise, converter, copies and comparators of the sensor. --criterion sve-risk: compares all 2 x
+    2 tiles of half stops by the error that an ideal decoder cannot remove. --search: tries
+    patterns of one to eight geometric stops on the emulated chip. --motion: compares bumps of
+    several lengths and patterns by the information that a frame contains about moving light. The
+    program is compiled and proved before it is written."""
     from nscc.chips.load import load_target
     from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
@@ -111,7 +110,7 @@ def command(
     if motion:
         from nscc_training.search.choose import design_motion
 
-        # What moves slow or fast needs no scene, and of one takes light and texture.
+        # `slow` and `fast` need no scene; if one is given, its light and texture are used.
         moving = _moving(scenes, target, options) if scenes or motion == "scene" else []
         design: Design = design_motion(motion, moving, frame, options["max_words"])
     elif search:
@@ -134,14 +133,15 @@ def command(
 def _scene_lights(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
-    """The light of each scene (rows, cols): electrons over the frame."""
+    """Return the light of each scene over the frame, in electrons, each with shape (rows, cols)."""
     return [laid.placement.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
 
 
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
-    """The light of each scene (parts, rows, cols): electrons in each of some parts of the frame."""
+    """Return the light of each scene in intervals of the frame, in electrons, (intervals, rows,
+    cols)."""
     slots = options["slots"]
     starts = [slots * clip_part // _CLIP_PARTS for clip_part in range(_CLIP_PARTS)]
     starts = sorted(set(starts))
@@ -154,7 +154,7 @@ def _moving(
 def _laid(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> Iterator[PlacedLight]:
-    """Each scene in the slots of the frame on the chip's array."""
+    """Yield each scene, placed on the chip's array and divided into the slots of the frame."""
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):
         scene = scene_of({**options, "scene": name}, "--scene is missing: a design needs a scene")

@@ -1,4 +1,4 @@
-"""`nscc device`: a stand-in for a chip, and what a chip at a port is, gets and gives."""
+"""`nscc device`: commands for a chip at a serial port, and a simulated device."""
 
 from __future__ import annotations
 
@@ -22,17 +22,16 @@ _MOST_FRAMES = 1_000_000
 
 
 class _Device(Subcommands):
-    """What one can do with a device."""
+    """The subcommands of `nscc device`."""
 
     unknown = "command 'device {}'"
 
 
 @click.group("device", cls=_Device)
 def command() -> None:
-    """Talk to a chip at a serial port, or stand in for one.
+    """Communicate with a chip at a serial port, or simulate one.
 
-    The port is a serial device such as /dev/ttyACM0, or what `nscc device serve` prints.
-    """
+    PORT is a serial device such as /dev/ttyACM0, or the port that `nscc device serve` prints."""
 
 
 @command.command("serve", cls=CommonCommand)
@@ -55,11 +54,10 @@ def command() -> None:
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:
-    """Stand in for a chip: prints the port to open on the first line, then serves it.
+    """Simulate a chip at a serial port, and print the port on the first line.
 
-    Runs the firmware, which a C++ compiler compiles first. Uploaded words run on the emulator, over
-    SCENE. Ends with Ctrl-C.
-    """
+    Runs the firmware, compiled by the installed C++ compiler. The emulator executes uploaded words
+    on SCENE. Press Ctrl-C to stop."""
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.faults import LineFaults, parse_faults
@@ -84,7 +82,7 @@ def serve(**options: Any) -> None:
 
 
 def _report(error: Exception) -> None:
-    """Say here why there is no frame: the host only learns that there is none."""
+    """Print why a frame failed; the protocol tells the host only that it failed."""
     if isinstance(error, Rejected):
         support.show(error.diagnostics)
     else:
@@ -97,7 +95,7 @@ def _report(error: Exception) -> None:
 @click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
 @shared.link_options
 def info(port: str, as_json: bool, baud: int, patience: float) -> None:
-    """Say what the loader at PORT is, what it has room for and what it holds."""
+    """Print the description of the loader at PORT, its memory, and the program it holds."""
     from nscc_runtime.device.description import info_json, info_text
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
@@ -117,7 +115,8 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 @shared.link_options
 @shared.build_options
 def upload(port: str, program: Path, **options: Any) -> None:
-    """Bring a program to the device at PORT; what it has of it already is not sent again."""
+    """Send a program to the device at PORT; parts that the device already holds are not sent
+    again."""
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
 
@@ -146,10 +145,9 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @shared.sensor_options
 @shared.link_options
 def capture(port: str, program: Path | None, **options: Any) -> None:
-    """Expose frames with the program that the device at PORT holds, or with FILE.
+    """Expose frames with FILE, or with the program that the device at PORT already holds.
 
-    Each file holds in `meta` when the frame was exposed and the program's SHA-256.
-    """
+    `meta` in each frame file contains the time of exposure and the program's SHA-256."""
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
     if options["out"] is not None and (options["count"] or options["every"]):
@@ -201,11 +199,10 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
               help="The chip, if it is not a built-in target.")  # fmt: skip
 @shared.link_options
 def calibrate(port: str, out: Path, **options: Any) -> None:
-    """Measure what launches, words, waits and readouts take on the device at PORT.
+    """Measure the duration of launches, words, waits and readouts on the device at PORT.
 
-    Writes the chip's target file with these times; a program built with it fits the device. The
-    device loses the program that it holds.
-    """
+    Writes the chip's target file with these durations; use it to build programs for this device.
+    The measurement overwrites the program on the device."""
     from nscc.chips.load import target_toml
     from nscc.files import write_whole
     from nscc_runtime.device.captured_frames import target_of
@@ -219,6 +216,6 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     write_whole(out, target_toml(times.of(target)).encode())
     say_done(
         f"wrote {out}: a launch {times.launch_us:g} us, an analog word "
-        f"{times.analog_word_us:g} us, a digital one {times.digital_word_us:g} us, the loop at a "
+        f"{times.analog_word_us:g} us, a digital word {times.digital_word_us:g} us, the loop at a "
         f"boundary {times.wait_us:g} us, a readout {times.readout_us:g} us"
     )

@@ -1,4 +1,4 @@
-"""`nscc effects`: what the sensor model knows, and a sensor file to start from."""
+"""`nscc effects`: describe the sensor model, and print a sensor file to start from."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ _WIDTH = 98
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
 @click.option("--cost", is_flag=True, help="Print the simulation times on this machine.")
 @click.option("--plan", type=PATH, metavar="FILE",
-              help="Print the table of a plan: of the file of `nscc run --plan`, or of a "
-              "frame.")  # fmt: skip
+              help="Print the table of a plan, from a file of `nscc run --plan` or a frame "
+              "file.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
               show_default=True,
               help="The chip whose values are the defaults.")  # fmt: skip
@@ -39,7 +39,7 @@ def command(
     name: str | None, as_json: bool, toml: bool, cost: bool, plan: Path | None, target: str,
     **options: Any,
 ) -> None:  # fmt: skip
-    """List the effects of the sensor, or show all about one (EFFECT)."""
+    """List the effects of the sensor model, or describe one (EFFECT)."""
     from nscc_runtime.effects import effects_json
     from nscc_runtime.sensor import sensor_toml
 
@@ -64,7 +64,7 @@ def command(
 
 
 def listing() -> str:
-    """One line an effect."""
+    """Return a table with one line for each effect."""
     from nscc_runtime.effects import registered
 
     return columns([(effect.name, effect.kind, effect.title) for effect in registered()]) + (
@@ -74,7 +74,7 @@ def listing() -> str:
 
 
 def costs() -> str:
-    """What simulating takes here, measured now, beside the prices that plans are chosen by."""
+    """Measure the simulation costs on this machine and return them beside those that plans use."""
     from nscc_runtime.effects import registered
     from nscc_runtime.planning.measure_prices import measure_prices
 
@@ -85,17 +85,17 @@ def costs() -> str:
     ]
     measured = {price.name for price in prices}
     rows += [
-        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")
+        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel that the effect changes")
         for e in registered() if e.cost_ns and e.name not in measured
     ]  # fmt: skip
     return columns(rows, left_aligned=(0, 3, 4)) + (
-        "\n\nof one core; plans are chosen by shipped prices, so that the same input gives the "
-        "same bytes on every machine"
+        "\n\ntimes of one core; plans use the prices in the column `shipped`, so that the same "
+        "input gives the same bytes on every machine"
     )
 
 
 def details(name: str, sensor: Sensor) -> str:
-    """Everything about one effect, with its parameters; NS0756 for one that there is not."""
+    """Describe one effect and its parameters; raise NS0756 if the effect is unknown."""
     from nscc_runtime.effects import named
 
     effect = named(name)

@@ -1,4 +1,4 @@
-"""`nscc evaluate`: scores under a protocol, and comparisons of them."""
+"""`nscc evaluate`: scores of reconstructions under a protocol, and comparisons of scores."""
 
 from __future__ import annotations
 
@@ -30,16 +30,15 @@ class _Evaluations(Subcommands):
     def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """`nscc evaluate of` such a name."""
+        """Pass an unknown name to `nscc evaluate of`."""
         return "of", self.commands["of"], args
 
 
 @click.group("evaluate", cls=_Evaluations)
 def command() -> None:
-    """Score reconstructions under a frozen protocol, whose digest stands beside every number.
+    """Score reconstructions under a fixed protocol; each result contains the protocol's digest.
 
-    `nscc evaluate NAME --data DIR --protocol P` is short for `nscc evaluate of NAME ..`.
-    """
+    `nscc evaluate NAME --data DIR --protocol P` is short for `nscc evaluate of NAME ..`."""
 
 
 _outputs = together(
@@ -57,16 +56,16 @@ _save_option = click.option("--save", type=OUT, metavar="DIR",
                    "oracle: bilinear, thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
-              show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
+              show_default=True, help="Weight of total variation, for values 0..1.")  # fmt: skip
 @_save_option
 @_outputs
 def sci8(
     clips: tuple[Path, ...], method: str, iterations: int, weight: float, **outputs: Any
 ) -> None:
-    """The benchmark of snapshot compressive imaging: eight frames from one measurement.
+    """Run the benchmark of snapshot compressive imaging: eight frames from one measurement.
 
-    The yardsticks see the truth, not the measurement, and say so in the result ("sees").
-    """
+    The result marks reference methods that use the ground truth instead of the measurement
+    ("sees")."""
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.evaluation.baselines import evaluate_sci8
 
@@ -110,17 +109,21 @@ def of(
 ) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
-    A run that has seen one of the files is refused, unless these are skipped. Baselines of hdr-v1:
-    ldr (always open), best-uniform (the single stop that is best in hindsight, in linear PSNR),
-    best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
-    by merging neighbours; sparse-coding (random, by convolutional sparse coding); any (quad, by the
-    decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
-    level, without a decoder); designed-2, designed-5 (looks and levels made for each
-    crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
-    bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
-    Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
-    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any.
-    """
+    A run that was trained on one of the files is refused; --skip-seen leaves these files out.
+
+    Baselines of hdr-v1: ldr (always open), best-uniform (the single stop with the best linear
+    PSNR, chosen with the ground truth), best-uniform-mu (the same for mu-law PSNR), quad (2 x 2
+    geometric exposures) and random, all decoded by merging neighbours; sparse-coding (random,
+    decoded by convolutional sparse coding); any (quad, with the decoder for any code); looks-2,
+    looks-5, looks-9 (pixels that close at the first look above a level, without a decoder);
+    designed-2, designed-5 (looks and levels designed for each crop).
+
+    Baselines of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the
+    reference methods bilinear and thin-out. --shutter chooses other codes for methods that accept
+    any class.
+
+    Baselines of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
+    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any."""
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
     if data is None or protocol is None:
@@ -147,12 +150,11 @@ def of(
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of noise.")
 @_outputs
 def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
-    """The rows of hdr-v1 whose pixels look, under all conditions, as a table in Markdown.
+    """Score the methods of hdr-v1 whose pixels look, under all conditions, as a Markdown table.
 
-    looks-2, looks-5, looks-9 and rows that are designed for each crop: with the protocol's noise,
-    at 10 and 50 % of saturated pixels, with all effects of the sensor, and with comparators of 1, 2
-    and 4 % of noise and offset.
-    """
+    The methods are looks-2, looks-5, looks-9 and the designs for each crop. The conditions are the
+    protocol's noise, 10 and 50 % of saturated pixels, all effects of the sensor, and comparators
+    with 1, 2 and 4 % of noise and offset."""
     from nscc_training.sweep.looks_table import looks_table
 
     rows, text = looks_table(data, results, seed, progress)
@@ -167,11 +169,9 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
               help="Another page than the paper's tables, with the same placeholders.")  # fmt: skip
 @_outputs
 def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
-    """The paper's Tables 2, 3 and 4 in Markdown: its rows and ours, what was measured here beside
-    them.
+    """Print Tables 2, 3 and 4 of the paper in Markdown, with our measurements beside them.
 
-    Runs and baselines are evaluated by `nscc sweep`. Rows that were not run say so.
-    """
+    `nscc sweep` evaluates the runs and baselines. Rows without a result are marked."""
     from nscc_training.evaluation.pages import page_of
 
     try:
@@ -194,12 +194,11 @@ def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
 @click.option("-o", "out", type=OUT, required=True, metavar="DIR",
               help="The folder for the pictures.")  # fmt: skip
 def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
-    """The pictures of the paper's Figs. 3, 5, 6, 7 and 8, from the runs that come with nscc.
+    """Draw Figs. 3, 5, 6, 7 and 8 of the paper, from the runs that come with nscc.
 
-    A coded frame and what is decoded of it, several frames from one, the shutters as mosaics, a
-    still at low and at high exposure, and by several tone curves; beside the truth and pixels that
-    are always open.
-    """
+    The figures show coded frames and their reconstructions, several frames decoded from one,
+    shutters as mosaics, a still at low and at high exposure, and several tone curves. Each is
+    shown beside the ground truth and an exposure with pixels that are always open."""
     from nscc_training.evaluation.figures import figures as drawn
 
     drawings = drawn(data, effects, seed)
@@ -216,10 +215,10 @@ def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
               help="The metric to compare; hdr-v1 also has mu_psnr_db.")  # fmt: skip
 @_outputs
 def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
-    """How much better B is than A, in pairs: the same items of the same scenes.
+    """Print by how much B is better than A, in pairs: the same items of the same scenes.
 
-    More pairs are more seeds of the same two: the interval is over scenes, with all seeds.
-    """
+    Further pairs are other seeds of the same two methods. The confidence interval is over scenes,
+    with all seeds together."""
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
     from nscc_training.evaluation.result_text import comparison_text
@@ -234,7 +233,7 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 def _of_scenes(
     evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
 ) -> None:
-    """Write and print what was scored."""
+    """Print and write the scores of scenes."""
     from nscc_training.evaluation.result_text import arrays_in, result_text
 
     products = {} if save is None else arrays_in(save, arrays)
@@ -244,7 +243,7 @@ def _of_scenes(
 def _finish(
     result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
-    """Write and print a result."""
+    """Print and write a result."""
     from nscc_training.evaluation.result_text import result_json
 
     text = result_json(result)

@@ -1,4 +1,4 @@
-"""Exceptions that no command meant to raise: trouble with files or memory, and faults of nscc."""
+"""Messages for unexpected exceptions: failing files, missing memory, and faults of nscc."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ FAILED = 3
 FAULT = 70
 
 _MOST_BYTES = 4 << 20
-"""Inputs above this size are named in a reproducer, not copied into it."""
+"""Largest size in bytes of an input file that is copied into a reproducer; larger files are only
+named."""
 
 
 def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
-    """The diagnostic and exit status of an exception that no command expects.
+    """Return the diagnostic and exit status for an exception that no command expects.
 
-    NS0784 (status 2) where a file or stream fails, NS0902 (3) where memory runs out, NS0903 (1)
-    where the input is nested too deeply, NS0904 (2) where a package is missing, else NS0901 (70)
-    with a reproducer.
-    """
+    NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
+    input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70) with a
+    reproducer."""
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
         return _out_of_memory(error, arguments), FAILED
     if isinstance(error, RecursionError):
@@ -74,7 +74,7 @@ _LESS = {
         ("reconstruct", "evaluate"), "use a run with a smaller decoder, or fewer files at once"
     ),
 }
-"""What takes less memory, by command."""
+"""A help for each command on how to reduce its memory use."""
 
 
 def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
@@ -93,7 +93,7 @@ def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
 
 
 def _of_nscc(filename: object) -> bool:
-    """A file of nscc's own that fails is a broken installation, not the user's file."""
+    """Return whether the file belongs to nscc, so that its failure means a broken installation."""
     root = os.path.realpath(Path(__file__).parents[1]) + os.sep
     return isinstance(filename, str) and os.path.realpath(filename).startswith(root)
 
@@ -111,7 +111,7 @@ def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
 
 
 def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:
-    """Save a reproducer with a traceback; return the notes and the help that say where it is."""
+    """Save a reproducer with a traceback; return the notes and the help that name its file."""
     saved = _save(_packed(trace, arguments))
     if saved is None:
         none = "the reproducer could not be saved in the current or the temporary folder"
@@ -123,7 +123,7 @@ def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ..
 
 
 def _save(data: bytes) -> str | None:
-    """Writes the reproducer into the current or the temporary folder; where, None where neither."""
+    """Save the reproducer in the current or temporary folder; return its path, None on failure."""
     import tempfile
 
     from nscc.files import write_whole
@@ -139,7 +139,7 @@ def _save(data: bytes) -> str | None:
 
 
 def _packed(trace: str, arguments: Sequence[str]) -> bytes:
-    """Command line, versions, traceback and input files, as a zip."""
+    """Return a zip with the command line, versions, traceback and input files."""
     versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
     members = {
         "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
@@ -156,7 +156,7 @@ def _packed(trace: str, arguments: Sequence[str]) -> bytes:
 
 
 def _inputs(arguments: Sequence[str]) -> list[Path]:
-    """The files that the command line names, and those that programs among them read."""
+    """Return the files that the command line names, and the files that its programs read."""
     named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
     input_files = list(named)
     for program in named:

@@ -1,4 +1,4 @@
-"""`nscc fmt`: programs in the one style of the language."""
+"""`nscc fmt`: format programs in the standard style."""
 
 from __future__ import annotations
 
@@ -25,11 +25,10 @@ _STANDARD_INPUT = Path("-")
 )
 @click.option("--diff", is_flag=True, help="Write nothing; print the changes.")
 def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
-    """Write programs in the one style of the language; `-` is standard input, to standard output.
+    """Format programs in the standard style; `-` formats standard input and prints the result.
 
-    Statements, comments and groups of lines stay as they are; blanks and line ends change. A file
-    with an error is left alone.
-    """
+    Only blanks and line breaks change; statements, comments and groups of lines stay. A file with
+    an error is not changed."""
     diagnostics: list[Diagnostic] = []
     status = changed = 0
     for path in files:

@@ -1,4 +1,4 @@
-"""What commands that expose frames share: scene and sensor, what to keep, where files go."""
+"""Shared code of commands that expose frames: scene, sensor, arrays to keep, and output files."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 def scene_of(
     options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
-    """Return the scene of a command's options; raises NS0744 with the message `missing` without
-    --scene.
-    """
+    """Return the scene that the options describe.
+
+    Raises NS0744 with the message `missing` if `--scene` is missing."""
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:
@@ -45,7 +45,7 @@ def scene_of(
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:
-    """NS0780 where the scene is a program: then the two were likely given the wrong way round."""
+    """Raise NS0780 if the scene is a program file: program and scene are probably swapped."""
     if scene is None or not scene.lower().endswith((".nsl", ".icw")):
         return
     if program.suffix.lower() in (".nsl", ".icw"):
@@ -60,7 +60,7 @@ def refuse_swapped(program: Path, scene: str | None) -> None:
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
-    """The sensor that a command's options describe, on this chip."""
+    """Return the sensor of the chip, with the changes in a command's options."""
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, options["sensor"], options["sensor_set"])
@@ -69,9 +69,9 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
 def run_capture_of(
     like: Path | None, options: dict[str, Any], program: Path | None = None
 ) -> RunCapture | None:
-    """How the frames of run `like` are made; what `options` leave open is set as it is there.
+    """Return how the run `like` exposes frames, and set missing `options` from it.
 
-    The chip not, where `program` is words: they are for one already.
+    The chip in `options` is not set if `program` is compiled, because its words are for one chip.
     """
     if like is None:
         return None
@@ -92,7 +92,7 @@ def run_capture_of(
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
-    """The names in `--keep`; NS0739 for one that there is not."""
+    """Return the names in `--keep`; raise NS0739 for an unknown name."""
     from nscc_runtime.frame_file import KEEP
 
     names = tuple(name.strip() for name in text.split(",") if name.strip())
@@ -109,10 +109,10 @@ def parse_keep(text: str) -> tuple[str, ...]:
 
 
 def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
-    """Where the frame goes. Not NAME.npz: that may well be the program's own data.
+    """Return the path of the frame file, by default PROGRAM.frame.npz.
 
-    NS0745 where two products would be one file, NS0786 for a name that no format ends in.
-    """
+    PROGRAM.npz is avoided because it may contain the program's data. Raises NS0745 if two products
+    have the same path, and NS0786 for an unknown file format."""
     from nscc_runtime.formats import check_ending, endings
 
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
@@ -130,8 +130,10 @@ def write_frame(
     light: Light | None, frame: Frame, meta: Mapping[str, Any], title: str, timings: Timings,
     response: Callable[[], Response], plan: str | None = None,
 ) -> list[Path]:  # fmt: skip
-    """Write the frame file, and the picture, plan and timings that were asked for; where frame,
-    picture and plan are. `response` gives that of the frame, for the picture."""
+    """Write the frame file and the requested picture, plan and timings.
+
+    `response` computes the sensor response of the frame, for the picture. Returns the paths of
+    frame, picture and plan."""
     from nscc.prove.shutters import replayed
     from nscc.words.legality import refuse_pictures
     from nscc_runtime.decode_table import with_table
@@ -163,7 +165,7 @@ def _picture(
     container: Container, frame: Frame, response: Callable[[], Response], content: Content,
     title: str,
 ) -> Product:  # fmt: skip
-    """The picture of `--png`: of the first frame, where there are several."""
+    """Return the picture for `--png`; of several frames the first is drawn."""
     from nscc_runtime.formats.content_sheet import content_sheet
     from nscc_runtime.merge import readouts
     from nscc_runtime.pictures.frame_sheet import frame_sheet
@@ -180,9 +182,10 @@ def _picture(
 def summary(
     container: Container, frame: Frame, files: Sequence[Path], *, alike: bool, colours: bool = False
 ) -> str:
-    """A line a bucket, of the first frame, and a line a file; `alike`: no two frames differ;
-    `colours`: they are red, green and blue."""
-    from nscc_runtime.frame_file import frame_lines
+    """Describe each bucket of the first frame and each file, one line each.
+
+    `alike` means that all frames are identical, `colours` that they are red, green and blue."""
+    from nscc_runtime.run_messages import frame_lines
 
     lines = frame_lines(container, frame)
     if frame.frame.ndim == 4:
@@ -190,6 +193,6 @@ def summary(
             "all identical, because no effects are simulated" if alike else "the first is described"
         )
         if colours:
-            frames_text = "of red, green and blue light; that of red is described"
+            frames_text = "of red, green and blue light; the red one is described"
         lines.append(f"{len(frame.frame)} frames, {frames_text}")
     return "\n".join([*lines, *(f"wrote {path}" for path in files)])

@@ -16,18 +16,17 @@ from nscc_cli.table import COMMANDS, MODULES
 
 
 class LazyGroup(click.Group):
-    """Finds commands in the table, then among what other distributions add.
+    """The group of all commands: nscc's table, then the commands that other distributions add.
 
-    An unknown one is rejected (NS0781). Whoever names one of nscc's own does not wait for a look at
-    the others.
-    """
+    Other distributions are searched only if the name is not in the table. An unknown name is
+    rejected (NS0781)."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """The names of all commands, as `--help` and completion show them: nscc's own first."""
+        """Return the names of all commands, nscc's own first."""
         return [*COMMANDS, *self._usable_added()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """The command of that name, imported now; None if there is none."""
+        """Import and return the command with this name, or None if it is unknown."""
         if cmd_name not in COMMANDS:
             return added_by_packages().get(cmd_name)
         name = MODULES.get(cmd_name)
@@ -38,20 +37,20 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command named first in `args`, and what follows it."""
+        """Return the command named by the first argument, and the arguments after it."""
         name = args[0]
         if name.startswith("-"):
             raise click.NoSuchOption(name, ctx=ctx)
         command = self.get_command(ctx, name)
         if command is None:
             raise Rejected(_unknown(name, self.list_commands(ctx)), status=2)
-        if not gc.isenabled():  # `main` turned it off for the imports
+        if not gc.isenabled():  # `main` turned the collector off during the imports
             gc.freeze()
             gc.enable()
         return name, command, args[1:]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List the commands from the table, importing none, and those that others add."""
+        """List nscc's commands without importing them, then those that other distributions add."""
         with formatter.section("Commands"):
             formatter.write_dl([*COMMANDS.items()])
         rows = [
@@ -62,7 +61,7 @@ class LazyGroup(click.Group):
                 formatter.write_dl(rows)
 
     def _usable_added(self) -> dict[str, click.Command]:
-        """The same as `others`; one that cannot be used is named, and does not hide the rest."""
+        """Return the added commands; if one is unusable, print its message and return none."""
         try:
             return added_by_packages()
         except Rejected as rejected:
@@ -71,10 +70,10 @@ class LazyGroup(click.Group):
 
 
 def added_by_packages() -> dict[str, click.Command]:
-    """The commands that other distributions add, by name.
+    """Return the commands that other distributions add, by name.
 
-    Raises Rejected (NS0905) for what is no click command or has the name of one of nscc's own.
-    """
+    Raises Rejected (NS0905) for an object that is not a click command, or has the name of an nscc
+    command."""
     added_commands = added("nscc.commands", COMMANDS)
     for name, command in added_commands.items():
         if not isinstance(command, click.Command):

@@ -1,4 +1,4 @@
-"""`nscc explain`, `examples`, `new` and `doctor`: what helps to begin and to go on."""
+"""`nscc explain`, `examples`, `new` and `doctor`: help for beginners and for problems."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def explain(code: str | None) -> None:
 @click.option("-o", "folder", type=OUT, metavar="DIR", default=Path(),
               help="The folder for the copies (default: this folder).")  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path) -> None:
-    """List the programs that come with nscc, or copy those that are named."""
+    """List the programs that come with nscc, or copy the named ones."""
     from nscc.examples import about, contents, example, examples
     from nscc.files import write_new
 
@@ -44,7 +44,7 @@ def examples(names: tuple[str, ...], folder: Path) -> None:
 @click.command("new", cls=CommonCommand)
 @click.argument("name", type=OUT, metavar="NAME")
 def new(name: Path) -> None:
-    """Write NAME.nsl: a program with a remark on every statement, which checks and runs."""
+    """Write NAME.nsl, a program that runs and has a comment on every statement."""
     from nscc.examples import START
     from nscc.files import write_new
 
@@ -59,8 +59,7 @@ def new(name: Path) -> None:
 def doctor() -> int:
     """Report versions, extras, the cache, compiled loops and serial ports.
 
-    Exits with status 3 if something that nscc needs is missing or broken.
-    """
+    Exits with status 3 if something that nscc needs is missing or broken."""
     from nscc import installation
     from nscc_runtime import installation as runtime
 

@@ -1,4 +1,4 @@
-"""`nscc import-mask`: a program of the shutters in a mask from elsewhere."""
+"""`nscc import-mask`: write a program for the shutters in a mask file."""
 
 from __future__ import annotations
 
@@ -20,12 +20,11 @@ from nscc_cli.support import CommonCommand, NumberRange, say_done
 @click.option("--target", type=TARGET, default="scamp5", show_default=True,
               metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
 def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
-    """Write a program whose shutters are those of MASK, and its codes beside it.
+    """Write a program with the shutters of MASK, and a file with its codes.
 
-    MASK holds `mask` (rows, cols, slots) or (slots, rows, cols), of 0 and 1: the whole array, or a
-    tile that repeats over it. Of the classes that hold the mask the program has the one of the
-    fewest words; why it has no other is printed.
-    """
+    MASK contains `mask` (rows, cols, slots) or (slots, rows, cols) of 0 and 1: the whole array, or
+    a tile that repeats over the array. Of the shutter classes that represent the mask, the class
+    with the fewest words is chosen; the reasons against the other classes are printed."""
     from nscc_training.imported_masks import import_mask
 
     if out.suffix.lower() != ".nsl":

@@ -1,8 +1,7 @@
-"""The Language Server Protocol on pygls: editors' requests to `nscc.editing`, and its answers back.
+"""The Language Server Protocol on pygls: passes editors' requests to `nscc.editing`.
 
-Texts come whole with every change. All work on them is done by one thread, in the order asked, so
-that the server hears what is typed meanwhile; a text that a newer one has replaced is not checked.
-"""
+Each change sends the whole text. One thread handles all requests in order, so that the server
+keeps receiving changes meanwhile. A text is not checked if a newer version has replaced it."""
 
 from __future__ import annotations
 
@@ -38,12 +37,12 @@ Answer = TypeVar("Answer")
 AnyText = TypeVar("AnyText", bound=Text)
 
 _REQUEST_FAILED = -32803
-"""LSPErrorCodes.RequestFailed: what was asked cannot be done, and nobody is at fault."""
+"""LSPErrorCodes.RequestFailed: a valid request that cannot be carried out."""
 _FIX_ALL = types.CodeActionKind("source.fixAll")
 
 
 class Server(LanguageServer):
-    """The open texts, by their URIs, and the thread that works on them."""
+    """The open texts by URI, and the thread that handles requests about them."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -54,7 +53,7 @@ class Server(LanguageServer):
         self.worker = ThreadPoolExecutor(1)
 
     def take(self, uri: str, text: str, version: int) -> None:
-        """Has this text from now on, and will say what is wrong with it."""
+        """Store a new version of a text and start checking it."""
         self.versions[uri] = version
         path = Path(uris.to_fs_path(uri) or uri.rpartition(":")[2])
         kind = Listing if path.suffix.lower() == ".asm" else Document
@@ -62,7 +61,8 @@ class Server(LanguageServer):
         self.check(uri)
 
     def check(self, uri: str) -> None:
-        """Will say what is wrong with a text, unless a newer one comes first."""
+        """Check a text in the working thread and publish its diagnostics, unless a newer version
+        arrives."""
         document, version = self.documents[uri], self.versions[uri]
 
         def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
@@ -85,18 +85,18 @@ class Server(LanguageServer):
     async def ask(
         self, uri: str, question: Callable[[Document, Positions], Answer]
     ) -> Answer | None:
-        """What the working thread answers about a program as it is now; None if none is open."""
+        """Return the working thread's answer about an open program, or None if it is not open."""
         document = self.documents.get(uri)
         return await self.work(document, question) if isinstance(document, Document) else None
 
     async def work(self, text: AnyText, question: Callable[[AnyText, Positions], Answer]) -> Answer:
-        """What the working thread answers about a text."""
+        """Return the working thread's answer about a text."""
         loop = asyncio.get_running_loop()
         return await loop.run_in_executor(self.worker, lambda: question(text, Positions(text.text)))
 
 
 def _checked(document: Text) -> tuple[Diagnostic, ...]:
-    """What `nscc check` says; that nscc failed, where it does, with no end to the server."""
+    """Return the diagnostics of `nscc check`; a failure of nscc becomes a diagnostic as well."""
     try:
         return document.checked.diagnostics
     except Exception as error:
@@ -110,7 +110,7 @@ def _checked(document: Text) -> tuple[Diagnostic, ...]:
 
 
 def make_server() -> Server:
-    """A server that has heard of no text yet."""
+    """Return a server without open texts."""
     logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
     server = Server()
     for add in (_texts, _answers, _changes):
@@ -119,12 +119,13 @@ def make_server() -> Server:
 
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
-    """That a request was refused is the editor's to show; in the log it would be a traceback."""
+    """Return False for log records of refused requests, which the editor shows itself, else
+    True."""
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 
 def _texts(server: Server) -> None:
-    """Texts that are opened, changed, closed; files beside them that change."""
+    """Register handlers for opened, changed and closed texts, and for changed files beside them."""
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def did_open(params: types.DidOpenTextDocumentParams) -> None:
@@ -151,7 +152,7 @@ def _texts(server: Server) -> None:
 
 
 def _answers(server: Server) -> None:
-    """What is asked about a text."""
+    """Register handlers for questions about a text, such as hover and completion."""
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     async def hovered(params: types.HoverParams) -> types.Hover | None:
@@ -228,7 +229,7 @@ def _answers(server: Server) -> None:
 
 
 def _changes(server: Server) -> None:
-    """What changes a text."""
+    """Register handlers that change a text, such as fixes and renaming."""
 
     @server.feature(
         types.TEXT_DOCUMENT_CODE_ACTION,
@@ -254,7 +255,7 @@ def _changes(server: Server) -> None:
         def styled(document: Document, positions: Positions) -> list[types.TextEdit]:
             try:
                 text = format_source(document.source)
-            except Rejected:  # what is wrong is shown already
+            except Rejected:  # the error is shown already
                 return []
             whole_range = positions.range(_document_span(document))
             return [] if text == document.text else [types.TextEdit(whole_range, text)]
@@ -280,7 +281,7 @@ def _changes(server: Server) -> None:
 
 
 def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
-    """Whether a kind of action is one of `kinds`: `source` stands for `source.fixAll`."""
+    """Return whether `kind` is one of `kinds` or a subkind, as `source.fixAll` is of `source`."""
     return kind is not None and any(
         (kind + ".").startswith(known_kind + ".") for known_kind in kinds
     )

@@ -14,14 +14,13 @@ from nscc_cli.support import CommonCommand, say_done
 @click.option("--stdio", is_flag=True,
               help="Use standard input and output, the only supported transport.")  # fmt: skip
 def command(stdio: bool) -> None:
-    """Serve editors, over standard input and output, as the Language Server Protocol has it.
+    """Serve editors over standard input and output, by the Language Server Protocol.
 
-    Messages as one types, their fixes, what names and slots mean and cost, completion, the outline,
-    other names, the one style. `docs/editors.md` says how editors come to start it.
-    """
+    Offers messages while typing, fixes, hover texts with the cost of slots, completion, outline,
+    renaming and formatting. `docs/editors.md` explains how to set up editors."""
     from nscc_cli.language_server import make_server
 
     if sys.stdin.isatty():
         say_done("waiting for an editor on standard input: Ctrl-C ends it")
-    with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes what it is given
+    with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes these streams
         make_server().start_io(stdout=out)

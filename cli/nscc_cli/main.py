@@ -1,8 +1,7 @@
-"""The front door: runs a command and turns whatever happens into an exit status.
+"""The entry point: runs a command and turns its outcome into an exit status.
 
-0 done; 1 the program is rejected; 2 wrong usage or configuration; 3 device or emulator
-failure; 70 a fault of nscc itself; 130 interrupted.
-"""
+0 success; 1 program rejected; 2 wrong usage or configuration; 3 device or emulator failed; 70
+fault of nscc; 130 interrupted."""
 
 from __future__ import annotations
 
@@ -30,10 +29,10 @@ INTERRUPTED = 130
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run `nscc` with these arguments (default: the process's) and return the exit status."""
+    """Run `nscc` with these arguments (by default those of the process); return the exit status."""
     if argv is None:
-        # What imports make stays: looking through it for garbage takes a tenth of `check`. The
-        # group turns the collector on again when the command's module is there.
+        # Imported objects are permanent: searching them for garbage takes a tenth of `check`. The
+        # group turns the collector on again when the command's module is imported.
         gc.disable()
         _write_names_in_utf8()
     arguments = list(sys.argv[1:] if argv is None else argv)
@@ -47,14 +46,14 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader of our output has seen enough (`nscc disasm x.icw | head`): no fault, and
-        # no second complaint when the interpreter flushes what is left.
+        # The reader has closed our output (`nscc disasm x.icw | head`). This is not an error, and
+        # the interpreter must not report it again when it flushes the remaining output.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return DONE
 
 
 def _write_names_in_utf8() -> None:
-    """Have names of files come out as they are in a locale of ASCII (POSIX), byte by byte."""
+    """Make the standard streams write file names byte by byte in an ASCII locale (POSIX)."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper) and stream.encoding.lower() in ("ascii", "us-ascii"):
             stream.reconfigure(encoding="utf-8", errors="surrogateescape")
@@ -62,11 +61,10 @@ def _write_names_in_utf8() -> None:
 
 @contextmanager
 def _interrupts() -> Iterator[list[int]]:
-    """The interrupts that have come meanwhile; each raises KeyboardInterrupt, as ever.
+    """Yield a list that collects interrupts (SIGINT); each still raises KeyboardInterrupt.
 
-    C code may discard that: torch does while it imports numpy, and fails later, without it. A
-    handler that somebody else has set stays, and threads that are not the main one have none.
-    """
+    C code may discard the exception, as torch does while it imports numpy, and fail later. Outside
+    the main thread, or if another handler is set, nothing is changed and the list stays empty."""
     came: list[int] = []
 
     def remember(number: int, frame: FrameType | None) -> None:
@@ -85,8 +83,10 @@ def _interrupts() -> Iterator[list[int]]:
 
 
 def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
-    """Run the command and show what it says; KeyboardInterrupt where one of `interrupts` came and
-    the command ended in another exception."""
+    """Run the command, print its messages, and return the exit status.
+
+    Raises KeyboardInterrupt if `interrupts` is not empty and the command failed with another
+    exception."""
     import click
 
     from nscc.diagnostics.diagnostic import Rejected
@@ -125,7 +125,7 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
 
 
 def _invoke(arguments: list[str], session: Session) -> int:
-    """Run the command; it may return its exit status, or nothing for 0."""
+    """Run the command and return its exit status; a command that returns None has status 0."""
     import click
 
     from nscc_cli.group import group
@@ -143,7 +143,7 @@ def _invoke(arguments: list[str], session: Session) -> int:
 
 
 def _preset_format(arguments: list[str], session: Session) -> None:
-    """Learn `--message-format` before parsing: wrong usage is reported in that format, too."""
+    """Set the session's message format before parsing, so that usage errors have it, too."""
     from nscc_cli.support import FORMATS
 
     for position, argument in enumerate(arguments):

@@ -1,4 +1,4 @@
-"""`nscc metrics`: how far a reconstruction is from the truth, nothing else."""
+"""`nscc metrics`: measure the difference between a reconstruction and the ground truth."""
 
 from __future__ import annotations
 
@@ -30,9 +30,8 @@ from nscc_cli.support import CommonCommand, NumberRange
 def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
 
-    PSNR, SSIM, mu-law PSNR (5000), PU21-PSNR and, of clips, the temporal error. Values are taken
-    as they are stored; mu-law and PU21 clip them to 0..R.
-    """
+    Prints PSNR, SSIM, mu-law PSNR (mu = 5000), PU21-PSNR and, for clips, the temporal error.
+    Values are compared as stored; mu-law and PU21 clip them to 0..R."""
     from nscc_training.measures import measure_files, measures_text
 
     scores = measure_files(**pair)

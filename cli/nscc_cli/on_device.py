@@ -1,4 +1,4 @@
-"""`nscc run FILE --on PORT`: the frame of a chip, in the emulator's frame file."""
+"""`nscc run FILE --on PORT`: write the frame of a chip in the emulator's file format."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
-    """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
+    """Expose a frame on the device at `options["place"]` and write the emulator's files."""
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip
@@ -61,7 +61,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
-    """NS0770 for options that mean nothing to a device, as far as the user gave them."""
+    """Raise NS0770 if the user gave options that have no meaning for a device."""
     context = click.get_current_context()
     meaningless = [*_SIMULATION, *(() if scene else _SCENE)]
     named = {parameter.name: parameter.opts[-1] for parameter in context.command.params}

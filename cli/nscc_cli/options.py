@@ -1,4 +1,4 @@
-"""The options that several commands have, each declared once."""
+"""Options that several commands share."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ OUT = OutPath()
 LEVEL = IntRange(0, 3)
 SEED = IntRange(0, 2**63 - 1)
 COUNT = IntRange(1, 1000)
-"""How many scenes, or how often something is timed."""
+"""A number of scenes or of repeated measurements."""
 
 DEFAULT_BAUD = 3_000_000
 DEFAULT_PATIENCE_S = 10.0
 
 
 def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
-    """Several options as one decorator; `--help` lists them in this order."""
+    """Combine several options into one decorator; `--help` lists them in this order."""
 
     def add(function: Command) -> Command:
         for decorator in reversed(options):
@@ -37,7 +37,7 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
 
 
 def section(title: str, *options: Callable[[Any], Any]) -> Callable[[Command], Command]:
-    """Several options as one decorator; `--help` lists them under this title."""
+    """Combine several options into one decorator; `--help` lists them under this title."""
 
     def add(function: Command) -> Command:
         known = list(getattr(function, "__click_params__", ()))
@@ -51,13 +51,13 @@ def section(title: str, *options: Callable[[Any], Any]) -> Callable[[Command], C
 
 
 SCENE, EFFECTS, COMPILE, DEVICE, OUTPUT = "Scene", "Sensor effects", "Compile", "Device", "Output"
-"""Titles of sections, in the order in which commands list them."""
+"""Titles of the option sections, in the order in which commands list them."""
 
 
 def chosen_names(
     names: Sequence[str],
 ) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
-    """Reads an option's value: some of the names, separated by commas; in the order given here."""
+    """Return a callback that parses a comma-separated choice of `names`, in their order."""
 
     def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
         chosen_set = {item.strip() for item in value.split(",")}
@@ -71,7 +71,7 @@ def chosen_names(
 def some_option(
     name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
 ) -> Callable[..., Any]:
-    """An option that takes some of the names, by default all."""
+    """Return an option that takes a comma-separated choice of `names`, by default all."""
     return option(
         name, callback=chosen_names(names), metavar=metavar, default=default or ",".join(names),
         show_default=True, help=text,
@@ -98,7 +98,7 @@ build_options = section(
     option("--max-words-per-slot", metavar="W", type=IntRange(min=1),
            help="Reject programs that execute more words than this in any slot."),
 )  # fmt: skip
-"""How a program is compiled; `nscc_cli.programs` takes them."""
+"""Options that control the compiler; `nscc_cli.programs` reads them."""
 
 link_options = section(
     DEVICE,
@@ -108,7 +108,7 @@ link_options = section(
            show_default=True,
               help="Seconds without an answer after which a device counts as lost."),
 )  # fmt: skip
-"""Of what opens a port."""
+"""Options of commands that open a serial port."""
 
 scene_options = section(
     SCENE,
@@ -121,18 +121,18 @@ scene_options = section(
     option("--bracket", is_flag=True,
            help="Merge photos with several exposures, a folder or 'DIR/*.jpg', to one still."),
     option("--times", metavar="S,S..",
-              help="Their exposure times in seconds (default: from their EXIF data)."),
+              help="With --bracket: the exposure times in seconds (default: from EXIF data)."),
     option("--fps", type=float, help="The frame rate of the clip, in the time of the slots."),
     option("--crop", metavar="R,C", help="Top left corner of the array in the scene."),
     option("--frames-are", type=Choice(["integrals", "samples"]), default="integrals",
            help="Whether a clip's frames contain the light of their whole time, or of one "
                "instant."),
 )  # fmt: skip
-"""Of what lays a scene on the array."""
+"""Options that place a scene on the array."""
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
-    """A curve's name, refused here where nothing is drawn by it, too."""
+    """Check the name of a tone curve, even if nothing is drawn with it."""
     if name is not None:
         from nscc_runtime.pictures.tone import check_tone
 
@@ -147,7 +147,7 @@ tone_option = section(OUTPUT, option(
 
 
 def fit_option(default: str) -> Callable[..., Any]:
-    """What becomes of pictures that do not have the array's size."""
+    """Return the option `--fit`: how to place pictures of another size than the array."""
     return section(SCENE, option(
         "--fit", type=Choice(["crop", "scale", "tiles"]), default=default, show_default=True,
         help="For a picture of another size than the array: expose its middle, all of it "
@@ -160,7 +160,7 @@ first_option = section(SCENE, option(
     help="The first frame of the clip, counted from 0.",
 ))  # fmt: skip
 still_option = section(SCENE, option(
-    "--still", "single", is_flag=True, help="Use that frame of a clip as a still."
+    "--still", "single", is_flag=True, help="Use this frame of a clip as a still."
 ))  # fmt: skip
 color_option = section(SCENE, option(
     "--color", is_flag=True, help="Expose red, green and blue, one after the other."
@@ -188,20 +188,20 @@ tradeoff_options = section(
     option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."),
     csv_options,
 )
-"""Where a tradeoff's products go."""
+"""Options for the output files of a tradeoff."""
 
 
 def repeats_option(default: int) -> Callable[..., Any]:
-    """How often everything is timed."""
+    """Return the option `--repeats`: how often each measurement is repeated."""
     return option("--repeats", type=COUNT, default=default, show_default=True,
-                  help="How often everything is timed, in turn: the median is used.")  # fmt: skip
+                  help="How often each setting is timed; the median is used.")  # fmt: skip
 
 
 trust_code_option = option(
     "--trust-code", is_flag=True,
     help="Allow the run to execute its custom Python code (module:name).",
 )  # fmt: skip
-"""Of what loads a run folder."""
+"""The option of commands that load a run folder."""
 
 made_scenes_option = option(
     "--data", type=PATH, metavar="DIR",

@@ -1,5 +1,6 @@
-"""Places of a text as the Language Server Protocol counts them: lines from 0, and columns in units
-of UTF-16, of which characters beyond U+FFFF have two."""
+"""Text positions of the Language Server Protocol: lines from 0, columns in UTF-16 code units.
+
+A character beyond U+FFFF counts as two code units."""
 
 from __future__ import annotations
 
@@ -14,24 +15,24 @@ _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 class Positions:
-    """The lines of one text."""
+    """A converter between character offsets and protocol positions of one text."""
 
     def __init__(self, text: str) -> None:
         self.text = text
         self._starts = [0, *(line_end.end() for line_end in _LINE_END.finditer(text))]
 
     def of(self, offset: int) -> types.Position:
-        """The position of a character offset; beyond the text's end, that of its end."""
+        """Return the position of a character offset; an offset beyond the text gives its end."""
         offset = min(offset, len(self.text))
         line = bisect_right(self._starts, offset) - 1
         return types.Position(line, _units(self.text[self._starts[line] : offset]))
 
     def range(self, span: Span) -> types.Range:
-        """The range of a span."""
         return types.Range(self.of(span.start), self.of(span.end))
 
     def offset(self, position: types.Position) -> int:
-        """The character offset of a position; of one beyond a line or the text, the end of it."""
+        """Return the character offset of a position; positions beyond a line or the text give its
+        end."""
         if position.line >= len(self._starts):
             return len(self.text)
         begin = self._starts[position.line]
@@ -46,7 +47,6 @@ class Positions:
         return begin + len(line)
 
     def span(self, lsp_range: types.Range) -> Span:
-        """The span of a range."""
         return Span(self.offset(lsp_range.start), self.offset(lsp_range.end))
 
 

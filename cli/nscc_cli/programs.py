@@ -1,4 +1,4 @@
-"""What commands that take a program share: from build's options and a file to words."""
+"""Shared code of commands that take a program: compile or load it with the build options."""
 
 from __future__ import annotations
 
@@ -22,24 +22,25 @@ _SPELLED = {
     "target": "--target",
     "max_words_per_slot": "--max-words-per-slot",
 }
-"""Build's options, and how the user spells them; `cache` changes nothing in a product."""
+"""The build options that change a product, with their command-line names."""
 
 
 def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) -> Compiled:
-    """Compile a program with the options of a command; Rejected if it does not compile.
+    """Compile a program with the options of a command; raise Rejected if it does not compile.
 
-    `overrides` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
-    """
+    `overrides` are further fields of `nscc.pipeline.Options`, and `see`, an observer of the
+    passes."""
     from nscc.compiler import compile_file
 
     see, chosen = overrides.pop("see", None), compile_options(options, **overrides)
-    # What an observer prints and a line that is drawn would disturb each other.
+    # The output of an observer and a progress line would disturb each other.
     with nullcontext() if see is not None else _compiling(path, chosen):
         return compile_file(path, chosen, see)
 
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
-    """Return the compiler's options: those that the command has, else the defaults."""
+    """Return the compiler's options from those of a command; missing options keep their
+    defaults."""
     from nscc.pipeline import Options
 
     return Options(**_values_of(options, *_SPELLED, "cache"), **overrides)
@@ -48,13 +49,12 @@ def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
 def load_program(
     path: Path, options: Mapping[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """The container in an .icw file, or of a program that is compiled now; and its messages.
+    """Load an .icw file or compile a program; return the container and the messages.
 
-    A command that has the option `pixels` gets a container whose pixels have codes.
+    If the command has the option `pixels`, all pixels of the container have codes.
 
-    Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) for build's
-    options beside a compiled program.
-    """
+    Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) if build
+    options are given for a compiled program."""
     from nscc.containers import is_compiled, load_container, with_pixels
 
     names = ", ".join(_SPELLED[name] for name in _values_of(options, *_SPELLED))
@@ -74,7 +74,7 @@ def load_program(
 
 
 def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Any] | None:
-    """The file of codes; of a mask from elsewhere the codes that open its shutters."""
+    """Return the path of a code file, or the codes that open the shutters of a mask file."""
     if path is None or not _is_mask(path):
         return path
     from nscc_training.imported_masks import codes_of_mask
@@ -83,7 +83,8 @@ def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str,
 
 
 def _is_mask(path: Path) -> bool:
-    """Whether a file is no .npz of codes, but a .npy, a .mat or an .npz of `mask`."""
+    """Return whether a file is a mask (.npy, .mat, or an .npz with `mask`) and not an .npz of
+    codes."""
     if path.suffix.lower() != ".npz" or not path.is_file():
         return path.suffix.lower() in (".npy", ".mat")
     from zipfile import BadZipFile, ZipFile
@@ -91,7 +92,7 @@ def _is_mask(path: Path) -> bool:
     try:
         with ZipFile(path) as archive:
             return archive.namelist() == ["mask.npy"]
-    except (BadZipFile, OSError):  # what is wrong is said by those who read codes
+    except (BadZipFile, OSError):  # the function that reads the codes reports the error
         return False
 
 

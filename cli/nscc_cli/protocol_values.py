@@ -1,4 +1,4 @@
-"""Values of `nscc.editing` as those of the Language Server Protocol."""
+"""Conversion of `nscc.editing` results into values of the Language Server Protocol."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ _DECLARED = {
     "sense": types.SymbolKind.Boolean,
     "state": types.SymbolKind.Variable,
 }
-"""By the word that begins the statement."""
+"""The symbol kind of each statement, by its first word."""
 
 
 def diagnostic(message: Diagnostic, document: Text, uri: str) -> types.Diagnostic:
-    """A message at its place in the document; one about another file or none at the first line."""
+    """Convert a message; a message without a place in the document goes to the first line."""
     source, label = message.source, message.label
     in_document = source is not None and source.name == document.name
     place = types.Range(types.Position(0, 0), types.Position(0, 0))
@@ -72,13 +72,13 @@ def diagnostic(message: Diagnostic, document: Text, uri: str) -> types.Diagnosti
 
 
 def _uri(source: Source, document: Text) -> str:
-    """That of another file, whose name is relative to the document's folder."""
+    """Return the URI of another file, whose name is relative to the document's folder."""
     path = Path(document.folder / source.name)
     return uris.from_fs_path(path.absolute().as_posix()) or path.as_posix()
 
 
 def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
-    """A fix that one may choose; a sure one is preferred."""
+    """Convert a fix into a code action; safe fixes are marked as preferred."""
     positions = Positions(document.text)
     return types.CodeAction(
         fix.title,
@@ -92,13 +92,13 @@ def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> ty
 def edits(
     uri: str, changes: Iterable[tuple[Span, str]], positions: Positions
 ) -> types.WorkspaceEdit:
-    """Changes of one document, none of which overlap."""
+    """Convert changes of one document, which must not overlap, into an edit."""
     text_edits = [types.TextEdit(positions.range(span), text) for span, text in changes]
     return types.WorkspaceEdit({uri: text_edits})
 
 
 def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
-    """What may stand in a place; `at` is what it replaces."""
+    """Convert a completion; `at` is the range of text that it replaces."""
     return types.CompletionItem(
         offer.text,
         kind=_OFFERED[offer.kind],
@@ -108,7 +108,7 @@ def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
 
 
 def symbol(entry: OutlineEntry, positions: Positions) -> types.DocumentSymbol:
-    """A statement in the outline."""
+    """Convert a statement into an entry of the editor's outline."""
     return types.DocumentSymbol(
         entry.name,
         _DECLARED[entry.kind],

@@ -1,4 +1,4 @@
-"""`nscc reconstruct`: what a decoder makes of a frame."""
+"""`nscc reconstruct`: decode a frame into a picture or a clip."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
               help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
               ".tiff.")  # fmt: skip
-@click.option("--png", type=OUT, help="Also write a picture of it for the screen.")
+@click.option("--png", type=OUT, help="Also write a picture of the result for the screen.")
 @tone_option
 @click.option("--dark", type=PATH, metavar="DARK.npz",
               help="A frame file of the same program without light, with many "
@@ -55,23 +55,22 @@ def command(
     dark: Path | None, kind: Literal["image", "video"] | None, method: Method | None,
     program: Path | None, mask: Path | None, noise: str | None, force: bool, trust_code: bool,
 ) -> None:  # fmt: skip
-    """Make a picture or a clip of FRAME, which `nscc run` wrote.
+    """Reconstruct a picture or a clip from FRAME, a file that `nscc run` wrote.
 
-    `any` is the decoder for any code: it needs no training and takes frames of every program (a
-    folder of that name is ./any). RUN is a run folder, whose decoder knows the shutters of
-    RUN/shutter.nsl alone, or one that comes with nscc: hdr, clip. A frame whose pixels looked at
-    the light needs no RUN: it says itself how long each was open.
+    The first argument names the decoder. `any` decodes frames of every program and needs no
+    training (write ./any for a folder with that name). RUN is a run folder, whose decoder accepts
+    only the shutters of RUN/shutter.nsl, or a run that comes with nscc: hdr, clip. Frames whose
+    pixels looked at their light contain the open time of each pixel and need no RUN.
 
-    `any` also takes measurements of other cameras, .mat, .npz or .npy: `meas` (rows, cols) or
-    (rows, cols, K) and `mask` (rows, cols, slots) or (slots, rows, cols), 0 to 1. The result is in
-    the unit of `meas` a slot.
+    `any` also decodes measurements of other cameras, in .mat, .npz or .npy files: `meas` (rows,
+    cols) or (rows, cols, K) and `mask` (rows, cols, slots) or (slots, rows, cols), with values
+    from 0 to 1. The result has the unit of `meas` per slot.
 
-    In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
-    electrons a slot: the unit of the frame file's `truth_e`.
-    """
+    An .npz output contains `image` (rows, cols) in electrons over the frame, or `video` (T, rows,
+    cols) in electrons per slot. These are the units of `truth_e` in frame files."""
     if run != "any" and (kind or program or method):
         raise click.UsageError(
-            "--as, --method and --program are for `nscc reconstruct any`: a run has them"
+            "--as, --method and --program are for `nscc reconstruct any`: a run contains them"
         )
     if (method, kind) in (("merge", "video"), ("gap-tv", "image")):
         raise click.UsageError("--method merge makes pictures, gap-tv clips: leave --as out")
@@ -134,20 +133,22 @@ def command(
 
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Say how the light was found where torch is missing and nobody named the method."""
+    """Print the method that replaced the network because torch is missing, unless the user chose
+    one."""
     if method is None and reconstruction.method != "network":
         method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(
             f"without torch {method_text} (method {reconstruction.method}); {line_for('torch')} "
-            "brings the network"
+            "installs the network"
         )
 
 
 def _of_measurement(
     path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
 ) -> Reconstruction | None:
-    """The clip of an own measurement; None where the file is a frame of nscc. `of_frames` are the
-    options that only frames have."""
+    """Return the clip reconstructed from a measurement file; None if the file is a frame of nscc.
+
+    `of_frames` are the values of options that only frames accept."""
     from nscc_training.own_measurements import (
         NoiseModel,
         is_measurement,
@@ -164,7 +165,7 @@ def _of_measurement(
     if any(of_frames):
         raise click.UsageError("--as, --program and --dark apply to frames of `nscc run`")
     if method == "merge":
-        raise click.UsageError("--method merge makes pictures, and own measurements are of clips")
+        raise click.UsageError("--method merge makes pictures, but own measurements are clips")
     model = NoiseModel.parse(noise or "0")
     measurement = read_measurement(path, mask)
     say_done(f"measurement: {measurement.axes}\nnoise model: {model}")

@@ -32,7 +32,7 @@ _SIMULATION = (
     "effects", "tolerance", "tolerance_max", "plan", "audit", "fidelity", "seed", "device_seed",
     "repeat",
 )  # fmt: skip
-"""Options that say how to simulate; those not given have the defaults of `nscc_runtime`."""
+"""Options of the simulation; `nscc_runtime` has the defaults of missing options."""
 
 
 @click.command(name="run", cls=CommonCommand)
@@ -97,8 +97,7 @@ _SIMULATION = (
 def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 
-    With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
-    """
+    With --on PORT, a chip exposes the frame, or a simulated device (`nscc device serve`)."""
     keep = parse_keep(options["keep"])
     of_run = run_capture_of(like, options, program)
     if program is None and of_run is not None:
@@ -150,7 +149,7 @@ def _run_on_emulator(
 
         table = plan_table(simulated.plan, simulated.audit)
         if exposed.pieces > 1:
-            table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
+            table = f"the exposure with the largest error, of {exposed.pieces}:\n{table}"
         say_done(table + "\n")
     elif simulated.plan is not None:
         say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")
@@ -164,7 +163,8 @@ def _run_on_emulator(
 
 
 def _request(options: dict[str, Any]) -> Request:
-    """What the options say about effects; NS0739 (status 2) where they contradict each other."""
+    """Return the simulation request; raise NS0739 (status 2) for options that contradict each
+    other."""
     from nscc_runtime.simulate import Request
 
     simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}

@@ -1,4 +1,4 @@
-"""What every command shares: the common options, messages and progress."""
+"""Shared code of all commands: common options, messages and progress."""
 
 from __future__ import annotations
 
@@ -30,23 +30,23 @@ _BAR_WIDTH = 30
 
 @dataclass
 class Session:
-    """How one invocation of nscc talks to its user."""
+    """The message settings of one invocation of nscc."""
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
     arguments: Sequence[str] = ()
     """The command line, for reproducers."""
     gathered: list[Diagnostic] = field(default_factory=list)
-    """What is said when all is done: a SARIF log is one document."""
+    """Diagnostics to write at the end, for SARIF, whose log is a single document."""
 
 
 class NumberRange(click.FloatRange):
-    """A number within limits. Comparing tells nothing about NaN, which click lets pass."""
+    """A number within limits; rejects NaN, which click accepts."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        """The number; BadParameter for what is none."""
+        """Return the number; raise BadParameter if the text is not a number."""
         converted = float(super().convert(value, param, ctx))
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
@@ -54,13 +54,13 @@ class NumberRange(click.FloatRange):
 
 
 def session() -> Session:
-    """The running invocation's session; a fresh one outside of any command."""
+    """Return the session of the running command, or a new session outside of commands."""
     context = click.get_current_context(silent=True)
     return context.find_root().ensure_object(Session) if context else Session()
 
 
 def use_color() -> bool:
-    """Colour only on a terminal that can show it, and never with NO_COLOR."""
+    """Return whether standard error is a colour terminal and NO_COLOR is unset."""
     return (
         sys.stderr.isatty()
         and not os.environ.get("NO_COLOR")
@@ -69,10 +69,10 @@ def use_color() -> bool:
 
 
 def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
-    """Render diagnostics to standard error as the session has it: the running one if none is given.
+    """Print diagnostics to standard error in the format of session `of`, by default the running
+    one.
 
-    A SARIF log waits for `show_gathered`.
-    """
+    For SARIF the diagnostics are only stored; `show_gathered` prints them."""
     of = of or session()
     if of.message_format == "sarif":
         of.gathered += diagnostics
@@ -81,7 +81,7 @@ def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
 
 
 def show_gathered(of: Session) -> None:
-    """Write the one document of a session whose format has one."""
+    """Print the stored diagnostics of a session as one SARIF document."""
     if of.message_format == "sarif":
         _write(of.gathered, of.message_format)
 
@@ -100,11 +100,10 @@ def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> 
 
 
 def say(diagnostics: Sequence[Diagnostic]) -> None:
-    """Show warnings and notes now.
+    """Print warnings and notes.
 
-    Call this before writing products. With `--deny-warnings` a warning among them raises
-    Rejected (status 1) with the warnings turned into errors, so that nothing gets written.
-    """
+    Call this before writing products. With `--deny-warnings`, a warning raises Rejected (status 1)
+    with all warnings turned into errors, so that no product is written."""
     now = session()
     diagnostics = [_with_reproducer(diagnostic, now) for diagnostic in diagnostics]
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
@@ -113,19 +112,20 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
 
 
 def say_done(text: str) -> None:
-    """Tell the user what was done, on standard error; programs (json, sarif) read the files."""
+    """Print what was done to standard error, except with the message formats `json` and `sarif`."""
     if session().message_format not in ("json", "sarif"):
         click.echo(text, err=True)
 
 
 def say_compiling(loop: Any, part_name: str) -> None:
-    """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
+    """Announce that a loop must first be compiled, unless it is compiled already."""
     if not loop.is_compiled():
         say_done(loop.compiling(part_name))
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
-    """The diagnostic with a note that names its reproducer, if it carries a traceback."""
+    """Save a reproducer if the diagnostic contains a traceback, and add a note that names the
+    file."""
     trace = diagnostic.data.get("traceback")
     if trace is None:
         return diagnostic
@@ -144,7 +144,7 @@ def _denied(diagnostic: Diagnostic) -> Diagnostic:
 
 
 class OutPath(click.Path):
-    """The path of a product: the one kind of path that is no input of its command."""
+    """The path of an output file; all other paths are input files of their command."""
 
     def __init__(self, path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)
@@ -153,9 +153,8 @@ class OutPath(click.Path):
 class CommonCommand(click.Command):
     """A command with the options that all commands share: `--message-format`, `--deny-warnings`.
 
-    Both end up in the session; the command's function does not see them. Files that its other
-    parameters name are inputs, which no product may replace (NS0785).
-    """
+    The session stores both; the command's function does not receive them. Files named by other
+    parameters are inputs, which products must not overwrite (NS0785)."""
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         super().__init__(*arguments, **settings)
@@ -172,7 +171,7 @@ class CommonCommand(click.Command):
         ]  # fmt: skip
 
     def option_sections(self, ctx: click.Context) -> dict[str, list[tuple[str, str]]]:
-        """The options and their help texts, by the title of the section that lists them."""
+        """Return the options and their help texts, by section title."""
         sections: dict[str, list[tuple[str, str]]] = {}
         for param in self.get_params(ctx):
             record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
@@ -187,7 +186,7 @@ class CommonCommand(click.Command):
                 formatter.write_dl(records)
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command, its inputs kept from its own products."""
+        """Run the command while its input files are protected from being overwritten."""
         with inputs_kept():
             for param in self.params:
                 if not isinstance(param.type, OutPath):
@@ -196,7 +195,7 @@ class CommonCommand(click.Command):
 
 
 def _paths(value: Any) -> Iterator[Path]:
-    """What of a parameter's value may name files."""
+    """Yield the paths that a parameter's value contains."""
     if isinstance(value, str | Path):
         yield Path(value)
     elif isinstance(value, tuple):
@@ -210,10 +209,10 @@ def _to_session(context: click.Context, option: click.Parameter, value: Any) -> 
 
 
 class Subcommands(CommonCommand, click.Group):
-    """A command with commands of its own; other names are rejected (NS0781)."""
+    """A command with subcommands; unknown names are rejected (NS0781)."""
 
     unknown = "command '{}'"
-    """What a name is called that is none of them."""
+    """The description of an unknown name in the error message."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the options, then the commands."""
@@ -223,20 +222,20 @@ class Subcommands(CommonCommand, click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command named first in `args`, and what follows it."""
+        """Return the subcommand named by the first argument, and the arguments after it."""
         name = args[0]
         if name not in self.commands and not name.startswith("-"):
             return self.resolve_unknown(name, args)
         return super().resolve_command(ctx, args)
 
     def or_else(self) -> Sequence[str]:
-        """What may stand in a command's place, for who is told that there is none."""
+        """Return further help lines for the message about an unknown name."""
         return ()
 
     def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Resolve a name that is not a command."""
+        """Raise NS0781 for a name that is not a subcommand; subclasses may resolve it instead."""
         raise rejected(
             "NS0781",
             f"unknown name: nscc has no {self.unknown.format(name[:60])}",
@@ -250,10 +249,9 @@ class Subcommands(CommonCommand, click.Group):
 
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
-    """Say on a terminal which task is going on and for how long, where nothing can be counted.
+    """Show the elapsed time of a task on a terminal, if its progress cannot be counted.
 
-    Nothing is drawn in the first second, nor where `progress` would draw nothing.
-    """
+    Nothing is shown in the first second, or if `progress` shows nothing."""
     if not _draws():
         yield
         return
@@ -281,7 +279,7 @@ def _draws() -> bool:
 
 
 def _redraw(line: str) -> None:
-    """Replace the line that stands there; one longer than the terminal is cut, or it would stay."""
+    """Replace the terminal's current line; the text is cut to the terminal's width."""
     from shutil import get_terminal_size
 
     sys.stderr.write("\r\x1b[2K" + line[: get_terminal_size().columns - 1])
@@ -289,11 +287,10 @@ def _redraw(line: str) -> None:
 
 
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:
-    """Hand on the items; draw a bar on standard error if that is a terminal and it takes long.
+    """Yield the items and draw a progress bar on standard error.
 
-    `total` is the number of items where it is known and `iterable` has no length. Nothing
-    is drawn in the first second, nor with a message format other than human.
-    """
+    `total` is the number of items if `iterable` has no length. The bar appears after one second,
+    only on a terminal, and only with the message format `human`."""
     if not _draws():
         yield from iterable
         return
@@ -316,7 +313,7 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
 
 
 def bar_line(label: str, item_count: int, total: int | None, elapsed_s: float) -> str:
-    """One line of progress: a bar and the time left if `total` is known, else a count."""
+    """Return a progress line: a bar and the remaining time if `total` is known, else a count."""
     if not total:
         return f"{label}: {item_count}, {elapsed_s:.0f} s"
     share = min(item_count / total, 1.0)

@@ -1,4 +1,4 @@
-"""`nscc sweep`: everything in every combination, on one machine or on many."""
+"""`nscc sweep`: compute all combinations of settings, on one machine or several."""
 
 from __future__ import annotations
 
@@ -45,17 +45,17 @@ def command(
     grid: Path, out: Path, grid_parts: tuple[str, ...], workers: int | None, threads: int,
     scheduler: str | None, again: bool, dry_run: bool, parquet: bool,
 ) -> int:  # fmt: skip
-    """Compute every point of a grid: programs compiled, scenes exposed, runs trained and scored.
+    """Compute every point of a grid: compile programs, expose scenes, train and score runs.
 
-    Lists in GRID.toml are axes. Rows are kept in DIR as they are found: killed and started again
-    the sweep goes on, and a grid that changed gets what is missing. What does not fit is a row with
-    the code of its message. Ends with status 1 where a point failed, and where none has figures.
+    Lists in GRID.toml are axes. Each result row is stored in DIR, so that the same command resumes
+    an interrupted sweep, and a changed grid computes only missing points. A point that does not fit
+    the chip is a row with its error code. Exits with status 1 if a point failed or no point has
+    results.
 
     \b
     nscc sweep --schema compile > grid.toml
     nscc sweep grid.toml --out results
-    nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786
-    """
+    nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786"""
     from nscc_runtime.pool import processors
     from nscc_training.sweep.grid import of_parts, read_grid
     from nscc_training.sweep.run_sweep import How, failures, known, summary_lines, sweep

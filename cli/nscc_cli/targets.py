@@ -1,4 +1,4 @@
-"""`nscc targets`: the chips that nscc knows, and everything it knows of one."""
+"""`nscc targets`: list the known chips, and describe one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nscc_cli.options import LEVEL
 from nscc_cli.support import CommonCommand, progress
 
 DEFAULT_SLOTS = ("1ms", "10us")
-"""Slot lengths that limits are found for: one that leaves room for any words, one that does not."""
+"""Slot lengths for which limits are computed: one that fits any words, and one that does not."""
 
 _TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
 
@@ -26,7 +26,7 @@ _TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
 def _checked_times(
     _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
-    """The times as given, each once."""
+    """Check the times and remove duplicates."""
     for value in values:
         if not _TIME.fullmatch(value):
             raise click.BadParameter(f"invalid time '{value}': write 10us, 1.5ms, 800ns or 2s")
@@ -48,7 +48,7 @@ def _checked_times(
               help="Length of the slots that limits are found for; may be repeated (default: 1ms "
               "and 10us).")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
-              help="How hard the compiler tries while limits are found.")  # fmt: skip
+              help="Optimisation level with which --limits compiles.")  # fmt: skip
 def command(
     name: str | None,
     toml: bool,
@@ -58,7 +58,7 @@ def command(
     slots: tuple[str, ...],
     level: int,
 ) -> None:
-    """List the chips that nscc knows, or show all about one (NAME or FILE.toml)."""
+    """List the known chips, or describe one (NAME or FILE.toml)."""
     if compared is not None:
         if name is None or toml or limits or slots:
             raise click.UsageError("--compare A B needs a program: FILE.nsl")
@@ -80,7 +80,7 @@ def command(
 
 
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
-    """The limits of a chip, found now by compiling."""
+    """Compute the limits of a chip by compiling programs, and return them as text or JSON."""
     from nscc.limits.limits_table import limits_json, limits_text
     from nscc.limits.survey import Limit, survey
     from nscc.pipeline import Options
@@ -98,7 +98,7 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 
 
 def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: bool) -> str:
-    """One program on two chips."""
+    """Compare the costs of one program on two chips, and return the comparison as text or JSON."""
     from nscc.compare import compare, compared_json, compared_text
     from nscc_runtime.expected import expected_noise
 
@@ -108,7 +108,7 @@ def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: boo
 
 
 def listing() -> str:
-    """One line a target: nscc's own, and those that installed packages add."""
+    """Return a table with one line for each target of nscc and of installed packages."""
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
@@ -119,7 +119,7 @@ def listing() -> str:
 
 
 def details(target: Target) -> str:
-    """Every key of a target, by section, with what is not public about it."""
+    """Describe every key of a target, by section, and mark values that are not published."""
     lines = [f"{target.name}: {target.description}" if target.description else target.name]
     rows = [(key, _value(target, key)) for key in schema_of(target.kind).keys if key.section]
     width = max(len(value) for _, value in rows)
@@ -153,7 +153,7 @@ def _value(target: Target, key: Key) -> str:
 
 
 def _names(names: tuple[str, ...]) -> str:
-    """Register names, a run such as R0, R1, .. R12 shortened."""
+    """Join register names, and shorten R0, R1, .. R12 to R0..R12."""
     run = [name for i, name in enumerate(names) if name == f"R{i}"]
     if len(run) > 3 and names[: len(run)] == tuple(run):
         return " ".join((f"R0..{run[-1]}", *names[len(run) :]))

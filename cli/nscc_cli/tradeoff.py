@@ -1,4 +1,4 @@
-"""`nscc tradeoff`: what more time buys, measured on this machine."""
+"""`nscc tradeoff`: measure error against time on this machine."""
 
 from __future__ import annotations
 
@@ -34,12 +34,11 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 
 
 class _Tradeoffs(Subcommands):
-    """The tradeoffs that there are; any other name that may be one is a program or a run."""
+    """The subcommands of `nscc tradeoff`; other names are programs or runs."""
 
     unknown = "tradeoff '{}': there is no such command, file or run"
 
     def or_else(self) -> Sequence[str]:
-        """See `Subcommands`."""
         from nscc_training.run_files import shipped_runs
 
         return (
@@ -49,7 +48,7 @@ class _Tradeoffs(Subcommands):
     def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """`nscc tradeoff of` such a program or run; other names are rejected (NS0781)."""
+        """Pass the name of a program or run to `nscc tradeoff of`; reject other names (NS0781)."""
         if _may_be_program(Path(name)):
             return "of", self.commands["of"], args
         return super().resolve_unknown(name, args)
@@ -63,11 +62,10 @@ def _may_be_program(path: Path) -> bool:
 
 @click.group("tradeoff", cls=_Tradeoffs)
 def command() -> None:
-    """Measure what more time buys: a table, a CSV file, a diagram.
+    """Measure what more computing time improves: a table, a CSV file, a diagram.
 
     `nscc tradeoff PROGRAM|RUN --scene S --target-error 1%` is short for `nscc tradeoff of PROGRAM
-    ..`: which setting of every stage for that error.
-    """
+    ..`. It finds the setting of every stage for that error."""
 
 
 for subcommand in (joint, emulator, sensor, decoder):
@@ -80,19 +78,18 @@ for subcommand in (joint, emulator, sensor, decoder):
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @click.option("--repeats", type=COUNT, default=3, show_default=True,
-              help="How often everything is compiled: the median is used.")  # fmt: skip
+              help="How often each setting is compiled; the median is used.")  # fmt: skip
 @click.option("--count", type=click.Choice(["all", "logic"]), default="all", show_default=True,
               help="All words of a frame, or only those that decode codes.")  # fmt: skip
 def synthesis(
     files: tuple[Path, ...], levels: tuple[str, ...], lowerings: tuple[Lowering, ...], repeats: int,
     count: Count, **places: Any,
 ) -> int:  # fmt: skip
-    """Measure what compile time buys: words a frame against time, at each level and lowering.
+    """Measure the words per frame against compile time, at each level and lowering.
 
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
-    point is dominated if another of the same program has neither more words nor more time. Ends
-    with status 1 where nothing fits.
-    """
+    point is dominated if another point of the same program has no more words and no more time.
+    Exits with status 1 if no program fits."""
     outputs = output_files(places)
     cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))

@@ -1,4 +1,4 @@
-"""`nscc tradeoff decoder`: PSNR and SSIM against milliseconds, on the same captures."""
+"""`nscc tradeoff decoder`: measure PSNR and SSIM against decoding time on the same captures."""
 
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 @click.command("decoder", cls=CommonCommand)
 @click.option("--run", "runs", multiple=True, type=PATH, metavar="RUN",
-              help="A run folder of nscc train; more than once for several.")  # fmt: skip
+              help="A run folder of nscc train; may be repeated.")  # fmt: skip
 @shared.made_scenes_option
 @click.option("--scenes", type=COUNT, default=2, show_default=True,
-              help="How many scenes of a kind.")  # fmt: skip
+              help="Number of scenes of each kind.")  # fmt: skip
 @click.option("--size", type=click.IntRange(32, 512), default=128, show_default=True,
               help="Rows and columns of a scene.")  # fmt: skip
 @shared.repeats_option(3)
 @click.option("--budget", type=NumberRange(0, 1e6), default=40.0, show_default=True,
-              metavar="S", help="Seconds after which repeats end; the first is done in any "
-              "case.")  # fmt: skip
+              metavar="S", help="Seconds after which no repeat starts; everything is measured at "
+              "least once.")  # fmt: skip
 @shared.made_seed_option
 @shared.trust_code_option
 @shared.tradeoff_options
 def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
-    """Measure what decoding time buys: PSNR and SSIM against milliseconds a scene.
+    """Measure PSNR and SSIM against decoding time per scene, in milliseconds.
 
-    Decoders that need no training, by their iterations: GAP-TV, ADMM-TV, a dictionary; for stills
-    neighbours merged and sparse coding. Networks come from run folders, in f32 and bf16, FC-net
-    with 4, 2 and 1 blocks a pixel. All decode the captures of one code: that of the runs, those
-    with other codes apart; without runs random bits, and 2 x 2 stops for stills.
-    """
+    Decoders without training are measured at several numbers of iterations: GAP-TV, ADMM-TV and a
+    dictionary; for stills merging neighbours and sparse coding. Networks come from run folders, in
+    f32 and bf16, FC-net with 4, 2 and 1 blocks a pixel. All decode captures with the same code:
+    that of the runs (runs with another code are compared separately), else random bits, and 2 x 2
+    stops for stills."""
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run

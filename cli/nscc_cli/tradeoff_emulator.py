@@ -1,4 +1,4 @@
-"""`nscc tradeoff emulator`: error against time of one frame, and whether promises are kept."""
+"""`nscc tradeoff emulator`: measure simulation error against time, and check tolerances."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @shared.section(shared.SCENE, click.option(
     "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-    help="As in nscc run; more than once for several (default: three builtin ones).",
+    help="A scene as in nscc run; may be repeated (default: three built-in scenes).",
 ))  # fmt: skip
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
               show_default=True,
@@ -54,13 +54,12 @@ if TYPE_CHECKING:
 ))  # fmt: skip
 @shared.csv_options
 def command(program: Path | None, **options: Any) -> int:
-    """Measure what the emulator's time buys: error against the reference and time of one frame.
+    """Measure the error against the reference and the simulation time of one frame.
 
-    Lines: the reference; the light summed in float32 without effects; Poisson drawn slot by slot in
-    numpy; plans for several tolerances, with and without the time to make them. A second diagram
-    holds the error measured against the tolerance asked, a third says what each effect does and
-    which are left out. Ends with status 1 where a plan broke its promise.
-    """
+    Compares the reference; light summed in float32 without effects; Poisson numbers drawn slot by
+    slot in numpy; plans for several tolerances, with and without planning time. A second diagram
+    shows the measured error against the requested tolerance, a third each effect's contribution
+    and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
@@ -99,7 +98,7 @@ def command(program: Path | None, **options: Any) -> int:
 
 
 def _refuse(container: Container) -> None:
-    """NS0750 for a chip that is sent planes, NS0828 for pixels that look."""
+    """Raise NS0750 for a chip that receives bit planes, and NS0828 for pixels that look."""
     from nscc_runtime.planless import planless
 
     if container.target.streamed:
@@ -116,7 +115,7 @@ def _refuse(container: Container) -> None:
 def _container(
     path: Path | None, options: dict[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """The program given, or else one of 16 slots."""
+    """Compile or load the program; without a path compile a built-in program of 16 slots."""
     if path is not None:
         return load_program(path, options)
     from nscc.compiler import compile_source
@@ -128,7 +127,7 @@ def _container(
     container = compile_source(
         Source(path.name, PROGRAM), Path(), compile_options(options)
     ).container
-    assert container is not None  # what does not fit is rejected
+    assert container is not None  # programs that do not fit are rejected
     return with_pixels(container, path, options["pixels"]), ()
 
 
@@ -146,7 +145,7 @@ def _settings(options: dict[str, Any]) -> StudySettings:
 def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
-    """The scenes, by the shortest names that tell them apart."""
+    """Return the light of each scene, with the shortest unique name."""
     from nscc_runtime.tradeoff.study import SCENES, NamedLight
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
@@ -165,7 +164,7 @@ def _scenes(
 
 
 def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], Product]]:
-    """What makes each product."""
+    """Return the function that makes each product, by the product's name."""
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 

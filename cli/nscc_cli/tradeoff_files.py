@@ -1,4 +1,4 @@
-"""Where the products of a tradeoff go, and its rows until they are written."""
+"""Output files of a tradeoff, and the measurements that are kept until the files are written."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nscc.tradeoff.rows import Rows
 from nscc_cli.support import say_done
 
 STORE = ".measurements.sqlite"
-"""What the file of measurements ends in, until the products are written."""
+"""File name ending of the measurements that are kept until the products are written."""
 _PLACES = ("out", "csv_path", "png_path")
 _PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
 _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
@@ -26,8 +26,7 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
     """Return the path of each product by name: `csv`, `png`, with `-o` also `further_names`.
 
-    Raises NS0745 if two products have one path, NS0786 for a picture with another ending.
-    """
+    Raises NS0745 if two products have the same path, and NS0786 if the picture is not a .png."""
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
@@ -43,12 +42,10 @@ def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, P
 
 
 def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -> Rows:
-    """What is measured is kept beside the first product until all are written; nowhere without
-    products.
+    """Return the store of measurements beside the first product; without products, an unsaved one.
 
-    It is known again by the command's options, by what the files that they name hold, by `of`, and
-    by the versions of all that measures and of the processor.
-    """
+    A stored row is reused if these are unchanged: the command's options, the contents of the files
+    that they name, `of`, the versions of the packages, and the processor."""
     if not files:
         return Rows()
     refuse_inputs(*files.values())
@@ -63,7 +60,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
 
 
 def _plain(value: Any) -> Any:
-    """An option's value as it counts: of a file, what it holds."""
+    """Return an option's value for comparison, with the content of files that it names."""
     if isinstance(value, tuple):
         return [_plain(item) for item in value]
     if isinstance(value, str | Path):
@@ -81,7 +78,7 @@ def _version(distribution: str) -> str:
 def write_files(
     files: Mapping[str, Path], makers: Mapping[str, Callable[[], Product]], rows: Rows
 ) -> None:
-    """Make and write those products that have a place, and say so; the rows have done then."""
+    """Make and write the products that have a path, print their names, and delete stored rows."""
     write_together({path: makers[name]() for name, path in files.items()})
     rows.remove()
     if files:

@@ -1,4 +1,4 @@
-"""`nscc tradeoff PROGRAM`: which setting of each stage for a given error, and what it costs."""
+"""`nscc tradeoff PROGRAM`: find the setting of each stage that reaches a given error."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _LEVELS = [str(level) for level in LEVELS]
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
 @shared.section(shared.SCENE, click.option("--scene", type=SCENE, help="As in nscc run."))
 @click.option("--target-error", metavar="1%|5e|0.1lsb|1noise", default="1%", show_default=True,
-              help="The error to stay within: of the scene's mean signal, in electrons, in codes "
-              "of the ADC, or of the frame's own noise.")  # fmt: skip
+              help="The largest error that you accept: in percent of the scene's mean signal, in "
+              "electrons, in converter codes, or relative to the frame's own noise.")  # fmt: skip
 @some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)
@@ -39,15 +39,15 @@ _LEVELS = [str(level) for level in LEVELS]
 @shared.trust_code_option
 @shared.tradeoff_options
 def command(program: Path, **options: Any) -> int:
-    """Which settings for an error of 1 %, of one program on one scene.
+    """Find the fastest settings for a given error, for one program on one scene.
 
-    For each stage (compile level, lowering, slots and their length, effects and tolerance, decoder)
-    the fastest setting within --target-error with its time and its error; where there is none, the
-    fastest of the best. All errors are percent of the mean signal, all times are seconds, so that
-    the diagram has one axis of each. A RUN, or hdr and clip, stands for its own program, exposure,
-    sensor and decoder. With -o, --csv or --png every row is kept as it is measured: killed and
-    started again, it goes on. Ends with status 1 where nothing could be measured.
-    """
+    For each stage (compile level, lowering, number and length of slots, effects and tolerance,
+    decoder), prints the fastest setting within --target-error, with its time and error. If no
+    setting reaches this error, prints the fastest of the most accurate ones. Errors are
+    percentages of the mean signal and times are seconds, so that one diagram shows all stages. A
+    RUN, or hdr and clip, defines program, exposure, sensor and decoder. With -o, --csv or --png,
+    finished measurements are kept, and the same command continues after an interruption. Exits
+    with status 1 if nothing could be measured."""
     from nscc_training.tradeoff.bench import JointRequest
     from nscc_training.tradeoff.joint import joint_text, measure
 
@@ -84,7 +84,7 @@ def command(program: Path, **options: Any) -> int:
 
 
 def _run_of(program: Path) -> Path | None:
-    """The run that is meant, if it is no file of a program."""
+    """Return the run that PROGRAM names, or None if it is a program file."""
     if program.suffix.lower() in (".nsl", ".icw"):
         return None
     return program

@@ -1,4 +1,4 @@
-"""`nscc tradeoff sensor`: PSNR against the shortest slot, for shutters that one memory holds."""
+"""`nscc tradeoff sensor`: measure PSNR against the shortest slot, for shutters on one chip."""
 
 from __future__ import annotations
 
@@ -23,33 +23,14 @@ _MOST_EXPOSURES = 32
 _MOST_READOUTS = 4
 
 
-def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Numbers of slots, separated by commas, from few to many."""
-    items = [item.strip() for item in value.split(",")]
-    for item in items:
-        if not (item.isdecimal() and 2 <= int(item) <= _MOST_SLOTS):
-            message = f"invalid number of slots {item[:40]!r}: 2 to {_MOST_SLOTS} are allowed"
-            raise click.BadParameter(message, context, option)
-    return tuple(sorted({int(item) for item in items}))
-
-
-def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """The same; each must divide the most, which is the number of a clip's frames."""
-    counts = _counts(context, option, value)
-    for count in counts:
-        if counts[-1] % count:
-            message = (
-                f"{count} does not divide {counts[-1]}: all numbers of slots use the same clips"
-            )
-            raise click.BadParameter(message, context, option)
-    return counts
-
-
-def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, ...]]:
-    """Return the callback of an option that takes numbers, separated by commas, or `none`."""
+def _numbers(
+    quantity: str, least: int, most: int, none: bool = True
+) -> Callable[..., tuple[int, ...]]:
+    """Return the callback of an option that takes distinct numbers, separated by commas; with
+    `none` also that word."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-        if value.strip() == "none":
+        if none and value.strip() == "none":
             return ()
         items = [item.strip() for item in value.split(",")]
         for item in items:
@@ -61,6 +42,22 @@ def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, .
         return tuple(sorted({int(item) for item in items}))
 
     return numbers
+
+
+_counts = _numbers("slots", 2, _MOST_SLOTS, none=False)
+
+
+def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+    """Parse numbers of slots, each of which must divide the largest: the number of a clip's
+    frames."""
+    counts = _counts(context, option, value)
+    for count in counts:
+        if counts[-1] % count:
+            message = (
+                f"{count} does not divide {counts[-1]}: all numbers of slots use the same clips"
+            )
+            raise click.BadParameter(message, context, option)
+    return counts
 
 
 @click.command("sensor", cls=CommonCommand)
@@ -88,21 +85,20 @@ def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, .
               help="The sensor's effects, as nscc run takes them.")  # fmt: skip
 @shared.made_scenes_option
 @click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
-              help="How many scenes of a kind.")  # fmt: skip
+              help="Number of scenes of each kind.")  # fmt: skip
 @shared.made_seed_option
 @shared.tradeoff_options
 def command(readouts: tuple[int, ...], **options: Any) -> int:
-    """Measure what slots buy: PSNR against the shortest slot of each shutter, on one chip.
+    """Measure PSNR against the shortest possible slot of each shutter class, on one chip.
 
-    Every class in every number of slots, for codes in use and open ones, is compiled in each
-    lowering; its words say how short a slot can be. The emulated chip captures the scenes with
-    them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. Of pixels
-    that look (hdr-v1's rows looks-K, and ones designed for the scenes) an exposure over its time is
-    the light: what more looks buy, in words and in the length of a slot. Clips are also captured
-    in several readouts of one exposure, beside a burst of as many ordinary frames: PSNR against
-    readout time. What does not fit the chip is a row that says so. Ends with status 1 where
-    nothing fits.
-    """
+    Compiles every class with every number of slots, for known and for arbitrary codes, in each
+    lowering; the number of words determines the shortest slot. The emulated chip captures the
+    scenes. Clips are decoded by GAP-TV and stills by merging neighbours; nothing is trained. For
+    pixels that look (looks-K of hdr-v1, and looks designed for the scenes) the light is exposure
+    divided by open time, and the words and slot length of further looks are measured. Clips are
+    also captured with several readouts of one exposure and compared with a burst of the same
+    number of ordinary frames. Settings that do not fit the chip are marked in the table. Exits
+    with status 1 if nothing fits."""
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.tradeoff.diagrams import sensor_diagram

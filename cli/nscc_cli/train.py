@@ -1,4 +1,4 @@
-"""`nscc train`: learn shutters and a decoder, into a run folder."""
+"""`nscc train`: train shutters and a decoder, and write a run folder."""
 
 from __future__ import annotations
 
@@ -26,17 +26,16 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 @click.option("--set", "changes", multiple=True, metavar="K=V",
               help="Change a setting: train.steps=100.")  # fmt: skip
 @click.option("--resume", type=OutPath(str), default="auto", show_default=True,
-              metavar="auto|never|PATH",  # a checkpoint is replaced by the next
+              metavar="auto|never|PATH",  # checkpoints replace each other
               help="Resume from RUN's checkpoint, start again, or resume from "
                    "another checkpoint.")  # fmt: skip
 @click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,
               help="Print a complete configuration with every default, and exit.")  # fmt: skip
 def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> None:
-    """Learn shutters end to end with a decoder, under the limits of the chip.
+    """Train shutters together with a decoder, within the limits of the chip.
 
-    The configuration is checked, and its shutters are compiled, before the first step. An
-    interrupted run goes on when the same command is given again.
-    """
+    The configuration is checked, and its shutters are compiled, before the first step. The same
+    command resumes an interrupted run."""
     from nscc_training.config import load_config
 
     settings = load_config(config, changes)

@@ -1,4 +1,4 @@
-"""Wrong usage as a diagnostic: what was typed, what the command takes."""
+"""Conversion of click's usage errors into diagnostics."""
 
 from __future__ import annotations
 
@@ -16,15 +16,14 @@ _KINDS = {
     "float range": "a number",
     "float": "a number",
 }
-"""What click calls kinds of numbers, and what everybody does."""
+"""Plain names for click's number types."""
 
 
 def usage_diagnostic(error: click.ClickException) -> Diagnostic:
-    """What click found wrong, in the form of every other message.
+    """Convert a usage error of click into a diagnostic.
 
-    NS0780 for an argument missing or too many, NS0782 for an option that does not exist, NS0783 for
-    a value that an option does not take, NS0784 for a file that click opened.
-    """
+    NS0780 for a missing or extra argument, NS0782 for an unknown option, NS0783 for an invalid
+    option value, NS0784 for a file that click could not open."""
     context = getattr(error, "ctx", None)
     name = context.command_path if context is not None else "nscc"
     helps: tuple[str, ...] = (f"`{name} --help` lists what it takes",)
@@ -55,7 +54,7 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
 
 
 def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]:
-    """The help for a scene that stands where no argument does."""
+    """Return a help that suggests `--scene` if the extra argument looks like a scene."""
     extra = re.fullmatch(r"got unexpected extra argument \((.*)\)", message)
     if extra is None or "--scene" not in _options(context):
         return ()
@@ -72,7 +71,7 @@ def _options(context: click.Context | None) -> list[str]:
 
 
 def _parameter(error: click.BadParameter) -> str:
-    """The option or argument that is wrong, as the usage line writes it."""
+    """Return the invalid option or argument, as the usage line writes it."""
     if isinstance(error.param, click.Option):
         return error.param.opts[-1]
     if error.param is not None and error.ctx is not None:
@@ -81,7 +80,7 @@ def _parameter(error: click.BadParameter) -> str:
 
 
 def _in_lower_case(text: str) -> str:
-    """Click's own words as the rest of a line: no capital at the start, no full stop."""
+    """Return click's message without capital at the start and full stop at the end."""
     text = " ".join(text.split()).rstrip(".")
     for kind, plain in _KINDS.items():
         text = text.replace(f"is not a valid {kind}", f"is not {plain}")

@@ -1,4 +1,4 @@
-"""`nscc view`: draw a program's shutters, its map of codes or its gates, and all that it makes."""
+"""`nscc view`: draw a program's shutters, codes or gates, or the contents of a product file."""
 
 from __future__ import annotations
 
@@ -28,11 +28,10 @@ _PROGRAMS = (".nsl", ".icw")
 def command(program: Path, out: Path | None, gates: bool, tone: str | None, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG.
 
-    Of pixels that look at the light the chart says when they are open at which light.
+    For pixels that look at their light, the chart shows at which light they are open.
 
-    Or draw what nscc has made: a frame file, a reconstruction, a run folder, a result.json, a
-    sensor.toml, a picture, a clip.
-    """
+    Also draws files that nscc writes: a frame file, a reconstruction, a run folder, a result.json,
+    a sensor.toml, a picture, a clip."""
     from nscc_runtime.formats import check_ending
 
     out = out or Path(program.stem + ".png")
@@ -78,7 +77,7 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         "--gates does not apply to this program",
         "without --gates it draws shutters",
     )
-    assert compiled.lowered is not None  # what does not fit is rejected
+    assert compiled.lowered is not None  # programs that do not fit are rejected
     from nscc.emit.looking_network import network_of
     from nscc_runtime.pictures.gate_sheet import gate_sheet
     from nscc_runtime.pictures.sheet import png_of

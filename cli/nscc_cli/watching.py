@@ -1,4 +1,4 @@
-"""Doing a thing again whenever one of its files changes."""
+"""Waiting for changes of files."""
 
 from __future__ import annotations
 
@@ -10,15 +10,14 @@ from time import sleep
 _PAUSE_S = 0.2
 
 State = tuple[int, ...] | None
-"""What tells one content of a file from another; None for a file that is not there."""
+"""A summary of a file's state that changes with its content; None if the file does not exist."""
 
 
 def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
-    """Yields once at first, then the names of the files that changed, whenever some did.
+    """Yield an empty list, then after each change the names of the changed files.
 
-    Changes while the caller is at work are not missed. `files` is asked again each time: what a
-    file names may be others then. A file may be missing, and come.
-    """
+    Changes while the caller works are not missed. `files` is called again after each change,
+    because the set of files may change. Files may be missing and appear later."""
     known_states = _states(files())
     changed: list[str] = []
     while True:

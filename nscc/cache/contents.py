@@ -10,8 +10,8 @@ from nscc.cache.digest import digest
 
 
 def content(path: Path) -> str:
-    """The digest of a file, or of all files of a folder with their names; "" if the path does not
-    exist."""
+    """Return the digest of a file, or of all files of a folder with their names; "" if the path
+    does not exist."""
     try:
         if path.is_dir():
             files = sorted(entry for entry in path.rglob("*") if entry.is_file())
@@ -24,7 +24,7 @@ def content(path: Path) -> str:
 
 @cache
 def _content(path: Path, _size: int, _mtime_ns: int) -> str:
-    """The digest of a file; memoized by path, size and modification time."""
+    """Return the digest of a file; memoized by path, size and modification time."""
     with open(path, "rb") as file:
         running = sha256()
         while block := file.read(1 << 20):

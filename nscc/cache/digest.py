@@ -1,4 +1,4 @@
-"""Digests of frozen values, in 64 hexadecimal digits."""
+"""Digests of frozen values: 64 hexadecimal digits."""
 
 from __future__ import annotations
 
@@ -22,16 +22,19 @@ _DECIDES = (".py", ".toml", ".safetensors")
 
 
 def digest(value: Any) -> str:
-    """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays and
-    numbers. Values of different type or structure have different digests. Raises TypeError for
-    other types, because ignoring a member could give two values one digest."""
+    """Return the digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays and
+    numbers.
+
+    Values of different type or structure have different digests. Raises TypeError for other types,
+    because ignoring a member could give two values the same digest."""
     return sha256(_token(value, {})).hexdigest()
 
 
 @cache
 def version_digest() -> str | None:
-    """The digest of this compiler: its sources, added generators, Python and the libraries. None if
-    sources cannot be read."""
+    """Return the digest of this compiler: its sources, added generators, Python and the libraries.
+
+    None if sources cannot be read."""
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
@@ -43,7 +46,8 @@ def version_digest() -> str | None:
 
 @cache
 def package_digest(name: str) -> str | None:
-    """Like `version_digest`, of another installed package, given its import name."""
+    """Return the digest of another installed package, given its import name; None if it has no
+    sources."""
     spec = find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         return None
@@ -51,7 +55,9 @@ def package_digest(name: str) -> str | None:
 
 
 def _digest_of(roots: Mapping[str, Path]) -> str | None:
-    """The digest of these source folders and files and of the versions of Python and numpy."""
+    """Return the digest of source folders and files and of the versions of Python and numpy.
+
+    None if sources are missing or cannot be read."""
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
@@ -67,7 +73,7 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
 
 
 def _deciding(root: Path) -> list[Path]:
-    """The files under `root` that the behaviour of its code depends on."""
+    """Return the source and data files under `root` on which the behaviour of its code depends."""
     if root.is_file():
         return [root]
     return sorted(
@@ -79,8 +85,9 @@ def _deciding(root: Path) -> list[Path]:
 
 
 def _token(value: Any, known: dict[int, bytes]) -> bytes:
-    """The bytes that stand for a value in the digest; `known` caches them by identity, as many
-    members are shared."""
+    """Return bytes that represent a value in the digest.
+
+    `known` caches the bytes of members by identity, because many members are shared."""
     if isinstance(value, Enum):
         return f"e{type(value).__name__}.{value.name}".encode()
     if value is None or isinstance(value, bool | float):

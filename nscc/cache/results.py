@@ -1,8 +1,7 @@
 """Cached results of the search for gates.
 
-The key covers the whole problem: demands, plan, times, target, level, and the compiler itself with
-its added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key.
-"""
+The key covers the whole problem (demands, plan, times, target, level) and the compiler with its
+added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key."""
 
 from __future__ import annotations
 
@@ -17,25 +16,28 @@ from nscc.logic.problem import Machine, Problem, Solution
 from nscc.logic.replay import fault
 
 LEAST_LEVEL = 2
-"""Below this level a search is faster than reading its result."""
+"""Lowest level whose results are cached; below it, a search is faster than reading its result."""
 
 
 @dataclass
 class Results:
-    """Search results of one compilation, read from the store while `trusted` and written to it.
-    `read` counts the results that came from the store."""
+    """The search results of one compilation, in a store.
+
+    Results are read from the store only while `trusted` is true, but always written to it. `read`
+    counts the results that came from the store."""
 
     store: Store
     trusted: bool = field(default=True, init=False)
     read: int = field(default=0, init=False)
 
     def distrust(self) -> None:
-        """Stop reading: from now on every search runs and its result replaces the stored one."""
+        """Stop reading from the store; every search runs, and its result replaces the
+        stored one."""
         self.trusted, self.read = False, 0
 
     def find(self, problem: Problem, machine: Machine, level: int, *context: Any) -> Result:
-        """Look up the solution of a problem; `context` is everything else that the best solution
-        depends on."""
+        """Look up the solution of a problem; `context` contains everything else that affects the
+        best solution."""
         version = version_digest() if level >= LEAST_LEVEL else None
         if version is None:
             return Result()
@@ -47,30 +49,33 @@ class Results:
 
 @dataclass(frozen=True)
 class Result:
-    """The best solution of a problem if it is known, else the key under which to store it."""
+    """The result of a search: the best solution if it is stored, otherwise the key for
+    storing it."""
 
     known: Solution | None = None
     store: Store | None = None
     key: str = ""
 
     def or_else(self, solutions: Iterable[Solution]) -> Iterable[Solution]:
-        """The known solution alone, or else `solutions`, which are only generated in this case."""
+        """Return only the known solution; without one, return `solutions`, which are generated
+        lazily."""
         return solutions if self.known is None else (self.known,)
 
     def keep(self, best: Solution) -> None:
-        """Store the best solution of a search."""
+        """Store the best solution of a search, unless it came from the store."""
         if self.store is not None and self.known is None:
             self.store.write(self.key, to_json(best))
 
 
 def results_of_user() -> Results | None:
-    """The results in the user's cache folder; None if the cache is off."""
+    """Return the results in the user's cache folder; None if the cache is off."""
     folder = cache_folder()
     return None if folder is None else Results(Store(folder))
 
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
-    """Decode the solution in an entry; None unless it solves the problem."""
+    """Return the solution in a stored entry; None if the entry is invalid or does not solve the
+    problem."""
     if data is None:
         return None
     try:

@@ -18,20 +18,22 @@ from pathlib import Path
 
 MOST_BYTES = 64_000_000
 _KEPT_SHARE = 0.75
-"""Share of the limit that remains after making room, so that not every write must make room."""
+"""Fraction of the size limit that remains after deletions, so that few writes must delete
+entries."""
 _LARGEST = MOST_BYTES // 4
 
 _FORMAT = b"nscc-cache-1"
 _ENTRY = re.compile(r"[0-9a-f]{64}")
 _PART = re.compile(r"\.[0-9a-f]{64}\.[0-9]+\.part")
 _PART_AGE_S = 600.0
-"""A partial file older than this belongs to a process that died."""
+"""Age in seconds above which a partial file belongs to a process that died."""
 
 
 def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
-    """The folder of the cache; None if `NSCC_CACHE=off` or there is no home folder.
-    `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc (an absolute path, as its specification demands),
-    else ~/.cache/nscc."""
+    """Return the cache folder; None if `NSCC_CACHE=off` or there is no home folder.
+
+    The folder is `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc if that is an absolute path, else
+    ~/.cache/nscc."""
     variables = os.environ if environment is None else environment
     if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
@@ -46,14 +48,15 @@ def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
 
 @dataclass(frozen=True)
 class Store:
-    """Entries in a folder that need not exist; no method raises an error of the file system."""
+    """Entries in a folder, which need not exist; no method raises file system errors."""
 
     folder: Path
     most_bytes: int = MOST_BYTES
 
     def read(self, key: str) -> bytes | None:
-        """The data stored under `key` (64 hexadecimal digits); None if missing or damaged. Reading
-        marks the entry as recently used."""
+        """Return the data stored under `key` (64 hexadecimal digits); None if missing or damaged.
+
+        Reading marks the entry as recently used."""
         path = self.folder / key
         try:
             # Opening a pipe in the entry's place must not block.
@@ -71,8 +74,8 @@ class Store:
         return data
 
     def write(self, key: str, data: bytes) -> None:
-        """Store `data` under `key`, replace an older entry, and delete other entries if there is no
-        room."""
+        """Store `data` under `key`; delete least recently used entries if the folder is too
+        large."""
         entry = _head(key, data) + b"\n" + data
         if len(entry) > min(_LARGEST, self.most_bytes):
             return
@@ -93,11 +96,11 @@ class Store:
         return sum(1 for _ in self._files(_ENTRY))
 
     def bytes_used(self) -> int:
-        """Bytes of all entries."""
+        """Return the total size of all entries in bytes."""
         return sum(status.st_size for _, status in self._files(_ENTRY))
 
     def writable(self) -> bool:
-        """Whether the folder, or its first existing parent, is writable."""
+        """Return whether the folder, or its first existing parent, is writable."""
         folder = self.folder.absolute()
         existing = next(p for p in (folder, *folder.parents) if os.path.exists(p))
         return os.path.isdir(existing) and os.access(existing, os.W_OK | os.X_OK)
@@ -118,7 +121,7 @@ class Store:
             used -= status.st_size
 
     def _files(self, pattern: re.Pattern[str]) -> Iterator[tuple[Path, os.stat_result]]:
-        """The regular files whose names match `pattern`."""
+        """Yield the regular files whose names match `pattern`."""
         try:
             with os.scandir(self.folder) as entries:
                 names = [entry for entry in entries if pattern.fullmatch(entry.name)]

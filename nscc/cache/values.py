@@ -1,8 +1,7 @@
 """Frozen dataclasses as JSON and back, with strict types.
 
 A dataclass becomes the list of its field values, a tuple a list, a large integer a hexadecimal
-string. Reading returns exactly the annotated types or raises ValueError.
-"""
+string. Reading returns exactly the annotated types or raises ValueError."""
 
 from __future__ import annotations
 
@@ -14,18 +13,19 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 T = TypeVar("T")
 
 _LARGE = 1 << 53
-"""Larger integers are written as text, because not every JSON reader keeps them exact."""
+"""Integers above this are written as text, because not every JSON reader keeps them exact."""
 
 
 def to_json(value: Any) -> bytes:
-    """A dataclass as one line of JSON; the same value gives the same bytes."""
+    """Return a dataclass as one line of JSON; the same value gives the same bytes."""
     import json
 
     return json.dumps(_plain(value), separators=(",", ":")).encode()
 
 
 def from_json(kind: type[T], data: bytes) -> T:
-    """The inverse of `to_json`; raises ValueError for data that `to_json` cannot have written."""
+    """Return the inverse of `to_json`; raise ValueError for data that `to_json` cannot have
+    written."""
     import json
 
     try:

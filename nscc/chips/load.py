@@ -1,8 +1,7 @@
-"""Targets by name or from a file: built-in tables, tables of other packages, user files.
+"""Loading of targets: built-in tables, tables of other packages, and user files.
 
-A name that ends in `.toml` or contains `/` is a file. In a user's file every key must be known.
-Keys for which the chip's maker published no value may be missing and then have scamp5's value.
-"""
+A name that ends in `.toml` or contains `/` is a file. All keys in a user's file must be known. Keys
+whose value the chip's maker has not published are optional; their default is scamp5's value."""
 
 from __future__ import annotations
 
@@ -30,13 +29,13 @@ _TABLES = Path(__file__).with_name("tables")
 
 
 def builtin_names() -> tuple[str, ...]:
-    """The names of the built-in targets, sorted."""
+    """Return the names of the built-in targets, sorted."""
     return tuple(sorted(path.stem for path in _TABLES.glob("*.toml")))
 
 
 @cache
 def builtin_target(name: str) -> Target:
-    """The built-in target `name`, which must exist."""
+    """Return the built-in target `name`, which must exist."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
     key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
@@ -45,15 +44,15 @@ def builtin_target(name: str) -> Target:
 
 
 def target_names() -> tuple[str, ...]:
-    """The names of all targets, the built-in ones first."""
+    """Return the names of all targets, the built-in ones first."""
     return (*builtin_names(), *added_targets())
 
 
 @cache
 def added_targets() -> dict[str, Target]:
-    """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
-    Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name that
-    differs from the one in the table, and for an invalid table."""
+    """Return the targets that installed packages add: each a `Target`, TOML text, or the path of a
+    file. Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name
+    that differs from the one in the table, and for an invalid table."""
     return {
         name: _added(name, value)
         for name, value in added("nscc.targets", builtin_names()).items()
@@ -67,12 +66,12 @@ def load_target(
     source: Source | None = None,
     span: Span | None = None,
 ) -> Target:
-    """The target that a `target` statement or `--target` names; files are relative to `base`.
+    """Return the target that a `target` statement or `--target` names; files are relative to
+    `base`.
 
     `source` and `span` are the place of the name, for messages. Raises Rejected: NS0230 for an
     unknown name, NS0231 (status 2) for an unreadable file, NS0232 to NS0236 for all errors in a
-    file (status 1 if a `source` names it, else 2).
-    """
+    file (status 1 if a `source` names it, else 2)."""
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         data = read_target(name_or_path, base, source, span)
         return parse_target(data, name_or_path, status=1 if source else 2)
@@ -90,20 +89,22 @@ def load_target(
         notes=(f"the targets are {', '.join(names)}",),
         helps=(
             *meant(name_or_path, names),
-            "a target of your own is a file whose name ends in .toml: "
-            "`nscc targets scamp5 --toml` prints one to start from",
+            "to define your own target, write a .toml file: "
+            "`nscc targets scamp5 --toml` prints a complete one",
         ),
         data={"target": name_or_path[:60], "known": list(names)},
     )
 
 
 def target_dict(target: Target) -> dict[str, Any]:
-    """The target as JSON values: sections of keys in the order of a file, every key present."""
+    """Return the target as JSON values: sections of keys in the order of a file, every key
+    present."""
     return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
-    """The inverse of `target_dict`; ValueError with the first error of invalid values."""
+    """Return the inverse of `target_dict`; raise `ValueError` with the first error of invalid
+    values."""
     key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
     problems += _contradictions(key_values)
     if problems:
@@ -112,7 +113,7 @@ def target_from_dict(values: Mapping[str, Any]) -> Target:
 
 
 def target_toml(target: Target) -> str:
-    """A complete, commented table that `load_target` reads back as this target."""
+    """Return a complete, commented target file from which `load_target` reads the same target."""
 
     def remark(key: Key) -> str:
         return f"{key.meaning} ({key.source})" if key.source else key.meaning if key.section else ""
@@ -130,7 +131,7 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """Read the bytes of a user's target file; raises NS0231 as `load_target` does."""
+    """Read the bytes of a user's target file; raise NS0231 as `load_target` does."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:
@@ -156,8 +157,7 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """The target with these values; missing keys have their default or scamp5's value. A chip
-    without logic has no registers."""
+    """Return the target with these values; missing keys have their default or scamp5's value."""
     values: dict[str, Any] = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
@@ -177,7 +177,7 @@ def _values(target: Target) -> dict[str, Any]:
 
 
 def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
-    """NS0236 for valid keys that contradict each other."""
+    """Return an error (NS0236) for each pair of valid keys that contradict each other."""
     streamed = key_values.get("kind") == "stream"
     section, find_contradictions = (
         ("stream", tap_contradictions) if streamed else ("registers", contradictions)
@@ -193,7 +193,7 @@ def _contradictions(key_values: KeyValues, source: Source | None = None) -> list
 
 
 def _added(name: str, value: object) -> Target:
-    """The target `name` that a package adds as `value`."""
+    """Return the target `name` that a package adds as `value`."""
     reason = "its table is wrong"
     diagnostics: tuple[Diagnostic, ...] = ()
     try:
@@ -206,7 +206,7 @@ def _added(name: str, value: object) -> Target:
             raise TypeError(f"expected a target, TOML text or a path, not a {type(value).__name__}")
         if target.name == name:
             return target
-        reason = f"its table calls it {target.name}"
+        reason = f"the name in its table is {target.name}"
     except Rejected as error:
         diagnostics = error.diagnostics
     except (TypeError, AttributeError) as error:

@@ -15,8 +15,10 @@ _MOST_TAPS = 16
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """All contradictions, each as its key, a message and a help ("" for none). `registers` maps the
-    names of the keys of [registers] that could be read to their values."""
+    """Yield the contradictions between the keys of [registers] as (key, message, help).
+
+    `registers` maps the keys that could be read to their values. The help is "" if there is none.
+    """
     for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
         for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
             yield key, f"registers.{key} lists {message}", help_text
@@ -38,7 +40,8 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
 
 
 def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Like `contradictions`, for the keys of [stream] of a chip with taps."""
+    """Yield the contradictions between the keys of [stream], for a chip with taps, like
+    `contradictions`."""
     taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
@@ -54,7 +57,8 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
 
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """The errors in a list of registers; `known` are the registers that words can name."""
+    """Yield the errors in a list of registers as (message, help); `known` are the existing
+    registers."""
     for index, name in enumerate(names):
         if name in names[:index]:
             yield f"{shown(name)} twice", ""

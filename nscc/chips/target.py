@@ -1,10 +1,9 @@
-"""What a compiler, a trainer and an emulator may know of a chip: one frozen value from TOML.
+"""Description of a chip for compiler, trainer and emulator, read from a TOML file.
 
-The fields are the keys of a target file: reading one, writing one, listing a target and the table
-in a container all follow from them. There are two kinds of chip, and a file has the keys of its
-kind: those whose pixels have a processor ("scamp"), and those whose pixels have none, and are sent
-a bit for every slot ("stream").
-"""
+The fields of `Target` are the keys of a target file, and also determine how targets are written,
+listed and stored in containers. There are two kinds of chip with different keys. Pixels of the kind
+"scamp" have a processor. Pixels of the kind "stream" have no logic and receive a bit for every
+slot."""
 
 from __future__ import annotations
 
@@ -32,11 +31,10 @@ _in = partial(key, source="not public", section="in", later=True)
 
 @dataclass(frozen=True, kw_only=True)
 class Target:
-    """A chip as a compile target. Every number carries its unit; None means no limit, or none.
+    """A chip as a compile target.
 
-    Registers are those of one pixel. A key without a default of its own that is not required has
-    scamp5's value where a file leaves it out.
-    """
+    Every number has its unit in its name; None means no limit, or that the chip lacks the feature.
+    Registers are those of one pixel. An optional key without a default has scamp5's value."""
 
     name: str = key(NAME, "its name in messages and reports", required=True)
     kind: Literal["scamp", "stream"] = key(
@@ -58,15 +56,18 @@ class Target:
         required=True,
     )  # fmt: skip
     analog_scratch: str = key(
-        _REGISTER, "every analog sequence passes through it", section="registers", required=True
+        _REGISTER,
+        "register that every analog sequence overwrites",
+        section="registers",
+        required=True,
     )
     digital_registers: tuple[str, ...] = key(
         _REGISTERS, "one-bit registers of one pixel", section="registers", name="digital",
         required=True,
     )  # fmt: skip
     mask_register: str | None = key(
-        _REGISTER, "a write to `masked` takes place only where it is 1", section="registers",
-        name="mask", default=None,
+        _REGISTER, "a word changes `masked` only in pixels where this register is 1",
+        section="registers", name="mask", default=None,
     )  # fmt: skip
     masked_register: str | None = key(
         _REGISTER, 'the register that `mask` guards; both are "none" on a chip without this',
@@ -127,7 +128,9 @@ class Target:
     )
     adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
     adc_offset_lsb: float = _ours(
-        Number(-65536, 65536), "codes added to the code of an exposure of 0", section="range"
+        Number(-65536, 65536),
+        "offset added to the converter code of an exposure of 0",
+        section="range",
     )
     readout: Literal["spread", "full", "half"] = key(
         TextKind(("spread", "full", "half")),
@@ -167,59 +170,61 @@ class Target:
     )  # fmt: skip
     drain: bool = _stream(Flag(), "can a slot's bit also select a drain?", default=False)
     row_load_us: float = _stream(
-        _WORD_US, "sending one row of a plane of bits", default=1.0, required=True
+        _WORD_US, "time to send one row of a bit plane", default=1.0, required=True
     )
     pipelined: bool = _stream(
-        Flag(), "is a plane loaded while the previous plane acts?",
+        Flag(), "is a bit plane loaded while the previous one acts?",
         default=True,
     )  # fmt: skip
     tap_gain: tuple[float, ...] = _stream(
-        Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one a tap"),
+        Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one per tap"),
         "gain from a tap's charge to the converter; [] is 1 for each", default=(),
     )  # fmt: skip
 
     @property
     def streamed(self) -> bool:
-        """Whether its pixels have no logic and are sent a bit for every slot."""
+        """Whether the pixels have no logic and receive a bit for every slot."""
         return self.kind == "stream"
 
     @property
     def plane_load_us(self) -> float:
-        """How long a plane of bits takes to load, row by row."""
+        """The time to load a bit plane, row by row, in microseconds."""
         return self.rows * self.row_load_us
 
     @property
     def gains(self) -> tuple[float, ...]:
-        """The gain of every tap."""
+        """The gain of each tap."""
         return self.tap_gain or (1.0,) * len(self.taps)
 
     @property
     def electrons_per_step(self) -> float:
-        """Electrons a step of IN."""
+        """Electrons per step of IN."""
         return self.register_max_e / 127 if self.in_step_e is None else self.in_step_e
 
     @property
     def electrons_per_lsb(self) -> float:
-        """Electrons a code of the readout ADC."""
+        """Electrons per converter code."""
         return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
 
     @property
     def wells_read(self) -> int:
-        """How many full wells all codes of the converter span: 2 where it is symmetric around 0."""
+        """The range of the converter in full wells: 2 if it is symmetric around 0, else 1."""
         return 1 if self.conversion == "spread" else 2
 
     @property
     def conversion(self) -> Literal["spread", "full", "half"]:
-        """The `readout` that exposures really have: the converter's own where IN, or a register,
-        does not reach as far as it takes to spread them."""
+        """The conversion that is used: `readout`, but "full" if exposures cannot be spread.
+
+        Spreading needs a range of IN and of a register that is large enough."""
         reached = self.streamed or self.spread_level is not None
         return "full" if self.readout == "spread" and not reached else self.readout
 
     @property
     def spread_level(self) -> int | None:
-        """Steps of IN that are a full well less than nothing, to half a step, which spread
-        exposures over all codes; None where they are not to be spread, or nothing reaches so far.
-        """
+        """The value of IN, in steps, closest to minus a full well, which spreads exposures over all
+        codes.
+
+        None if exposures are not spread, or if IN or a register does not reach this value."""
         level = round(-self.full_well_e / self.electrons_per_step)
         held_e = min(self.register_max_e, -self.register_min_e)
         reached = self.in_low <= level < 0 and self.full_well_e <= held_e
@@ -227,12 +232,12 @@ class Target:
 
     @property
     def code_bits(self) -> int:
-        """Bits of the largest code that is read out."""
+        """The number of bits of the largest converter code."""
         return self.adc_bits - (self.conversion == "half")
 
     @property
     def top_code(self) -> int:
-        """The largest code that is read out."""
+        """The largest converter code."""
         return (1 << self.code_bits) - 1
 
     @property
@@ -242,7 +247,7 @@ class Target:
         if self.conversion == "full":
             zero = 1 << (self.adc_bits - 1)
         elif self.spread_level is not None and not self.streamed:
-            # IN has steps: the full well that it takes away may be half a step too much or little.
+            # IN is set in whole steps, so the subtracted full well may be wrong by half a step.
             taken_e = -self.spread_level * self.electrons_per_step
             zero = (self.full_well_e - taken_e) / (2 * self.electrons_per_lsb)
         return zero + self.adc_offset_lsb
@@ -258,7 +263,7 @@ _OF_STREAMS = (
     "name", "kind", "description", "array.rows", "array.cols", "time.readout_us",
     "range.full_well_e", "range.adc_bits", "range.adc_offset_lsb",
 )  # fmt: skip
-"""Keys that chips without logic share with the others."""
+"""Keys that both kinds of chip have."""
 
 SCHEMA = Schema(
     "target",
@@ -277,7 +282,7 @@ SCHEMA = Schema(
     _CODES,
     "`nscc targets scamp5 --toml` prints a complete file to start from",
 )
-"""The file of a chip whose pixels have a processor."""
+"""The target file of a chip whose pixels have a processor."""
 
 STREAM_SCHEMA = Schema(
     "target",
@@ -296,9 +301,9 @@ STREAM_SCHEMA = Schema(
     _CODES,
     "`nscc targets dual-tap --toml` prints a complete file to start from",
 )
-"""The file of a chip whose pixels have no logic."""
+"""The target file of a chip whose pixels have no logic and receive bits."""
 
 
 def schema_of(kind: Any) -> Schema[Key]:
-    """The keys of files of a kind; a file that does not say a known one is taken as a scamp's."""
+    """Return the keys of target files of a kind; an unknown kind is treated as "scamp"."""
     return STREAM_SCHEMA if kind == "stream" else SCHEMA

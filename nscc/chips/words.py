@@ -11,9 +11,8 @@
     us = 0.2                  # its duration; default: that of the words of its clock
 
 Reset, flag and bus words use the analog clock, flag_digital and digital words the digital clock.
-The effects are fixed, because the proof and the emulator implement them: a target can define words
-with other operands or times, but no new effects.
-"""
+The set of effects is fixed, because the proof and the emulator implement them. A target can define
+words with other operands or durations, but no new effects."""
 
 from __future__ import annotations
 
@@ -52,7 +51,7 @@ _MOST = 32
 
 
 class OwnWords(Kind):
-    """The `[[words]]` of a target as rows of the table of operations."""
+    """The type of the key `[[words]]`: a list of operations."""
 
     @property
     def allowed(self) -> str:
@@ -77,7 +76,7 @@ class OwnWords(Kind):
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """The lines of a target file that define these words."""
+    """Return the lines of a target file that define these words."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
@@ -100,8 +99,8 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """The operation that one `[[words]]` table defines; ValueError with the reason if it is
-    invalid."""
+    """Return the operation that one `[[words]]` table defines; raise `ValueError` with the reason
+    if it is invalid."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -150,7 +149,9 @@ def _row(values: Any, who: str) -> Operation:
 
 
 def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
-    """The numbers of registers that a word writes and reads; `who` names the word in errors."""
+    """Return the numbers of registers that a word writes and reads.
+
+    `written_` and `read` are the values in the file; errors call the word `who`."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
     if not _is_integer_within(written_, int(effect in _WRITES), most):
@@ -166,7 +167,7 @@ def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int
 
 
 def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
-    """The control lines `names`, in the chip's order."""
+    """Return the numbers of the control lines `names`, in the chip's order."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:
@@ -178,13 +179,13 @@ def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
 
 
 def _operand_lines(digital: bool) -> frozenset[int]:
-    """The control lines that select the registers a word reads and writes."""
+    """Return the control lines that select the registers a word reads and writes."""
     reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 
 
 def _alike(first: Operation, second: Operation) -> bool:
-    """Whether two operations can encode to one word: all control lines equal except those of
+    """Return whether two operations can have the same encoding: control lines equal except for
     operands."""
     if first.clock != second.clock:
         return False
@@ -195,7 +196,7 @@ def _alike(first: Operation, second: Operation) -> bool:
 
 
 def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
-    """Whether two ranges of operand counts overlap; None is no limit."""
+    """Return whether two ranges of operand counts overlap; None means no limit."""
     return (second[1] is None or first[0] <= second[1]) and (
         first[1] is None or second[0] <= first[1]
     )

@@ -1,9 +1,11 @@
-"""Errors for wrong arguments of Python calls."""
+"""Errors for invalid arguments of Python calls."""
 
 from __future__ import annotations
 
+import os
 import warnings
 from collections.abc import Collection, Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,14 +16,14 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an invalid argument (NS0789, status 2). It is also a ValueError and a
+    """Raised for an invalid argument of a call (NS0789, status 2); also a ValueError and a
     TypeError."""
 
 
 def wrong_argument(
     message: str, *, notes: Sequence[str] = (), helps: Sequence[str] = ()
 ) -> WrongArgument:
-    """The exception for a wrong argument; `message` is one sentence."""
+    """Return the exception for an invalid argument; `message` is one sentence."""
     return WrongArgument(
         Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
@@ -50,7 +52,8 @@ def require_whole_number(
 
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
-    """Issue warnings among diagnostics as Python warnings, by default at the caller's caller."""
+    """Issue the warnings among the diagnostics as Python warnings, located at the caller's
+    caller."""
     for diagnostic in diagnostics:
         if diagnostic.severity is Severity.WARNING:
             warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=stacklevel)
@@ -58,6 +61,7 @@ def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
 
 def shown(value: object) -> str:
     """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
+
     Arrays are recognised by their attributes, so that no array library is imported."""
     if isinstance(value, np.generic):
         value = value.item()
@@ -71,3 +75,12 @@ def shown(value: object) -> str:
         kind_text = "an array" if name == "ndarray" else f"a {name}"
         return f"{kind_text} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
     return f"{'an' if name[:1].lower() in 'aeiou' else 'a'} {name}"
+
+
+def path_of(call: str, value: object) -> Path:
+    """Return an argument of `call` as a path; raise WrongArgument for anything else."""
+    if isinstance(value, str | os.PathLike):
+        path = os.fspath(value)
+        if isinstance(path, str):
+            return Path(path)
+    raise wrong_argument(f"{call} takes a path, not {shown(value)}")

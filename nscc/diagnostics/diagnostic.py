@@ -15,7 +15,7 @@ class Rejected(Exception):
     Parameters
     ----------
     diagnostics : Diagnostic or sequence of Diagnostic
-        All diagnostics found. At least one is an error.
+        All diagnostics; at least one is an error.
     status : int
         Exit status of the command line: 1 for an invalid program, 2 for wrong usage or
         configuration, 3 for a failure of device or emulator.
@@ -34,6 +34,6 @@ class Rejected(Exception):
         return f"{type(self).__name__}({text!r})"
 
     def __str__(self) -> str:
-        from nscc.diagnostics.render import render  # only where somebody reads it
+        from nscc.diagnostics.render import render  # computed only for diagnostics that are shown
 
         return render(self.diagnostics, "human").rstrip()

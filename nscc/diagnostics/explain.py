@@ -1,4 +1,4 @@
-"""The pages behind `nscc explain`: one for each code, in `nscc/diagnostics/pages`."""
+"""The pages of `nscc explain`: one for each code, in `nscc/diagnostics/pages`."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?"
 
 
 def page(code_or_name: str) -> str:
-    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`). Raises
-    Rejected (NS0790, status 2) for an unknown one."""
+    """Return the page of a code (`NS0412` in any case, `412`) or of a name (`too-many-shutters`).
+
+    Raises Rejected (NS0790, status 2) for an unknown code or name."""
     known = names()
     query = code_or_name.strip()
     match = _CODE.fullmatch(query)
@@ -37,7 +38,7 @@ def page(code_or_name: str) -> str:
 
 
 def index() -> str:
-    """One line for each code: code, name, title."""
+    """Return one line for each code, with its name and title."""
     lines = []
     for code, name in names().items():
         with open(PAGES / f"{code}-{name}.md", encoding="utf-8") as file:

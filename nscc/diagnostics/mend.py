@@ -1,4 +1,4 @@
-"""Sure fixes applied to a text."""
+"""Automatic application of safe fixes to a text."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from nscc.source import Source
 
 
 def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
-    """Apply the sure fixes of a text's diagnostics; returns the text and the number of fixes. Each
-    diagnostic contributes its first sure fix. Of overlapping fixes, the last one in the text is
+    """Apply the safe fixes of a text's diagnostics; return the text and the number of fixes.
+
+    The first safe fix of each diagnostic is used. Of overlapping fixes, the last in the text is
     applied."""
     fixes = []
     for diagnostic in diagnostics:

@@ -11,7 +11,7 @@ from nscc.source import Source, Span
 
 
 class Severity(StrEnum):
-    """An error rejects the program; warnings and notes do not."""
+    """The severity of a diagnostic: an error rejects the program; warnings and notes do not."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -20,7 +20,7 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """A place in the source with a short text."""
+    """A place in the source, with a short text about it."""
 
     span: Span
     text: str = ""
@@ -28,8 +28,9 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A change that resolves a diagnostic: replace `span` by `replacement`. A fix is `sure` if it
-    cannot change the meaning that the author intended."""
+    """A change that resolves a diagnostic: replace `span` by `replacement`.
+
+    A fix is `sure` (safe) if it cannot change the meaning that the author intended."""
 
     title: str
     span: Span

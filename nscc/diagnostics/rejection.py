@@ -1,4 +1,4 @@
-"""Build the exception for one error in one call."""
+"""Construction of exceptions for single errors."""
 
 from __future__ import annotations
 
@@ -18,15 +18,17 @@ def rejected(
     status: int = 2,
     **about: Any,
 ) -> Rejected:
-    """An exception that ends the command with `status`, by default 2 (wrong input). `about` are
-    further fields of `Diagnostic`."""
+    """Return an exception with one error; by default the exit status is 2 (wrong input).
+
+    `about` contains further fields of `Diagnostic`."""
     diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)
 
 
 def unknown_name(code: str, message: str, name: str, known: Sequence[str], listed: str) -> Rejected:
-    """The exception for a name that is not in `known`; a note lists the known names. {} stands for
-    the name in `message` and for the known names in `listed`."""
+    """Return the exception for a name that is not in `known`; a note lists the known names.
+
+    {} in `message` is replaced by the name, and {} in `listed` by the known names."""
     return rejected(
         code,
         message.format(name[:60]),

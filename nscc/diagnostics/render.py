@@ -1,5 +1,6 @@
-"""Diagnostics as text: for people, editors (`short`) and programs (`json`). See
-`nscc.diagnostics.reports` for code-review services."""
+"""Diagnostics as text: for people, editors (`short`) and programs (`json`).
+
+`nscc.diagnostics.reports` has the formats of code-review services."""
 
 from __future__ import annotations
 
@@ -27,12 +28,12 @@ _BOLD, _BLUE, _PLAIN = "\x1b[1m", "\x1b[1;34m", "\x1b[0m"
 
 @cache
 def names() -> dict[str, str]:
-    """The kebab-case name of every code that has a page."""
+    """Return the kebab-case name of every code with a page, by code."""
     return {p.stem[:6]: p.stem[7:] for p in sorted(PAGES.glob("NS[0-9][0-9][0-9][0-9]-*.md"))}
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Format diagnostics as text that ends in a line break; `json` is one object a line."""
+    """Return diagnostics as text that ends in a line break; `json` has one object per line."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
@@ -84,7 +85,7 @@ def _json(diagnostic: Diagnostic) -> str:
 
 
 def _places(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str, int]]:
-    """The (row, column) of the start and the end of `at`, if it has a place in a text."""
+    """Return the (row, column) of start and end of `at`; empty if `at` has no place in a text."""
     if source is None or at is None:
         return {}
     rows_columns = (source.row_column(offset) for offset in (at.span.start, at.span.end))
@@ -128,7 +129,7 @@ def _labelled(
     margin: int,
     paint: Callable[[str, str], str],
 ) -> list[str]:
-    """The source lines of the labels with marks below them; labels on one line share it."""
+    """Return the source lines of the labels, with marks below them; labels on one line share it."""
     bar = paint(_BLUE, " " * (margin + 1) + "|")
     lines = [bar]
     above = (0, "")
@@ -156,7 +157,7 @@ def _helps(diagnostic: Diagnostic) -> list[str]:
 
 
 def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, str]:
-    """The label's source line, cut around the label, and the line of marks with the label's
+    """Return the source line of a label, cut to the terminal's width, and a line with marks and
     text."""
     line = source.line(row)
     _, column = source.row_column(label.span.start)
@@ -187,7 +188,7 @@ def _visible(text: str) -> str:
 
 
 def _width(text: str) -> int:
-    """The number of terminal columns of a text."""
+    """Return the number of terminal columns of a text."""
     if text.isascii():
         return len(text)
     from unicodedata import combining, east_asian_width

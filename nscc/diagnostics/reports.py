@@ -17,7 +17,7 @@ _KINDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "
 
 
 def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
-    """Workflow commands, one a line."""
+    """Return GitHub workflow commands for the diagnostics, one per line."""
     return "".join(map(_annotation, diagnostics))
 
 
@@ -32,7 +32,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
             properties["line"] = str(region["startLine"])
             properties["col"] = str(region["startColumn"])
             properties["endLine"] = str(region["endLine"])
-            if region["endLine"] == region["startLine"]:  # columns are of one line only
+            if region["endLine"] == region["startLine"]:  # only for spans on one line
                 properties["endColumn"] = str(region["endColumn"])
     fields = ",".join(
         f"{key}={_escaped(value).replace(':', '%3A').replace(',', '%2C')}"
@@ -42,7 +42,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
 
 
 def sarif(diagnostics: Sequence[Diagnostic]) -> str:
-    """A SARIF log of one run; results are in the order of `diagnostics`."""
+    """Return a SARIF log of one run; results are in the order of `diagnostics`."""
     codes = sorted({diagnostic.code for diagnostic in diagnostics})
     rules = [{"id": code, "name": names().get(code, code)} for code in codes]
     driver = {"name": "nscc", "version": __version__, "rules": rules}
@@ -97,13 +97,13 @@ def _fix(source: Source, fix: Fix) -> dict[str, Any]:
 
 
 def _region(source: Source, at: Label | Fix) -> dict[str, int]:
-    """The region of a place: from its first character to the one after its last, counted from 1."""
+    """Return the SARIF region of a place, counted from 1; its end is after the last character."""
     (row, column), (end_row, end_column) = map(source.row_column, (at.span.start, at.span.end))
     return {"startLine": row, "startColumn": column, "endLine": end_row, "endColumn": end_column}
 
 
 def full_text(diagnostic: Diagnostic) -> str:
-    """The text of a diagnostic without its place, one line for each part."""
+    """Return the text of a diagnostic without its place, with one line for each part."""
     ways = [f"{i}. {way}" for i, way in enumerate(diagnostic.ways_out, 1)]
     fixes = [fix.title for fix in diagnostic.fixes]
     return "\n".join([diagnostic.message, *diagnostic.notes, *diagnostic.helps, *fixes, *ways])

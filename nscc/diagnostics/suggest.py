@@ -1,4 +1,4 @@
-"""Suggest the name that the user probably meant."""
+"""Suggestions of the name that the user probably meant."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterable
 
 _LONGEST = 64
-"""Longer names are not compared: they are rarely misspelt by a letter."""
+"""Names longer than this are not compared, because a misspelling is unlikely."""
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate most similar to `name`; None if none is similar. Case is ignored. Of equally
-    similar candidates, the alphabetically first is returned."""
+    """Return the candidate most similar to `name`, ignoring case; None if none is similar.
+
+    Of equally similar candidates, the alphabetically first is returned."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}
@@ -24,7 +25,7 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     if folded in by_folded:
         return by_folded[folded]
 
-    from difflib import SequenceMatcher  # only where a name is wrong: keeps start-up short
+    from difflib import SequenceMatcher  # imported only if a name is wrong: keeps start-up short
 
     matcher = SequenceMatcher(None, "", folded, autojunk=False)
     by_word = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
@@ -42,8 +43,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
 def meant(
     name: str, candidates: Iterable[str], otherwise: str = "", written: str = "{}"
 ) -> tuple[str, ...]:
-    """A help "did you mean ..?" with the closest candidate formatted by `written`; else the help
-    `otherwise`."""
+    """Return a help "did you mean ..?" with the closest candidate, formatted by `written`.
+
+    Without a similar candidate, the help is `otherwise`."""
     nearest = closest(name, candidates)
     help_text = did_you_mean(written.format(nearest)) if nearest else otherwise
     return (help_text,) if help_text else ()

@@ -1,12 +1,11 @@
-"""Services for editors: what a program's text means while it is written.
+"""Services for editors: the meaning of a program text, even while it is incomplete.
 
-from nscc.editing.document import Document
+    from nscc.editing.document import Document
     from nscc.editing.hover import hover
 
-document = Document("a.nsl", text, folder)
+    document = Document("a.nsl", text, folder)
     document.checked.diagnostics    # those of `nscc check`
-    hover(document, offset)         # what stands at a character, in words
+    hover(document, offset)         # a description of the place at `offset`
 
-Places are character offsets, as in `nscc.source`. Every function takes any text whatever, finished
-or not, and none raises for it unless it says so.
-"""
+Places are character offsets, as in `nscc.source`. All functions accept any text, also an invalid
+one, and raise no error for it unless their docstring says so."""

@@ -1,4 +1,4 @@
-"""Fixes of messages, as an editor offers them."""
+"""Fixes of messages that an editor offers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from nscc.source import Span
 
 
 def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]:
-    """The fixes, with their messages, whose message or change touches `span`."""
+    """Yield the messages and their fixes at `span`: the message or the change touches it."""
     for diagnostic in document.checked.diagnostics:
         if diagnostic.source is None or diagnostic.source.text != document.text:
             continue
@@ -22,7 +22,7 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
 
 
 def all_mended(document: Document) -> str | None:
-    """The text with all sure fixes applied once, as `nscc check --fix` does; None if there are
-    none."""
+    """Return the text after applying all safe fixes once, as `nscc check --fix` does; None without
+    fixes."""
     better, count = mended(document.source, document.checked.diagnostics)
     return better.text if count else None

@@ -39,7 +39,7 @@ _ONCE = ("nsl", "target", "frame", "reset")
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """A completion: its text, its kind and a line of description."""
+    """A completion: its text, its kind and a one-line description."""
 
     text: str
     kind: Literal["word", "name", "target", "file", "digest"]
@@ -47,8 +47,9 @@ class Offer:
 
 
 def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
-    """The span that a completion replaces, and the completions at `offset`: grammar words, visible
-    names, targets, files and the digest of a named file."""
+    """Return the span that a completion replaces, and the completions at `offset`.
+
+    Completions are grammar words, visible names, targets, files and the digest of a named file."""
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
@@ -66,7 +67,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
 
 @dataclass(frozen=True)
 class _Place:
-    """The tokens before a place in the text, and the indices of those that begin statements."""
+    """The tokens before a place in the text, and the indices of tokens that start statements."""
 
     document: Document
     tokens: Tokens
@@ -81,9 +82,7 @@ class _Place:
         statement = kinds[begin]
         _, stuck = read(self.tokens, begin, len(kinds))
         if stuck is not None and stuck.token < len(kinds):
-            expected = frozenset(
-                {"NAME", END}
-            )  # there is an error before: then anything may follow
+            expected = frozenset({"NAME", END})  # an earlier error: every token may follow
         else:
             expected = Stuck(len(kinds), tuple(self.tokens.lark_tokens[begin:])).expected
         if "NAME" in expected:
@@ -103,7 +102,7 @@ class _Place:
                 yield Offer(word, "word", FORMS[word][0])
 
     def _names(self, statement: str, begin: int) -> Iterator[Offer]:
-        """The names that are visible at this place of a statement."""
+        """Yield the names that are visible at this place of a statement."""
         kinds, declared = self.tokens.kinds[begin:], self.document.declared
         last, first = kinds[-1], len(kinds) == 1
         if last == "exposure":
@@ -146,7 +145,7 @@ class _Place:
 def _in_quotes(
     document: Document, tokens: Tokens, starts: list[int], offset: int
 ) -> tuple[Span, list[Offer]]:
-    """Completions inside quotes: files that fit the statement, or the digest of its file after
+    """Return completions inside quotes: file names, or the digest of the statement's file after
     `sha256`."""
     opening = len(tokens.kinds) - 1
     span = Span(tokens.span(opening).start + 1, offset)
@@ -162,7 +161,7 @@ def _in_quotes(
 
 
 def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
-    """Files that end in `ending`, and folders, in the folder of the typed path."""
+    """Yield files that end in `ending`, and folders, in the folder of the typed path."""
     inside = typed[: typed.rfind("/") + 1]
     try:
         entries = sorted(os.scandir(document.folder / inside), key=lambda entry: entry.name)

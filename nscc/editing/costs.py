@@ -1,5 +1,6 @@
-"""Costs of a frame and its slots as sentences; None if the text has errors or only a search can
-tell."""
+"""Costs of a frame and its slots in words.
+
+The functions return None if the text has errors or only a longer search can determine the costs."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from nscc.program.problems import counted
 
 
 def in_short(document: Document) -> str | None:
-    """The cost of a frame and its shortest slot, in a few words."""
+    """Return the cost of a frame and its shortest slot length, in a few words."""
     compiled = document.checked.compiled
     shortest_us = _shortest_slot_us(compiled)
     if compiled is None or shortest_us is None:
@@ -26,7 +27,7 @@ def in_short(document: Document) -> str | None:
 
 
 def frame_cost(document: Document) -> str | None:
-    """The cost of a frame in sentences, with the distribution of words over slots."""
+    """Return the cost of a frame in sentences, with the distribution of words over slots."""
     compiled = document.checked.compiled
     shortest_us = _shortest_slot_us(compiled)
     if compiled is None or shortest_us is None:
@@ -40,7 +41,7 @@ def frame_cost(document: Document) -> str | None:
 
 
 def slot_cost(document: Document, slot: int) -> str | None:
-    """The words that run before a slot, and the share of the slot that they take."""
+    """Return a sentence about the words that run before a slot, and their share of the slot."""
     compiled = document.checked.compiled
     if compiled is None or _shortest_slot_us(compiled) is None:
         return None
@@ -48,7 +49,7 @@ def slot_cost(document: Document, slot: int) -> str | None:
     head = f"Slot {slot}, {time_text(slot_us)}"
     if lowered is None:
         load_us = compiled.program.target.plane_load_us
-        return f"{head}: one plane of bits, loaded in {_share(load_us, slot_us)}."
+        return f"{head}: one bit plane, loaded in {_share(load_us, slot_us)}."
     words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
     if not words:
         return f"{head}: costs no words."

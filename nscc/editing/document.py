@@ -1,4 +1,4 @@
-"""A program's text in an editor, with lazily computed analyses."""
+"""A program text in an editor, with analyses that are computed when first needed."""
 
 from __future__ import annotations
 
@@ -38,8 +38,9 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Document:
-    """A program's text, possibly unsaved or invalid. Messages call it `name`; paths in it are
-    relative to `folder`."""
+    """A program text, possibly unsaved or invalid.
+
+    Messages call it `name`; paths in it are relative to `folder`."""
 
     name: str
     text: str
@@ -51,7 +52,7 @@ class Document:
 
     @cached_property
     def checked(self) -> CheckResult:
-        """The result of `nscc check`; computing it takes longest."""
+        """The result of `nscc check`, the slowest of the analyses."""
         try:
             # Checked as the bytes of a file, which reports too large texts and invalid characters.
             source = source_of(Path(self.name), self.text.encode(errors="surrogatepass"))
@@ -76,12 +77,12 @@ class Document:
 
     @cached_property
     def target(self) -> Target | None:
-        """The chip; None if the named one cannot be loaded."""
+        """The chip; None if it cannot be loaded."""
         return target_of(self.declared, self.folder, self._unheard)
 
     @cached_property
     def constants(self) -> Mapping[str, Meaning]:
-        """The meaning of N, rows, cols and every let."""
+        """The meaning of N, rows, cols and every `let`."""
         return resolve_constants(self.declared, self.target, self._unheard)
 
     @cached_property
@@ -97,10 +98,11 @@ class Document:
 
     @cached_property
     def looking(self) -> Looking | None:
-        """The statements about sensing and states; None if there are none or they are invalid."""
+        """The statements about sensing and states; None if there are none or if they are
+        invalid."""
         return make_looking(self.declared, self.constants, self.target, self._unheard)
 
     @property
     def _unheard(self) -> Problems:
-        """A collector whose errors are discarded, as `checked` reports them."""
+        """Return a collector of errors that are ignored, because `checked` reports them."""
         return Problems(self.source)

@@ -1,4 +1,4 @@
-"""Inlay hints at the ends of statements: costs, and values of lets."""
+"""Inlay hints at the ends of statements: costs, and values of `let` statements."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from nscc.syntax import tree
 
 @dataclass(frozen=True, slots=True)
 class Hint:
-    """A text shown behind the character before `offset`."""
+    """A text shown after the character before `offset`."""
 
     offset: int
     text: str
 
 
 def hints(document: Document) -> Iterator[Hint]:
-    """The frame's cost if the program fits, and the value of every let that is an expression."""
+    """Yield the frame's cost if the program fits, and the value of every `let` that is an
+    expression."""
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():

@@ -1,4 +1,4 @@
-"""The text of the box that an editor shows for a place in a program."""
+"""Hover texts: descriptions of places in a program, as an editor shows them."""
 
 from __future__ import annotations
 
@@ -24,15 +24,17 @@ _MOST_VALUES = 12
 
 @dataclass(frozen=True, slots=True)
 class Hover:
-    """A place, and its description in Markdown."""
+    """A place in a program, and its description in Markdown."""
 
     span: Span
     text: str
 
 
 def hover(document: Document, offset: int) -> Hover | None:
-    """Describe the place `offset`: the meaning and values of a name, the form of a statement, the
-    cost of the frame or a slot, and the pages of messages; None if there is nothing to say."""
+    """Return the hover text at `offset`, or None if there is none.
+
+    It contains the meaning and values of a name, the form of a statement, the cost of the frame or
+    a slot, and the pages of messages."""
     texts: list[str] = []
     span: Span | None = None
     for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
@@ -67,7 +69,7 @@ def _bucket(document: Document, mention: Mention) -> str | None:
 
 
 def _open_slots(shutters: np.ndarray[tuple[int, int], np.dtype[np.bool_]]) -> str:
-    """How long `shutters` bool (shutters, N) are open, in words."""
+    """Return for how many slots `shutters` (shutters, N) are open, in words."""
     opened = shutters.sum(axis=1)
     least, most = int(opened.min()), int(opened.max())
     slots = shutters.shape[1]
@@ -95,7 +97,10 @@ def _meaning(document: Document, mention: Mention) -> str | None:
 
 
 def _picture(document: Document, name: str) -> str | None:
-    """A kernel as a grid, or what an image or a plane costs; buckets are among these names, too."""
+    """Return a convolution kernel as a grid, or the cost of an image, a plane or a bucket's
+    readout.
+
+    None for other names and before version 3 of the language."""
     compiled, declared = document.checked.compiled, document.declared
     if document.tokens.version < 3:
         return None
@@ -124,7 +129,7 @@ def _picture(document: Document, name: str) -> str | None:
 
 
 def _grid(weights: Weights) -> str:
-    """A kernel's weights as a block of text."""
+    """Return the weights of a convolution kernel as a block of text."""
     width = max(len(str(weight)) for row in weights.rows for weight in row)
     lines = [" ".join(f"{weight:>{width}}" for weight in row) for row in weights.rows]
     if weights.divisor > 1:
@@ -191,7 +196,7 @@ def _predefined(document: Document, name: str) -> str | None:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """The cost of the frame, or of the listed slot at `offset`."""
+    """Return the cost of the frame, or of the listed slot at `offset`."""
     for statement in document.parsed[0].statements:
         if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
             continue
@@ -220,7 +225,7 @@ def _lengths(document: Document, statement: tree.EqualSlots | tree.ListedSlots) 
 
 
 def _word(document: Document, offset: int) -> Hover | None:
-    """The syntax of a statement, at its first word."""
+    """Return the syntax of a statement, if `offset` is at its first word."""
     for statement in document.parsed[0].statements:
         start = statement.span.start
         if not start <= offset <= statement.span.end:

@@ -25,7 +25,7 @@ _KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Listing:
-    """Assembly text, possibly unsaved or invalid; attributes as of Document."""
+    """Assembly text, possibly unsaved or invalid; fields as in `Document`."""
 
     name: str
     text: str
@@ -42,7 +42,7 @@ class Listing:
 
     @cached_property
     def target(self) -> Target:
-        """The chip that the text names; scamp5 if it names none or one that cannot be loaded."""
+        """The chip that the text names; scamp5 if it names no chip or an unknown one."""
         named = _TARGET.search(self.text)
         try:
             return load_target(named[1] if named else DEFAULT_NAME, self.folder)
@@ -54,8 +54,10 @@ Text = Document | Listing
 
 
 def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
-    """The span that a completion replaces, and the completions at `offset`: directives and
-    instructions at the start of a line, then targets, kernels or registers."""
+    """Return the span that a completion replaces, and the completions at `offset`.
+
+    At the start of a line, completions are directives and instructions; later they are targets,
+    kernels or registers."""
     line = listing.text[:offset].rpartition("\n")[2]
     typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]

@@ -1,5 +1,6 @@
-"""The places of names in a text and what they refer to, from tokens alone: this works for
-incomplete statements."""
+"""The places of names in a text, and what they refer to, found from tokens.
+
+No syntax tree is needed, so that incomplete statements are included."""
 
 from __future__ import annotations
 
@@ -10,7 +11,8 @@ from nscc.editing.document import Document
 from nscc.source import Span
 
 Kind = Literal["name", "bucket"]
-"""Until version 3, buckets have a separate namespace; all other declarations share one."""
+"""Until version 3, buckets have a separate namespace; all other declarations share one
+namespace."""
 
 DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "plane")
 """Keywords followed by the name that a statement declares."""
@@ -18,7 +20,7 @@ DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "pla
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A name at a place; `declares` if this statement declares it."""
+    """A name at a place; `declares` is true if the statement declares the name."""
 
     name: str
     span: Span
@@ -27,7 +29,7 @@ class Mention:
 
 
 def mentions(document: Document) -> list[Mention]:
-    """All names in a text in order, except names of targets and of arrays in files."""
+    """Return all names in a text in order, except names of targets and of arrays in files."""
     tokens, kinds = document.tokens, document.tokens.kinds
     listed = []
     for index, kind in enumerate(kinds):
@@ -43,12 +45,13 @@ def mentions(document: Document) -> list[Mention]:
 
 
 def mention_at(document: Document, offset: int) -> Mention | None:
-    """The name that contains `offset` or ends there."""
+    """Return the name that contains `offset` or ends there, or None."""
     return next((m for m in mentions(document) if m.span.start <= offset <= m.span.end), None)
 
 
 def alike(document: Document, mention: Mention) -> list[Mention]:
-    """All mentions of the thing that `mention` names, including itself, in order."""
+    """Return all mentions that refer to the same declaration as `mention`, including itself, in
+    order."""
     identity = (mention.name, mention.kind)
     return [
         candidate
@@ -58,5 +61,5 @@ def alike(document: Document, mention: Mention) -> list[Mention]:
 
 
 def declaration(document: Document, mention: Mention) -> Mention | None:
-    """The mention that declares the name; None for predefined and unknown names."""
+    """Return the mention that declares the name; None for predefined and unknown names."""
     return next((candidate for candidate in alike(document, mention) if candidate.declares), None)

@@ -30,8 +30,10 @@ _LONGEST = 60
 
 @dataclass(frozen=True, slots=True)
 class OutlineEntry:
-    """A statement in the outline. `kind` is its first word, which is also its name if it declares
-    none; `detail` is a short form of the rest; `at` is the place of the name."""
+    """A statement in the outline.
+
+    `kind` is its first word, which is also its `name` if it declares no name. `detail` is a short
+    form of the rest of the statement. `at` is the place of the name."""
 
     name: str
     detail: str
@@ -41,7 +43,7 @@ class OutlineEntry:
 
 
 def outline(document: Document) -> list[OutlineEntry]:
-    """The named statements, the frame and the rule, in the order of the text."""
+    """Return the named statements, the frame and the rule, in the order of the text."""
     entries = []
     for statement in document.parsed[0].statements:
         kind = _KINDS.get(type(statement))

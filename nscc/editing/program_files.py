@@ -10,7 +10,8 @@ from nscc.syntax.parse import parse, read_source
 
 
 def files_of(program: Path) -> set[Path]:
-    """The program's path, and the paths of the targets, codebooks and pixel codes that it names."""
+    """Return the program's path and the paths of the targets, codebooks and pixel codes that it
+    names."""
     files = {program}
     try:
         statements = parse(read_source(program))[0].statements

@@ -15,13 +15,14 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 class CannotRename(ValueError):
-    """The reason, in one sentence, why a name cannot be changed."""
+    """Raised if a name cannot be changed; the text is the reason in one sentence."""
 
 
 def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
-    """The places to replace by `name` so that the program keeps its meaning. Raises CannotRename if
-    there is no declared name at `offset`, if `name` is invalid or in use, or if an array in a file
-    has the old name."""
+    """Return the places at which the name at `offset` must be replaced by `name`.
+
+    Raises CannotRename if no declared name is at `offset`, if `name` is invalid or in use, or if an
+    array in a file has the old name."""
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(
@@ -41,7 +42,7 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
 
 
 def renameable(document: Document, offset: int) -> Mention:
-    """The name at `offset`, if it can be renamed; raises CannotRename as `renamed` does."""
+    """Return the name at `offset` if it can be renamed; raise CannotRename as `renamed` does."""
     mention = mention_at(document, offset)
     if mention is None:
         raise CannotRename("there is no name of the program at this place")

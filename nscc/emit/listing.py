@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from nscc.chips.target import Target
 from nscc.emit.sending_report import sending_text, sent_lines
-from nscc.logic.problem import Gate
+from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.passes import LookingLowered
+from nscc.looks.solve import Item
 from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
@@ -22,7 +24,8 @@ from nscc.words.disassembly import disassemble
 
 
 def plan_text(plan: ExposurePlan) -> str:
-    """An exposure plan: the steps of every boundary and their numbers of shutters."""
+    """Return an exposure plan as text: the steps at every boundary and their numbers of
+    shutters."""
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:
@@ -34,13 +37,36 @@ def plan_text(plan: ExposurePlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-def planned_text(planned: Planned) -> str:
-    """All exposure plans, fewest analog writes first, and why other lowerings have none."""
+def planned_text(planned: Planned | LookingPlan | Sending) -> str:
+    """Return all exposure plans, fewest analog writes first, and the reasons why other lowerings
+    have no plan.
+
+    For a program with senses, return its moments; for a chip without logic, the times of its bit
+    planes."""
+    if isinstance(planned, Sending):
+        return sending_text(planned)
+    if isinstance(planned, LookingPlan):
+        return _moments_text(planned)
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 
-def gated_text(gated: Gated) -> str:
+def _moments_text(plan: LookingPlan) -> str:
+    """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
+    and open there."""
+    lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
+    for moment in plan.moments:
+        changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
+        changes += [("rise", v) for v in moment.rises]
+        texts = [f"where above {comparison.level} steps" for comparison in moment.comparisons]
+        texts += [f"{kind} in {v.bit_count()} of {len(moment.before)}" for kind, v in changes if v]
+        lines.append(f"boundary {moment.boundary:>4} {'; '.join(texts)}")
+    return "\n".join(lines) + "\n"
+
+
+def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
     """The gates of every searched plan, best first."""
+    if not isinstance(gated, Gated):
+        return "".join(map(looking_gates_text, gated))
     texts = [
         f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program.target)}"
         for decoding in gated.decodings
@@ -49,7 +75,7 @@ def gated_text(gated: Gated) -> str:
 
 
 def gates_text(decoding: Decoding, target: Target) -> str:
-    """The gates of every demand on virtual registers, and the registers' places."""
+    """Return the gates of every demand on virtual registers, and the chip registers of each."""
     solution, places = decoding.solution, allocate(decoding.solution, target).places
     lines = [f"encoding: {solution.encoding}"]
     for i, holder in enumerate(solution.holders):
@@ -63,14 +89,26 @@ def gates_text(decoding: Decoding, target: Target) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _segments(lines: list[str], title: str, segments: tuple[tuple[Gate, ...], ...]) -> None:
+def looking_gates_text(lowered: LookingLowered) -> str:
+    """Return the words of every boundary on virtual registers, and the chip registers of each."""
+    solution, places = lowered.looking, lowered.schedule.allocation.places
+    assert solution is not None
+    lines = [f"encoding: {solution.encoding.name}"]
+    lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
+    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
+    for boundary, items in solution.items.items():
+        _segments(lines, f"boundary {boundary}", (items,))
+    return "\n".join(lines) + "\n"
+
+
+def _segments(lines: list[str], title: str, segments: tuple[tuple[Item, ...], ...]) -> None:
     if segments:
         lines.append(title)
         lines += ["  " + "; ".join(map(str, segment)) for segment in segments]
 
 
 def schedule_text(lowered: Lowered) -> str:
-    """Kernels with their words, and the boundaries that launch them."""
+    """Return kernels with their words, and the boundaries that launch them, as text."""
     schedule = lowered.schedule
     lines = [
         f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "
@@ -86,7 +124,7 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """All lowerings with their prices, best first, and the kernels of the best one."""
+    """Return all lowerings with their costs, best first, and the kernels of the best one."""
     lines = []
     for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
@@ -104,31 +142,29 @@ def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
 
 
 def schedule_of(value: Choice | Sending) -> str:
-    """Lowerings with kernels, or the times at which planes are sent."""
+    """Return lowerings with kernels, or the times at which planes are sent, as text."""
     return sending_text(value) if isinstance(value, Sending) else choice_text(value)
 
 
 def container_text(container: Container) -> str:
-    """Words as assembly text, or the planes and readouts of a chip without logic."""
+    """Return words as assembly text, or for a chip without logic the bit planes and readouts."""
     if container.target.streamed:
         return "".join(f"{line}\n" for line in sent_lines(container))
     return disassemble(container)
 
 
 def proof_text(proof: Proof) -> str:
-    """The result of a proof, and its extent."""
+    """Return the result of a proof, and its numbers of codes and slots."""
     verdict = "holds" if proof.holds else f"fails: {proof.failure}"
     return f"proof {verdict}: {proof.codes} codes, {proof.slots} slots\n"
 
 
 def text_after(name: str, value: Any) -> str:
-    """The output of pass `name` of `nscc.pipeline.PASSES` as text."""
+    """Return the output of pass `name` of `nscc.pipeline.PASSES` as text."""
     texts: dict[str, Callable[[Any], str]] = {
         "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,
-        "plan": lambda plan: (
-            sending_text(plan) if isinstance(plan, Sending) else planned_text(plan)
-        ),
+        "plan": planned_text,
         "gates": gated_text,
         "schedule": schedule_of,
         "words": container_text,

@@ -1,9 +1,6 @@
-"""The gate network of programs with senses (see `nscc.emit.network` for nodes): from codes, states
-and answers to shutter changes, resets and next states.
+"""The gate network of programs with senses; `nscc.emit.network` describes nodes and attributes.
 
-As `nscc.emit.network`, which says what its nodes are: from code, states and answers to what opens,
-closes and resets, and to the states as the frame leaves them.
-"""
+The network leads from codes, states and answers to shutter changes, resets and final states."""
 
 from __future__ import annotations
 
@@ -21,7 +18,7 @@ from nscc.words.machine import LIGHT, Comparison, StateMachine
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
-    """The gate network of any program; see `nscc.emit.network` for nodes and attributes."""
+    """Return the gate network of any program; see `nscc.emit.network` for nodes and attributes."""
     if isinstance(lowered, LookingLowered) and lowered.looking is not None:
         return _Maker(lowered, lowered.looking).build_network()
     return gate_network(lowered)
@@ -51,7 +48,7 @@ class _Maker(NetworkMaker):
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
-        """Add an analog word, which writes FLAG or depends on it."""
+        """Add an analog word that writes FLAG or depends on FLAG."""
         effect = word.operation.effect
         if effect is WordEffect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)
@@ -73,7 +70,7 @@ class _Maker(NetworkMaker):
                 self.demand("reset", "", boundary)
 
     def _ends(self) -> None:
-        """Add the final values: restored code, and states that are read out or kept."""
+        """Add the final values: the restored code, and states that are read out or kept."""
         ended = set()
         for state, names in zip(self.machine.states, self.solution.registers, strict=True):
             for bit, name in enumerate(names):
@@ -92,6 +89,6 @@ def _machine(lowered: LookingLowered) -> StateMachine:
 
 
 def _in_order(comparisons: tuple[Comparison, ...]) -> list[Comparison]:
-    """The comparisons of a boundary in the order of `nscc.looks.solve`: grouped by signal, light
+    """Return the comparisons of a boundary in the order of `nscc.looks.solve`: by signal, light
     last."""
     return sorted(comparisons, key=lambda comparison: -comparison.signal)

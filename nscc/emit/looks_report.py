@@ -11,7 +11,7 @@ _MOST_SHOWN = 12
 
 
 def looks_lines(machine: StateMachine, buckets: tuple[str, ...], target: Target) -> list[str]:
-    """The comparisons, one line for each signal and level, and the states."""
+    """Return the comparisons, one line for each signal and level, and the states."""
     at: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:
         at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
@@ -33,7 +33,7 @@ def looks_lines(machine: StateMachine, buckets: tuple[str, ...], target: Target)
 
 
 def looks_report(machine: StateMachine, target: Target) -> dict[str, Any]:
-    """The comparisons and states as JSON values, for `--emit report`."""
+    """Return the comparisons and states as JSON values, for `--emit report`."""
     return {
         "boundaries": list(machine.looks),
         "comparisons": [

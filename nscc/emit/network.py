@@ -1,33 +1,33 @@
 """The gates of a frame as a network of values.
 
 Each value that is written to a register is a node (static single assignment), and each edge leads
-from a value to a reader. The network is executable: it has the bits of every plane and the function
-of every gate.
+from a value to a reader. The network is executable: it contains the bits of every plane and the
+function of every gate.
 
 The graph's attributes are `encoding`, `lowering`, `shutters`, `slots`, `depth` (gates on the
-longest path) and `registers` (see `registers_needed`). Its nodes are in execution
-order and have a `kind`:
+longest path) and `registers` (see `registers_needed`). Its nodes are in execution order and have a
+`kind`:
 
-plane   the initial content of a register: `register`, `name` in the listing of the gates,
-        `holder` in words, `bits` as a hexadecimal number, bit i for shutter i of the decode table
-gate    `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
-        `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`,
-        and the `kernel` it is stored in
-demand  what FLAG must hold: `edge` "open", "rise", "fall" or "reset", `bucket` ("" where PIX is
-        reset), `boundary`
-end     the required final content of a plane: `register`, `boundary`
+* plane: the initial content of a register: `register`, `name` in the listing of the gates, `holder`
+  in words, `bits` as a hexadecimal number, bit i for shutter i of the decode table
+* gate: `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
+  `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`, and the
+  `kernel` that contains it
+* demand: a required value of FLAG: `edge` "open", "rise", "fall" or "reset", `bucket` ("" if PIX is
+  reset), `boundary`
+* end: the required final content of a plane: `register`, `boundary`
 
 A masked gate writes its function where its mask is 1 and keeps the register's old content
 elsewhere. The edges to it have a `role`: one or more of the words "source", "mask" and "kept". An
 edge without a role leads from a source.
 
 In a program with senses, planes include the registers of its states: cleared by the frame's first
-words or kept from the previous frame. Bits are for the behaviours of its machine. Two more kinds:
+words or kept from the previous frame. Bits are for the behaviours of its machine. There are two
+more kinds:
 
-look    an answer in FLAG, which comes from no gate: `function` where, `signal` "light" or a bucket,
-        `steps` of IN, `boundary`, `kernel`. It is 1 where the signal is at most the level
-state   the final bit of a state: `state`, `bit`, `register`, `boundary`
-"""
+* look: an answer in FLAG, which comes from no gate: `function` where, `signal` "light" or a bucket,
+  `steps` of IN, `boundary`, `kernel`. It is 1 if the signal is at most the level
+* state: the final bit of a state: `state`, `bit`, `register`, `boundary`"""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ from nscc.operations import Op
 
 
 class NetworkMaker:
-    """Builds a network: its nodes so far, and the node whose value each register holds."""
+    """A network under construction: its nodes so far, and for each register the node of its current
+    value."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
         plan = lowered.plan
@@ -88,7 +89,7 @@ class NetworkMaker:
         self, kind: str, function: str, name: str, written: Sequence[Op], boundary: int,
         **look: str | int,
     ) -> str:  # fmt: skip
-        """Add the value, of a gate or a look, that words write into the register `name`."""
+        """Add the value of a gate or look that the words `written` store in the register `name`."""
         node = self._named(kind[0])
         self.network.add_node(
             node, kind=kind, function=function, name=name, register=self.places.get(name, name),
@@ -115,7 +116,8 @@ class NetworkMaker:
 
 
 def gate_network(lowered: Lowered) -> nx.DiGraph:
-    """The network of a program with fixed shutters; see the module docstring.
+    """Return the network of a program with fixed shutters; see the module docstring.
+
     `nscc.emit.looking_network` handles all programs."""
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
@@ -134,13 +136,13 @@ def gate_network(lowered: Lowered) -> nx.DiGraph:
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:
-    """Set the attributes `depth` and `registers` of the network."""
+    """Set the attributes `depth` and `registers` of the network, and return the network."""
     network.graph |= {"depth": depth(network), "registers": registers_needed(network)}
     return network
 
 
 def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
-    """Gates, and demands as (edge, bucket), with their boundaries, in execution order."""
+    """Yield gates, and demands as (edge, bucket), with their boundaries, in execution order."""
     solution = lowered.solution
     steps = [step for step in lowered.plan.steps if step.predicate is not None]
     for segment in solution.opening:
@@ -153,7 +155,7 @@ def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
 
 
 class KernelFinder:
-    """Finds the kernel that contains each gate's words."""
+    """A search for the kernel that contains each gate's words."""
 
     def __init__(self, lowered: Lowered) -> None:
         schedule = lowered.schedule
@@ -169,7 +171,7 @@ class KernelFinder:
         self._next = dict.fromkeys(self._run, 0)
 
     def kernel_of(self, gate: tuple[Op, ...], boundary: int) -> int:
-        """The kernel of the boundary's next gate."""
+        """Return the kernel that contains the boundary's next gate."""
         run, at = self._run[boundary], self._next[boundary]
         while tuple(word for word, _ in run[at : at + len(gate)]) != gate:
             if at >= len(run):
@@ -180,19 +182,22 @@ class KernelFinder:
 
 
 def of_kind(network: nx.DiGraph, *kinds: str) -> list[str]:
-    """The nodes of these kinds, in the network's order."""
+    """Return the nodes of these kinds, in the network's order."""
     return [node for node, kind in network.nodes(data="kind") if kind in kinds]
 
 
 def depth(network: nx.DiGraph) -> int:
-    """Number of gates on the longest path."""
+    """Return the number of gates on the longest path."""
     gates = network.subgraph(of_kind(network, "gate"))
     return len(nx.dag_longest_path(gates))
 
 
 def interference(network: nx.DiGraph) -> nx.Graph:
-    """The interference graph: an edge joins two values that are alive at the same time. Planes are
-    alive before the first gate. A gate may overwrite a register that it reads for the last time."""
+    """Return the interference graph, in which an edge joins two values that are alive at the same
+    time.
+
+    Planes are alive before the first gate. A gate may overwrite a register that it reads for the
+    last time."""
     last: dict[str, str] = {}
     for node in network:
         last |= dict.fromkeys(network.predecessors(node), node)
@@ -209,15 +214,16 @@ def interference(network: nx.DiGraph) -> nx.Graph:
 
 
 def registers_needed(network: nx.DiGraph) -> int:
-    """The fewest registers, including FLAG, that can hold all values in this order of gates. Live
-    ranges of straight-line code are intervals, so this is the largest number of simultaneously live
-    values."""
+    """Return the fewest registers, including FLAG, that can hold all values in this order of gates.
+
+    Live ranges of straight-line code are intervals, so this is the largest number of simultaneously
+    live values."""
     colours = nx.greedy_color(interference(network), lambda graph, _: list(graph))
     return 1 + max(colours.values(), default=-1)
 
 
 def graphml_bytes(network: nx.DiGraph) -> bytes:
-    """The network as GraphML."""
+    """Return the network as GraphML."""
     out = io.BytesIO()
     # Named explicitly: `write_graphml` selects another writer if lxml is installed.
     nx.write_graphml_xml(network, out)
@@ -231,7 +237,7 @@ _SHAPES = {
 
 
 def dot_text(network: nx.DiGraph) -> str:
-    """The network as Graphviz DOT, left to right (networkx's writers need more packages)."""
+    """Return the network as Graphviz DOT, drawn from left to right."""
     lines = ["digraph gates {", "  rankdir=LR;", "  node [fontname=monospace];"]
     lines.append(f"  label={_quoted([network.graph['encoding']])};")
     for node, attributes in network.nodes(data=True):
@@ -262,5 +268,5 @@ def _label(node: dict[str, str | int]) -> list[str]:
 
 
 def _quoted(lines: Iterable[str]) -> str:
-    """A DOT string of these lines; JSON escapes the same characters."""
+    """Return a DOT string of these lines; JSON escapes the same characters."""
     return '"' + "\\n".join(json.dumps(line, ensure_ascii=False)[1:-1] for line in lines) + '"'

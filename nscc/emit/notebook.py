@@ -1,4 +1,4 @@
-"""Notebook views of a program: its shutters over time."""
+"""Notebook views of a program: its shutters over time, and its card."""
 
 from __future__ import annotations
 
@@ -8,11 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
+from nscc.diagnostics.render import render
+from nscc.emit.summary import summary_rows
 from nscc.lower.resources import time_text
+from nscc.pipeline import Compiled
+from nscc.words.container import Container
+from nscc.words.shutters import shutters_of
 
 _MOST_ROWS = 24
 _COLUMNS = 360
-"""With more slots, each column of a bar shows the share of open time."""
+"""Most columns of a bar; with more slots, each column shows the share of open time."""
 _SHADES = 4
 _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 """Pixels for labels, chart width, row height and the time axis."""
@@ -21,8 +26,9 @@ _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """Chart of shutters bool (shutters, buckets, N) over time, one row each. At most a screenful is
-    shown: evenly spaced rows, including the first and the last."""
+    """Return a chart of shutters bool (shutters, buckets, N) over time, with one row each.
+
+    If there are many shutters, evenly spaced ones are shown, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))
@@ -55,7 +61,7 @@ def shutter_chart(
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """SVG paths for runs of equally open columns, one path for each shade."""
+    """Return SVG paths for runs of columns with equal open share, one path for each shade."""
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))
@@ -70,3 +76,22 @@ def _bars(
         for level, boxes in paths.items()
         if level
     ]
+
+
+def program_card(name: str, container: Container, compiled: Compiled | None) -> str:
+    """Return a program's shutters, summary and messages; `compiled` is None for a loaded one."""
+    chart, target = html.Html(), container.target
+    if container.has_table and container.machine is None:
+        drawn = shutters_of(container)
+        chart = shutter_chart(drawn.rows, drawn.labels, container.slot_us, container.buckets)
+    if compiled is not None:
+        rows: list[tuple[str, str]] = summary_rows(compiled)
+    else:
+        stored = sum(len(kernel.words) for kernel in container.kernels)
+        size_row = ("words", f"{stored} stored, {container.words_per_frame} a frame")
+        if target.streamed:
+            size_row = ("planes", f"{container.slots} of {target.rows} x {target.cols} bits")
+        rows = [*sorted(container.notes.items()), size_row]
+    messages = () if compiled is None else compiled.diagnostics
+    text = html.plain(render(messages, "human")) if messages else html.Html()
+    return html.card(name, f"for {target.name}", chart, html.table(rows), text)

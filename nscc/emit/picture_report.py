@@ -1,4 +1,4 @@
-"""What reports and summaries say of images and planes."""
+"""Descriptions of images and planes in reports and summaries."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from nscc.words.pictures import Picture, Pictures
 
 
 def pictures_us(pictures: Pictures, target: Target) -> float:
-    """The time from the last slot to the first readout: words, launches, and IN."""
+    """Return the time from the last slot to the first readout, in microseconds: words, launches,
+    IN."""
     kernels = [[matching(word, target.words) for word in kernel] for kernel in pictures.kernels]
     total_us, level = 0.0, None
     for launch in pictures.launches:
@@ -29,7 +30,7 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
 
 
 def picture_report(container: Container) -> dict[str, Any]:
-    """The part of `--emit report` that is about images and planes; empty where there are none."""
+    """Return the part of `--emit report` about images and planes; empty if there are none."""
     pictures = container.pictures
     if pictures is None:
         return {}
@@ -52,7 +53,7 @@ def picture_report(container: Container) -> dict[str, Any]:
 
 
 def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any]:
-    """A build's report with its images and planes, whose time is a part of the frame's."""
+    """Return a build report with its images and planes, whose time is added to the frame's."""
     pictures = picture_report(container)
     if pictures:
         pictures["frame_us"] = round(report["frame_us"] + pictures["images_us"], 6)
@@ -60,7 +61,7 @@ def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any
 
 
 def picture_rows(pictures: Pictures, target: Target) -> list[tuple[str, str]]:
-    """Labels with what a summary says of images and planes."""
+    """Return the rows (label, text) of a summary about images and planes."""
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}
     rows = []

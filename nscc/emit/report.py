@@ -17,7 +17,7 @@ from nscc.words.cost import refresh_count
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """The build report as JSON values, as `--emit report` writes them."""
+    """Return the build report as JSON values, as `--emit report` writes them."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     slots = len(program.frame.slot_us)
@@ -68,7 +68,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
 
 
 def report_bytes(values: dict[str, Any]) -> bytes:
-    """The report as the bytes of a file."""
+    """Return the report as the bytes of a file."""
     return (json.dumps(values, indent=2) + "\n").encode()
 
 
@@ -91,7 +91,7 @@ def _priced(lowered: Lowered) -> dict[str, Any]:
 
 
 def _logic(lowered: Lowered) -> dict[str, Any]:
-    """Counts of digital words for decoding in a frame, without refresh."""
+    """Return the numbers of digital words per frame that decode codes, without refresh."""
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
@@ -117,7 +117,7 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
 
 
 def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
-    """The numbers of decoding words and of in-place pairs in a kernel."""
+    """Return the number of decoding words and of in-place pairs in a kernel."""
     rows = [word.operation for word in kernel]
     digital = [row for row in rows if row.effect in (WordEffect.DIGITAL, WordEffect.FLAG_DIGITAL)]
     pairs = sum(row.phase is Phase.READ and not row.name.startswith("REFRESH") for row in digital)

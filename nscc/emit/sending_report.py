@@ -24,7 +24,7 @@ PLANES_FORMAT = "nscc-planes-1"
 
 
 def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
-    """Rows (label, text) that `nscc check` prints after class and codes."""
+    """Return the rows (label, text) that `nscc check` prints after class and codes."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
@@ -53,7 +53,7 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
 
 
 def rate_text(bits_per_us: float) -> str:
-    """A data rate with a suitable unit."""
+    """Return a data rate with a suitable unit."""
     if bits_per_us >= 1e3:
         return f"{bits_per_us / 1e3:.4g} Gbit/s"
     return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
@@ -64,8 +64,8 @@ def _place(place: int, target: Target) -> str:
 
 
 def sending_text(sending: Sending) -> str:
-    """One line for each slot: when its plane is sent and acts, and where bits 1 and 0 send the
-    light."""
+    """Return a line for each slot: when its plane is sent and acts, and the taps of bits 1
+    and 0."""
     target, way = sending.program.target, sending.route
     lines = [
         f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
@@ -82,7 +82,7 @@ def sending_text(sending: Sending) -> str:
 
 
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
-    """The build report as JSON values: the applicable keys of other chips, and the planes."""
+    """Return the build report as JSON values, with the planes instead of words."""
     program, target = sending.program, sending.program.target
     names = [bucket.name for bucket in program.buckets]
     return {
@@ -112,9 +112,10 @@ def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
 
 
 def planes_bytes(container: Container) -> bytes:
-    """The planes and their schedule for the chip's driver, as an .npz file; docs/targets.md lists
-    the keys. Raises Rejected (NS0511) if the pixels have no codes, because the planes depend on
-    them."""
+    """Return the bit planes and their schedule for the chip's driver, as an .npz file.
+
+    docs/targets.md lists its keys. Raises Rejected (NS0511) if the pixels have no codes, which
+    determine the planes."""
     from nscc.words.stream import schedule
 
     sent, target = container.stream, container.target
@@ -153,7 +154,7 @@ def planes_bytes(container: Container) -> bytes:
 
 
 def sent_lines(container: Container) -> Iterator[str]:
-    """The planes of a container as lines for `--print-after words`."""
+    """Yield a description of a container's bit planes, for `--print-after words`."""
     yield f"{container!r}"
     for readout in container.readouts:
         yield f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}"

@@ -8,7 +8,7 @@ from nscc.program.program import Program
 
 
 def subject(program: Program) -> dict[str, Any]:
-    """Class, slots, codes, fields and buckets of a program as JSON values."""
+    """Return class, slots, codes, fields and buckets of a program as JSON values."""
     table = program.table
     return {
         "class": program.class_name,

@@ -1,4 +1,4 @@
-"""A compiled program in a few lines: what it is, where it fits, what it costs."""
+"""A short description of a compiled program: class, codes, whether it fits, costs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def summary(name: str, compiled: Compiled) -> str:
-    """What `nscc check` prints of a program that passes."""
+    """Return the text that `nscc check` prints for a valid program."""
     fits = compiled.container is not None
     verdict = (
         f"fits {compiled.program.target.name}" if fits else "passes, unless its words do not fit"
@@ -28,7 +28,7 @@ def summary(name: str, compiled: Compiled) -> str:
 
 
 def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """The same as labels with what they say."""
+    """Return the summary as rows (label, text)."""
     program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
     table = program.table
     rows = [
@@ -80,8 +80,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 
 def _codes_text(program: Program) -> str:
-    """How many codes are compiled for, and how many others there are: in the fields' ranges where
-    only the codes in use are, among the legal ones where all are."""
+    """Return how many codes are compiled, and how many others are legal or in use."""
     count, legal = len(program.table.codes), program.legal_codes
     if program.mode == "fixed":
         excludes_legal_codes = legal is not None and legal > count
@@ -91,7 +90,7 @@ def _codes_text(program: Program) -> str:
 
 
 def cost_text(compiled: Compiled) -> str:
-    """What the words, or planes of bits, cost, in two lines."""
+    """Return the cost of words, or of bit planes, in two lines."""
     if compiled.sending is not None:
         sending = compiled.sending
         return (

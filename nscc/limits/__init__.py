@@ -1,1 +1,1 @@
-"""The largest size of each shutter class on a chip: compiled, impossible, or unknown."""
+"""The largest size of each shutter class on a chip, and sizes that are impossible or unknown."""

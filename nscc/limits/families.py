@@ -1,8 +1,7 @@
 """The shutter classes as families of programs: one program text for each size.
 
 A size is a number of slots, or of codebook rows. A codebook's data are fixed pseudo-random rows,
-which gates cannot share.
-"""
+which gates cannot share."""
 
 from __future__ import annotations
 
@@ -18,7 +17,7 @@ from nscc.program.capacity import largest_with
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
 
 MOST_DIGITS = 1 << 14
-"""Most rows x slots of a codebook compiled for a limit; larger ones take long."""
+"""Most rows x slots of a codebook that is compiled for a limit; larger codebooks take long."""
 
 BUMP_LENGTHS = (4, 8, 16)
 BOOK_ROWS = (16, 64, 256)
@@ -31,12 +30,11 @@ _WORD = 1 << 64
 class Family:
     """A class of shutters at every size.
 
-    `text(size, slot)` is a program without data, `slot` a time as programs write it.
-    `shutters(size)` counts its different shutters, `slots(size)` its slots. If `nested`, the
-    program for one size also serves all smaller sizes, so sizes above an impossible one are
-    impossible. `counted_as` describes the count of shutters; `ceiling` is the largest size to
-    compile, for `ceiling_reason`.
-    """
+    `text(size, slot)` returns a program without data, for the slot length `slot` in program syntax.
+    `shutters(size)` returns its number of different shutters, `slots(size)` its number of slots.
+    `nested` means that the program for one size includes all smaller sizes, so that all sizes above
+    an impossible size are impossible. `counted_as` describes the count of shutters. `ceiling` is
+    the largest size to compile, for the reason `ceiling_reason`."""
 
     name: str
     description: str
@@ -52,7 +50,7 @@ class Family:
 
 
 def families() -> list[Family]:
-    """Classes a to e, class c with three lengths, and codebooks."""
+    """Return the families: classes a to e, with three lengths for class c, and codebooks."""
     return [
         _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
         _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),
@@ -71,35 +69,34 @@ def families() -> list[Family]:
 
 
 def stop_rule(first: str) -> str:
-    """Class b with stops `first`..N."""
+    """Return the rule of class b with stops `first`..N."""
     return f"code stop : {first}..N\nopen when n < stop"
 
 
 def start_rule(length: int) -> str:
-    """Class c: a complete bump of `length` slots anywhere in the frame."""
+    """Return the rule of class c: a bump of `length` slots anywhere in the frame."""
     return f"code start : 0..N - {length}\nopen when start <= n < start + {length}"
 
 
 def bump_rule() -> str:
-    """Class d: every bump."""
+    """Return the rule of class d: every bump."""
     return (
         "code start : 0..N - 1\ncode stop : 1..N\nrequire start < stop\nopen when start <= n < stop"
     )
 
 
 def bits_rule() -> str:
-    """Class e: every pattern."""
+    """Return the rule of class e: every pattern of bits."""
     return "code bits : bit[N]\nopen when bits[n]"
 
 
 def book_rule(rows: list[str]) -> str:
-    """A codebook with these rows of digits."""
+    """Return the rule of a codebook with these rows of digits."""
     return f"shutters book [{', '.join(rows)}]\ncode id : row of book\nopen when book[id]"
 
 
 def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArray[np.bool_]) -> str:
-    """A program without data whose codes `id` number the rows of `shutters` (rows, buckets,
-    slots)."""
+    """Return a program whose codes `id` are indices into `shutters` (rows, buckets, slots)."""
     times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
     lines, rules = ["nsl 1", f"frame slots [{times}]"], []
     for number, name in enumerate(buckets):
@@ -114,12 +111,12 @@ def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArra
 
 
 def program_text(slots: int, slot: str, rule: str) -> str:
-    """A program of equal slots without data."""
+    """Return a program with equal slots and the given rule."""
     return f"nsl 1\nframe {slots} slots of {slot}\n{rule}\n"
 
 
 def random_rows(count: int, slots: int) -> list[str]:
-    """At most `count` distinct pseudo-random rows of digits, the same on every machine."""
+    """Return at most `count` distinct pseudo-random rows of digits, the same on every machine."""
     rows: dict[str, None] = {}
     words = -(-slots // 64)
     number = 0
@@ -131,7 +128,8 @@ def random_rows(count: int, slots: int) -> list[str]:
 
 
 def _mixed(number: int) -> int:
-    """64 pseudo-random bits from a counter, by the mixer of SplitMix64 (Steele et al., 2014)."""
+    """Return 64 pseudo-random bits from a counter, by the mixer of SplitMix64 (Steele et al.,
+    2014)."""
     bits = number * 0x9E3779B97F4A7C15 % _WORD
     bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9 % _WORD
     bits = (bits ^ bits >> 27) * 0x94D049BB133111EB % _WORD
@@ -197,8 +195,8 @@ def _book_by_rows(slots: int) -> Family:
 
 
 def _provable(shutters: Callable[[int], int]) -> tuple[int, str]:
-    """The largest number of slots for which all codes can be enumerated and proved, and the
-    reason."""
+    """Return the largest number of slots for which all codes can be proved, and the reason for the
+    limit."""
     most = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
     if most == MOST_SLOTS:
         return most, f"a frame has at most {MOST_SLOTS} slots (NS0308)"

@@ -1,4 +1,4 @@
-"""A survey as a table and as JSON values."""
+"""A survey of limits as a text table and as JSON values."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _HEAD = (
 
 
 def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
-    """For each slot length a table of sizes, followed by the reasons."""
+    """Return a table of sizes for each slot length, followed by the reasons."""
     blocks = [
         f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
         f"the store has {target.store_words} words"
@@ -68,7 +68,7 @@ def _reasons(limit: Limit) -> list[str]:
 
 
 def _trials_text(limit: Limit) -> str:
-    """The compiled sizes, and those below the largest fitting size that did not fit."""
+    """Return the largest size that fits, and the smaller sizes that did not fit, as text."""
     if limit.built is None:
         return "no tried size fits"
     count = sum(trial.size <= limit.built.size for trial in limit.trials)
@@ -79,7 +79,7 @@ def _trials_text(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """The survey as JSON values: sizes, reasons and all trials."""
+    """Return the survey as JSON values: sizes, reasons and all trials."""
     return {
         "target": target.name,
         "level": level,

@@ -1,8 +1,8 @@
-"""The order in which sizes are compiled: powers of two, sizes that need one more bit, then
-bisection between fitting and failing sizes.
+"""Search for the largest size that fits: the sizes to compile, in order.
 
-Searches count compilations, not time, so they end at the same sizes on every machine.
-"""
+First come powers of two and the last sizes before another bit is needed, then bisection between
+fitting and failing sizes. The search counts compilations instead of time, so that it ends at the
+same sizes on every machine."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 from nscc.program.capacity import Count, largest_with
 
 GIVE_UP_AFTER = 2
-"""Number of consecutive failing candidates after which larger ones are skipped."""
+"""Number of consecutive failing candidates after which larger candidates are skipped."""
 
 
 _ALIKE = 1.02
@@ -22,9 +22,11 @@ _ALIKE = 1.02
 
 @dataclass(frozen=True)
 class SizeTrial:
-    """A compiled program of one size; `fits` means that its words were proved. `figures` are its
-    costs. If it does not fit, `code` and `reason` are those of the error, and `proved` means that
-    no compiler can make it fit."""
+    """The result of compiling a program of one size.
+
+    `fits` means that the program fits and its words were proved; `figures` are its costs. Otherwise
+    `code` and `reason` are those of the error, and `proved` means that no compiler can make the
+    program fit."""
 
     size: int
     fits: bool
@@ -35,8 +37,9 @@ class SizeTrial:
 
 
 def candidates(count: Count, least: int, most: int) -> list[int]:
-    """The sizes that a search compiles first, ascending; `count(size)` is the number of
-    shutters."""
+    """Return the sizes that a search compiles first, ascending.
+
+    `count(size)` is the number of shutters."""
     steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
@@ -50,9 +53,10 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 def explore(
     sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
 ) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
-    """Compile the ascending `sizes`, then search beyond the largest that fits. Yields at most
-    `budget` trials as they end, and returns all by size. Each step tries the next larger size
-    before the middle, because limits often lie where one more bit is needed."""
+    """Compile the ascending `sizes`, then search beyond the largest that fits.
+
+    Yields at most `budget` trials as they end, and returns all trials by size. Each step tries the
+    next larger size before the middle, because limits often lie where another bit is needed."""
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
@@ -80,9 +84,11 @@ def explore(
 
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
-    """The largest size in `least`..`most` that was found to fit in at most `budget` attempts. Tries
-    `most` first and then bisects. Exact if every smaller size of a fitting size fits and the budget
-    suffices."""
+    """Return the largest size in `least`..`most` that fits, found by bisection; None if none was
+    found.
+
+    At most `budget` sizes are tried, `most` first. The result is exact if all sizes below a fitting
+    size fit and the budget suffices."""
     if most < least or budget < 1:
         return None
     if fits(most):

@@ -1,4 +1,4 @@
-"""The survey of a chip's limits: every family compiled at the sizes that the search chooses."""
+"""The survey of a chip's limits: every family, compiled at the sizes that the search chooses."""
 
 from __future__ import annotations
 
@@ -18,17 +18,16 @@ from nscc.source import Source
 from nscc.words.legality import refuse_planes
 
 BUDGET = 40
-"""Most compilations for one class and slot length."""
+"""Most compilations for one family and slot length."""
 
 
 @dataclass(frozen=True)
 class Limit:
     """The limit of a family on a target: built, impossible and unknown sizes.
 
-    `built` is the largest trial that fits, or None. From size `impossible` on no program exists,
-    for `impossible_reason`; None if nothing is proved. `unknown_reason` says why sizes in between
-    are unknown, "" if there are none.
-    """
+    `built` is the largest trial that fits, or None. Sizes from `impossible` on are proved to be
+    impossible, for `impossible_reason`; None if nothing is proved. `unknown_reason` says why sizes
+    in between are unknown; "" if there are none."""
 
     family: Family
     slot: str
@@ -40,12 +39,12 @@ class Limit:
 
     @property
     def unknown_from(self) -> int:
-        """The smallest size above the largest that was built."""
+        """Return the smallest size above the largest size that was built."""
         return self.built.size + 1 if self.built else self.family.least
 
     @property
     def gaps(self) -> tuple[SizeTrial, ...]:
-        """Trials below the largest built size that did not fit."""
+        """Return the trials below the largest built size that did not fit."""
         built = self.built.size if self.built else 0
         return tuple(trial for trial in self.trials if trial.size < built and not trial.fits)
 
@@ -53,8 +52,9 @@ class Limit:
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[SizeTrial, None, list[Limit]]:
-    """Yield each trial as it ends; return the limit of every slot length and family. Raises
-    Rejected (NS0510) for a chip that fits every shutter."""
+    """Yield each trial as it ends; return the limit of every slot length and family.
+
+    Raises Rejected (NS0510) for a chip on which every shutter fits."""
     refuse_planes(
         target,
         "--limits does not apply to this chip",
@@ -71,7 +71,8 @@ def survey(
 def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[SizeTrial, None, Limit]:
-    """Like `survey`, for one family and slot length, compiling every legal code."""
+    """Find the limit of one family and slot length, for all legal codes; yield each trial as it
+    ends."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
@@ -121,7 +122,8 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
 
 
 def _unknown(limit: Limit) -> str:
-    """Why the sizes between the largest built and the smallest impossible one are unknown."""
+    """Return why sizes between the largest built and the smallest impossible one are unknown, or
+    ""."""
     family, first = limit.family, limit.unknown_from
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""

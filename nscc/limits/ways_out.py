@@ -1,10 +1,9 @@
-"""Ways out for a program that does not fit: nearby programs, compiled before they are offered.
+"""Alternatives for a program that does not fit: similar programs that were compiled and fit.
 
-A nearby program keeps the target, the slot time and the user's limits. It does less: only the codes
-in use, fewer codebook rows, fewer slots, one bump a pixel, or a codebook of few shutters. The
-numbers of rows and slots are searched for. Codebooks that the user would have to provide are
-replaced by pseudo-random rows.
-"""
+A similar program keeps the target, the slot length and the user's limits. It does less: only the
+used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. The
+numbers of rows and slots are found by search. Codebooks that the user would have to provide are
+replaced by pseudo-random rows."""
 
 from __future__ import annotations
 
@@ -35,8 +34,9 @@ from nscc.source import Source
 
 MOST_SHOWN = 3
 QUICK_LEVEL = 1
-"""Highest level for ways out, since one error message compiles several programs; not for codebook
-rows."""
+"""Highest optimisation level for alternatives, because one error message compiles several programs.
+
+Programs with fewer codebook rows use the full level."""
 _FRAME_TRIALS = 8
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
@@ -46,23 +46,26 @@ _MOST_DIGITS = 1 << 13
 
 
 class Attempt(Protocol):
-    """Compile a program for the target; returns None if it does not fit."""
+    """A function that compiles a program for the target."""
 
     def __call__(self, source: Source, codes: Codes, level: int) -> Lowered | None:
-        """The lowered program at a level of effort, or None."""
+        """Return the lowered program at an optimisation level, or None if it does not fit."""
 
 
 @dataclass(frozen=True)
 class WayOut:
-    """A nearby program that fits: what to write and its cost; `data` is for programs."""
+    """A similar program that fits: `text` says what to write and what it costs; `data` is for
+    programs."""
 
     text: str
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
 def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
-    """Nearby programs that were compiled and fit, smallest change first. `level` is the level of
-    the program that does not fit; each price names the level of its compilation."""
+    """Return similar programs that were compiled and fit, smallest change first.
+
+    `level` is the optimisation level of the program that does not fit; each cost names its own
+    level."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 
@@ -87,14 +90,13 @@ def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -
 
 
 def _source(program: Program, rule: str, slots: int) -> Source:
-    """A program with `rule` and `slots` slots of this program's mean length."""
+    """Return a program with `rule` and `slots` slots of the original's mean length."""
     slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
 
 
 def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """The largest number of codebook rows, starting with the first in use, that fits the same
-    frame."""
+    """Yield the program with the most codebook rows, of those in use, that fits the same frame."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
@@ -125,7 +127,8 @@ def _largest(
     attempt: Callable[[Source, Codes], Lowered | None],
     budget: int,
 ) -> tuple[int, Lowered | None]:
-    """The largest size that fits (`nscc.limits.search.largest`), and its lowered program."""
+    """Return the largest size that fits (`nscc.limits.search.largest`), and its lowered program or
+    None."""
     built: dict[int, Lowered | None] = {}
 
     def fits(size: int) -> bool:
@@ -137,12 +140,12 @@ def _largest(
 
 
 def _different(program: Program, count: int) -> int:
-    """The number of different shutters of the first `count` codes."""
+    """Return the number of different shutters of the first `count` codes."""
     return len(np.unique(program.table.shutter_of_code[:count]))
 
 
 def _book_source(program: Program, count: int) -> Source:
-    """A program of the first `count` rows in use, with the same frame and buckets."""
+    """Return a program with the first `count` used rows, and the same frame and buckets."""
     table = program.table
     shutters = table.shutters[table.shutter_of_code[:count]]
     buckets = [bucket.name for bucket in program.buckets]
@@ -150,7 +153,7 @@ def _book_source(program: Program, count: int) -> Source:
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """The largest number of slots that fits the complete class, if the frame has more."""
+    """Yield the complete class with the most slots that fit, if that is fewer than the frame's."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
     least, most = 2, slots - 1
@@ -178,7 +181,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
 
 
 def _simpler(program: Program) -> Iterator[tuple[str, str, str]]:
-    """Programs of other classes in the same frame: (rule, what to write, what it means)."""
+    """Yield programs of other classes for the same frame as (rule, what to write, description)."""
     slots = len(program.frame.slot_us)
     rows = random_rows(_BOOK_ROWS, slots)
     if slots <= _LONGEST_BOOK and len(rows) < len(program.table.shutters):

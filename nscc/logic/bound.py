@@ -1,14 +1,15 @@
 """Lower bounds on the digital operations of a frame, for any encoding and gates.
 
-They assume the level lowering, one FLAG load a slot, and no code bits in analog registers. At slot
-n the registers that FLAG is loaded from must be subsets of the open set, and some code needs a
-register that no other slot can use. A register's content serves one slot, and only M contents exist
-at the start. A slot in which all shutters are open, or none, needs no load.
+The bounds assume the level lowering, one FLAG load per slot, and no code bits in analog registers.
+In slot n the registers from which FLAG is loaded must be subsets of the open set, and some code
+needs a register that no other slot can use. The content of a register serves one slot, and the M
+registers provide only M contents at the start. A slot in which all shutters are open, or none,
+needs no load.
 
-The M registers must also distinguish all shutters at the start. If m of them hold what m slots
-load, shutters that are closed in all m slots are 0 in these registers, so the other M - m registers
-must distinguish them. In class d their number is smallest if the m slots are evenly spaced.
-"""
+The M registers must also distinguish all shutters at the start. If m of them hold the contents that
+m slots load, shutters that are closed in all m slots are 0 in these registers, so the other M - m
+registers must distinguish them. In class d the number of such shutters is smallest if the m slots
+are evenly spaced."""
 
 from __future__ import annotations
 
@@ -19,9 +20,12 @@ ASSUMES = (
 
 
 def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> int | None:
-    """The fewest operations a frame for a complete class; None if no bound is proved. Class b has N
-    shutters with stops 0..N-1 and one more with 0..N; c with starts 0..N-len has N - len + 1; d has
-    all N (N + 1) / 2 bumps, with or without the never-open shutter."""
+    """Return a lower bound on the digital operations per frame of a complete class; None if not
+    known.
+
+    A complete class has these numbers of shutters. Class b: N with stops 0..N-1, one more with
+    0..N. Class c with starts 0..N-len: N - len + 1. Class d: all N (N + 1) / 2 bumps, with or
+    without the shutter that never opens."""
     bumps = slots * (slots + 1) // 2
     loads = slots
     match class_name:
@@ -44,8 +48,10 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
 
 
 def _loadable_at_first(slots: int, never: int, registers: int) -> int:
-    """The most registers that can hold, at the start, what a slot of class d loads; `never` is 1 if
-    some shutter never opens."""
+    """Return the most registers that can hold, at the start, the content that a slot of class d
+    loads.
+
+    `never` is 1 if some shutter never opens, else 0."""
     for loaded in range(min(registers, slots), 0, -1):
         gap, longer = divmod(slots - loaded, loaded + 1)
         # A gap of g slots between loaded ones contains g (g + 1) / 2 bumps that are closed in all

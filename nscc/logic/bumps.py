@@ -1,4 +1,4 @@
-"""Shutters that open and close once, recognised from the level demands of one bucket."""
+"""Recognition of bumps (shutters that open and close once) in the level demands of one bucket."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ from nscc.truth import rows
 
 @dataclass(frozen=True)
 class Bumps:
-    """Shutter k is open in steps start[k] .. stop[k] - 1, never if start[k] = stop[k] = 0. Both are
-    (shutters,) in 0 .. steps. `step[i]` is the step of demand i: consecutive demands with equal
-    predicates have one step."""
+    """Bumps: shutter k is open in steps start[k] .. stop[k] - 1.
+
+    A shutter that never opens has start[k] = stop[k] = 0. Both arrays are (shutters,) in 0 ..
+    steps. Demand i belongs to step `step[i]`; consecutive demands with equal predicates belong to
+    the same step."""
 
     start: NDArray[np.int64]
     stop: NDArray[np.int64]
@@ -23,7 +25,8 @@ class Bumps:
     steps: int
 
     def groups(self, size: int = 1) -> list[tuple[int, int]]:
-        """(group, demand) for every group of `size` steps, with the first demand of the group."""
+        """Return (group, demand) for every group of `size` steps, with the first demand of the
+        group."""
         first: dict[int, int] = {}
         for demand, step in enumerate(self.step):
             first.setdefault(step // size, demand)
@@ -45,7 +48,7 @@ _MOST_CELLS = 1 << 25
 
 
 def bumps_of(problem: Problem) -> Bumps:
-    """The bumps of a problem. Raises GaveUp if some shutter is not a bump."""
+    """Return the bumps of a problem; raise GaveUp if some shutter is not a bump."""
     if len({(d.edge, d.bucket) for d in problem.demands}) != 1:
         raise GaveUp("demands of several kinds")
     if problem.demands[0].edge != "open":
@@ -73,7 +76,9 @@ def bumps_of(problem: Problem) -> Bumps:
 
 
 def two_ended(problem: Problem) -> Bumps:
-    """The bumps of a problem. Raises GaveUp also if one end of all bumps determines the other."""
+    """Return the bumps of a problem.
+
+    Raises GaveUp if some shutter is not a bump, or if one end of all bumps determines the other."""
     bumps = bumps_of(problem)
     start, stop = bumps.start[~bumps.never], bumps.stop[~bumps.never]
     # The end of the frame may cut bumps of one length.

@@ -1,11 +1,9 @@
-"""Generator for arbitrary shutters: store some predicates, and compute the others from them by
-cascades.
+"""Generator for arbitrary shutters: store some predicates, and compute the others by cascades.
 
-A demand with a stored predicate costs one word. Quick searches compare sets of stored predicates;
+A demand with a stored predicate costs one word. Fast searches compare sets of stored predicates;
 the best set gets the full search for cascades. If the stored predicates do not distinguish all
 shutters, a few bits of the last ones are changed, and short cascades compute the original
-predicates.
-"""
+predicates."""
 
 from __future__ import annotations
 
@@ -29,7 +27,7 @@ from nscc.truth import columns, rows, set_bits
 _MOST_SCRATCH = 3
 # Beam width of the searches that compare choices of planes; thousands of them run.
 _QUICK_WIDTH = 6
-# The share of steps for choosing planes, and the beam widths afterwards.
+# The fraction of steps for choosing planes, and the beam widths of the search afterwards.
 _CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
 # Limit on the words of a cascade; effectively none.
@@ -44,9 +42,11 @@ _STEPS_A_CHOICE = 100
 
 @dataclass(frozen=True)
 class _Points:
-    """Groups of shutters that no demand distinguishes. `bits` (predicates, points) are the distinct
-    predicates that planes may hold; the first `demanded` of them are demands. `names` describes
-    them; `shutters` (shutters,) is the point of each shutter."""
+    """Points: groups of shutters that no demand distinguishes.
+
+    `bits` (predicates, points) are the distinct predicates that planes may hold; the first
+    `demanded` of them are demands. `names` describe them. `shutters` (shutters,) is the point of
+    each shutter."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -55,13 +55,13 @@ class _Points:
 
 
 _Choice = tuple[tuple[int, bool], ...]
-"""For each plane its predicate (an index into `_Points.bits`), and whether inverted."""
+"""For each plane its predicate (an index into `_Points.bits`), and whether it is inverted."""
 
 
 @dataclass(frozen=True)
 class _Plan:
-    """A choice of planes (planes, points), the number of scratch registers, and the cascade of
-    every task."""
+    """Chosen planes (planes, points), the number of scratch registers, and the cascade of every
+    task."""
 
     choice: _Choice
     planes: NDArray[np.bool_]
@@ -71,12 +71,14 @@ class _Plan:
 
 
 _Task = tuple[int, int]
-"""Index of a predicate, and of the one that FLAG holds before, -1 if unknown."""
+"""The index of a predicate, and of the predicate that FLAG holds before it, -1 if unknown."""
 
 
 def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Store some predicates and compute the others by cascades of cubes. Raises GaveUp if the steps
-    do not suffice for a first solution. The remaining steps improve it."""
+    """Store some predicates and compute the others by cascades of cubes.
+
+    Raises GaveUp if the steps do not suffice for a first solution. The remaining steps improve it.
+    """
     finder = _Finder(problem, machine, budget)
     best: _Plan | None = None
     try:
@@ -91,7 +93,7 @@ def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
 
 
 class _Finder:
-    """Searches for plans of one problem."""
+    """A search for plans of one problem."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
         self._problem = problem
@@ -105,7 +107,7 @@ class _Finder:
         self._times = Counter(task for task in self._tasks if task is not None)
 
     def plans(self) -> Iterator[_Plan]:
-        """Yield plans, each better than the one before; raises GaveUp when the steps run out."""
+        """Yield plans, each better than the previous one; raise GaveUp when no steps are left."""
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
         widest = min(self._machine.registers - 1, len(self._points.bits))
@@ -116,7 +118,7 @@ class _Finder:
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
-        # Two scratch registers and FLAG allow a cube besides the inner value in every link; one
+        # With two scratch registers and FLAG, a link can use a cube besides the inner value; one
         # scratch register allows one more plane.
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
             width = min(self._machine.registers - scratch, widest)
@@ -139,7 +141,7 @@ class _Finder:
                 yield plan
 
     def solution(self, plan: _Plan) -> Solution:
-        """The gates of a plan."""
+        """Return the gates of a plan."""
         points = self._points
         answers: list[tuple[Segment, ...]] = []
         for task in self._tasks:
@@ -161,7 +163,7 @@ class _Finder:
         )
 
     def _tasks_of_demands(self) -> list[_Task | None]:
-        """The task of every demand; None if FLAG already holds its predicate."""
+        """Return the task of every demand; None if FLAG already holds the demand's predicate."""
         problem = self._problem
         number: dict[int, int] = {}
         for demand in problem.demands:
@@ -176,7 +178,7 @@ class _Finder:
         return tasks
 
     def _quick_width(self) -> int:
-        """The beam width of quick searches, smaller if a single one takes many steps."""
+        """Return the beam width of fast searches, smaller if a single search takes many steps."""
         sets, points = self._sets.shape[1], self._points.bits.shape[1]
         cascades = max(1, self._points.demanded - self._machine.registers + 2)
         # Estimated steps of a quick search: links of a cascade (each decides two or more points),
@@ -187,8 +189,10 @@ class _Finder:
         return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
     def _first_choices(self, width: int) -> Iterator[_Choice]:
-        """Initial choices of planes: predicates that no demand asks for first (edges can be made of
-        levels), then demanded ones."""
+        """Yield initial choices of planes.
+
+        Predicates without a demand are tried first (edges can be computed from levels), then
+        demanded ones."""
         numbers = range(len(self._points.bits))
         undemanded = numbers[self._points.demanded :]
         if undemanded:
@@ -196,7 +200,8 @@ class _Finder:
         yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
-        """Search with a narrow beam for a plan of at most `most` words; None if not found."""
+        """Return a plan of at most `most` words, found with a narrow beam; None if none was
+        found."""
         planes = _separating(self._points.bits, choice)
         times = self._times
         repeats = times.total() - len(times)
@@ -223,13 +228,15 @@ class _Finder:
         return Search(table, self._machine, scratch, self._budget)
 
     def _predicates_and_flag(self, tasks: list[_Task]) -> tuple[Points, Points]:
-        """The predicate of every task, and the content of FLAG before it (empty if unknown)."""
+        """Return the predicate of every task, and the content of FLAG before it (empty if
+        unknown)."""
         predicates, flag_predicates = np.array(tasks).T
         known = np.where((flag_predicates >= 0)[:, None], self._sets[flag_predicates], np.uint64(0))
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
-        """Improve the choice of planes by local search, until `until` steps are left."""
+        """Improve the choice of planes by local search, until `until` steps are left; yield better
+        plans."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
         current = best
@@ -255,7 +262,8 @@ class _Finder:
                     yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
-        """Search for shorter cascades with the same planes, longest cascade first."""
+        """Search for shorter cascades with the same planes, longest cascade first; yield better
+        plans."""
         search = self._search(best.planes, best.scratch)
         for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
@@ -268,7 +276,8 @@ class _Finder:
 
 
 def _points(problem: Problem) -> _Points:
-    """The points of a problem; open slots of its buckets are additional candidate planes."""
+    """Return the points of a problem; the open shutters of each slot are additional candidate
+    planes."""
     names: dict[int, str] = {}
     for demand in problem.demands:
         names.setdefault(demand.predicate, describe_demand(demand))
@@ -286,7 +295,8 @@ def _points(problem: Problem) -> _Points:
 
 
 def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
-    """The planes of a choice, changed in as few points as needed to distinguish all points."""
+    """Return the planes of a choice, changed at as few points as needed to distinguish all
+    points."""
     stored, inverted = np.array(choice).T
     planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
@@ -306,7 +316,7 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
 
 
 def _write(gates: Gates, cascade: Cascade, scratch: int) -> None:
-    """Add the gates of a cascade, innermost link first. Values in scratch are in t0."""
+    """Add the gates of a cascade, innermost link first; the register t0 holds values in scratch."""
     registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
     inner: list[str] = []
     for link in reversed(cascade.links):

@@ -1,16 +1,15 @@
-"""Cascades of cubes: one predicate computed from code planes, searched from its last gate
+"""Search for cascades of cubes that compute a predicate from code planes, from the last gate
 backwards.
 
 A value must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere. Its last
 word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), single
-planes, and an inner value of the same kind with fewer points to decide, held in FLAG or in a
-scratch register. FLAG and scratch alternate, and complements are free. A beam search keeps, for
-every number of words, the values with the least left to decide.
+planes, and an inner value of the same kind with fewer undecided points, held in FLAG or in a
+scratch register. FLAG and scratch registers alternate, and complements are free. A beam search
+keeps, for every number of words, the values with the fewest undecided points.
 
-The backward direction reveals don't-cares: a value that an OR reads must be 0 where the OR is 0,
-and 1 where the OR is 1 only because of it; elsewhere it is free. So every link passes on fewer
-points, and a cascade ends when planes and cubes decide all points.
-"""
+The backward direction yields don't-cares. A value that an OR reads must be 0 where the OR is 0, and
+1 where the OR is 1 only because of this value; elsewhere it is free. So every link passes on fewer
+points, and a cascade ends when planes and cubes decide all points."""
 
 from __future__ import annotations
 
@@ -44,10 +43,9 @@ _NEXT_CUBES = 2
 class Link:
     """One link of a cascade: an OR, or a NOR if `negated`, of its inputs.
 
-    The value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in a
-    scratch register of its own; `planes` are read as they are. A link that `reads_flag` also
-    reads FLAG as it was before the cascade. Every link except the innermost reads the next link.
-    """
+    Its value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in its
+    own scratch register; `planes` are read directly. A link that `reads_flag` also reads FLAG as it
+    was before the cascade. Every link except the innermost reads the next link."""
 
     to_flag: bool
     negated: bool
@@ -58,7 +56,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Cascade:
-    """The links of a cascade, the last to run first, and its number of words."""
+    """The links of a cascade, the last executed link first, and its number of words."""
 
     links: tuple[Link, ...]
     words: int
@@ -80,9 +78,11 @@ _A_PAIR = 0.5
 
 @dataclass(frozen=True)
 class _Values:
-    """The values in a beam: undecided points, and how each value is reached. `task` is the index of
-    the predicate. `via` is the number of the value that reads this one, and `negated` whether as a
-    NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if there are fewer."""
+    """The values in a beam: their undecided points, and how each value is reached.
+
+    `task` is the index of the predicate. `via` is the index of the value that reads this value, as
+    a source of a NOR if `negated`, else of an OR. `cubes` (n, scratch) are masks of the cubes of
+    the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -98,17 +98,18 @@ class _Values:
         return _Values(*(array[indices] for array in vars(self).values()))
 
     def swapped(self) -> _Values:
-        """The complements of the values."""
+        """Return the complements of the values."""
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
     def undecided_bits(self) -> NDArray[np.float64]:
-        """Estimate the information, in bits, that each value leaves to decide."""
+        """Return an estimate of the information, in bits, that is undecided in each value."""
         ones, zeros = sizes(self.on), sizes(self.off)
         bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
 
     def best(self, width: int) -> _Values:
-        """For every task the `width` distinct values with the least left to decide."""
+        """Return for every task the `width` distinct values with the least undecided
+        information."""
         undecided = self.undecided_bits()
         # Equal values have equal digests; a collision only loses a value.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
@@ -130,12 +131,14 @@ class _Values:
 
 
 _Way = tuple[int, bool, tuple[int, ...], bool]
-"""The parent value, whether complemented, the cubes of the link, and whether this value is in FLAG
-(for the end of a cascade: whether it reads the old FLAG)."""
+"""How a value is reached: the parent value, whether complemented, the link's cubes, and whether it
+is in FLAG.
+
+At the end of a cascade, the last item says whether the old FLAG is read."""
 
 
 class Search:
-    """Searches for cascades over one set of planes, with `scratch` registers."""
+    """A search for cascades over one set of planes, with `scratch` registers."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
         self._table = planes
@@ -153,13 +156,11 @@ class Search:
         width: int,
         most_total: int,
     ) -> list[Cascade | None]:
-        """For every predicate of `on` (n, W), find a cascade of at most `most_words` words that
-        leaves it in FLAG; None where a beam of `width` finds none.
+        """Return for each predicate of `on` (n, W) a cascade that computes it in FLAG, or None.
 
-        FLAG holds `flag_before` (n, W) before the cascade, the empty set if its content is unknown.
-        The search ends when the cascades are unlikely to take as few as `most_total` words
-        together.
-        """
+        A cascade has at most `most_words` words. FLAG holds `flag_before` (n, W) before the
+        cascade, the empty set if its content is unknown. `width` is the width of the beam. The
+        search ends when the cascades are unlikely to have as few as `most_total` words in total."""
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
         start = _Values(
@@ -208,7 +209,7 @@ class Search:
         return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
 
     def _numbered(self, values: _Values, in_flag: bool) -> _Values:
-        """Record the values as roots of further links."""
+        """Record the values as starting points of further links; return them with their indices."""
         first = 0
         if self._recorded:
             before, last, _ = self._recorded[-1]
@@ -256,11 +257,11 @@ class Search:
                         grown[used + 1, spent + price].append(wider)
 
     def _most_cubes(self, to_flag: bool) -> int:
-        """The most cubes in one link: a scratch register as destination can also be in place."""
+        """Return the most cubes in one link; a link to a scratch register can be in place."""
         return min(self._scratch, self._where_limit if to_flag else self._or_limit - 1)
 
     def _room(self, to_flag: bool, *, cubes: bool, inner: bool) -> int:
-        """The number of planes that a link can read besides its cubes and inner value."""
+        """Return the number of planes that a link can read besides its cubes and inner value."""
         if not to_flag:
             return self._or_limit - 1 - (self._most_cubes(to_flag) if cubes else 0)
         if not cubes:
@@ -268,7 +269,7 @@ class Search:
         return max(0, self._where_limit - self._most_cubes(to_flag) - self._reads_flag)
 
     def _without_planes(self, values: _Values, room: int) -> _Values:
-        """The values after removing the points that at most `room` single planes decide."""
+        """Return the values without the points that at most `room` single planes decide."""
         planes = self._table.planes
         if room <= 0:
             return values
@@ -289,7 +290,7 @@ class Search:
         return replace(values, on=on)
 
     def _with_cube(self, values: _Values, used: int) -> Iterator[tuple[int, _Values]]:
-        """Yield (price, values after one more cube) for valid cubes that decide most points."""
+        """Yield (words, values after one more cube) for the valid cubes that decide most points."""
         top = _FIRST_CUBES if used == 0 else _NEXT_CUBES
         for price, cubes, masks in self._table.groups:
             batch = max(1, _BATCH // cubes.size)
@@ -310,8 +311,9 @@ class Search:
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
-        """Record, for every task, the first value without undecided points. With `inner`, the
-        content of FLAG before the cascade may decide points."""
+        """Record, for every task, the first value without undecided points.
+
+        With `inner`, the content of FLAG before the cascade may decide points."""
         undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
@@ -328,7 +330,8 @@ class Search:
                 self._most[task] = words - 1
 
     def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
-        """The links of the cascade found for `on`, with the planes that each one reads."""
+        """Return the cascade found for `on`, with the planes that each link reads; None if none was
+        found."""
         if end is None:
             return None
         words, way = end
@@ -357,7 +360,7 @@ class Search:
     def _read(
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
-        """The planes that a link needs besides its cubes, and the points left to decide."""
+        """Return the planes that a link needs besides its cubes, and the points left undecided."""
         target = on
         table = self._table.planes
         pure = disjoint(table, off[None])
@@ -383,7 +386,8 @@ class Search:
 
 @cache
 def _factors() -> NDArray[np.uint64]:
-    """Odd numbers for hashing, two for each word of the largest set. Computed on first use, because
-    importing numpy.random is slow."""
+    """Return odd numbers for hashing, two for each word of the largest set.
+
+    They are computed on first use, because importing numpy.random is slow."""
     numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
     return numbers * 2 + 1

@@ -1,11 +1,12 @@
 """Covers of a predicate: an OR of NORs (cubes) over values in registers.
 
-This is two-level minimisation (prime cubes, then the cheapest choice of them: Quine and McCluskey,
-Petrick) with two differences: literals are only values as stored, and the price of a cube is
-shared. NOR(A) is 1 where every value of A is 0, so the cube lies inside a predicate if the values
-of A cover all shutters outside. A cube costs one word and needs no inverted literal. A cube inside
-later predicates may stay in its register, and these demands share its word.
-"""
+This is two-level logic minimisation: find prime cubes (Quine and McCluskey), then the cheapest
+choice of them (Petrick). It differs in two points. A cube can read only values that are in
+registers, not their inverses. The cost of a cube is shared by all demands that use it.
+
+NOR(A) is 1 where every value of A is 0. So the cube lies inside a predicate if the values of A
+cover all shutters outside of it. A cube costs one word. If it lies inside later predicates, too, it
+may stay in its register, and these demands share its word."""
 
 from __future__ import annotations
 
@@ -19,8 +20,10 @@ from nscc.truth import union
 
 @dataclass(frozen=True, slots=True)
 class Nor:
-    """A cube NOR(sources): its truth vector, and the number of demands that it serves from now on.
-    `words` is its price, more than one if it has more sources than one word accepts."""
+    """A cube NOR(sources): its truth vector, and `life`, the number of demands that it serves from
+    now on.
+
+    `words` is its cost, more than one if it has more sources than one word accepts."""
 
     sources: tuple[int, ...]
     vector: int
@@ -29,14 +32,16 @@ class Nor:
 
     @property
     def cost(self) -> float:
-        """Words for each demand served."""
+        """The number of words per served demand."""
         return self.words / self.life
 
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """Indices `positive` of values and `cubes` whose OR is the predicate. `cost` is in words, with
-    the words of lasting cubes divided among the demands served."""
+    """The indices `positive` of values, and `cubes`, whose OR is the predicate.
+
+    `cost` is in words; the words of reused cubes are divided by the number of demands that they
+    serve."""
 
     positive: tuple[int, ...]
     cubes: tuple[Nor, ...]
@@ -52,8 +57,10 @@ _MOST_SEEDS = 40
 
 @dataclass(frozen=True)
 class Covers:
-    """Searches for covers within `budget`. `everything` is the truth vector of all shutters,
-    `fan_in` the number of sources that one word accepts."""
+    """A search for covers within `budget`.
+
+    `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
+    accepts."""
 
     everything: int
     fan_in: int | None
@@ -62,12 +69,11 @@ class Covers:
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """Find a cheap cover of ahead[0] by values and cubes; None if not found.
+        """Return a cheap cover of ahead[0] by values and at most `most_cubes` cubes; None if not
+        found.
 
-        `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR. The
-        further predicates in `ahead` are used to prefer cubes that they can reuse. A cover has at
-        most `most_cubes` cubes.
-        """
+        `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR.
+        Cubes that the further predicates in `ahead` can reuse are preferred."""
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
@@ -121,8 +127,10 @@ class Covers:
     def _prime(
         self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
-        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none. It
-        starts with all literals and drops one at a time, which makes the cube larger: the one that
+        """Return a prime cube over the literals `zeros` that avoids `outside`; None if there is
+        none.
+
+        It starts with all literals and drops one after another, each time the literal whose removal
         adds most of `uncovered`. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
@@ -159,7 +167,7 @@ class Covers:
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:
-    """The number of predicates, from ahead[0] on without a gap, that contain `vector`."""
+    """Return the number of consecutive predicates, from ahead[0] on, that contain `vector`."""
     for count, predicate in enumerate(ahead):
         if vector & ~predicate:
             return count
@@ -167,7 +175,7 @@ def life(vector: int, ahead: Sequence[int]) -> int:
 
 
 def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
-    """Choose few values greedily so that their OR contains `uncovered`."""
+    """Return a small set of values, chosen greedily, whose OR contains `uncovered`."""
     chosen: list[int] = []
     while uncovered:
         best = max(positive, key=lambda i: (values[i] & uncovered).bit_count())
@@ -177,7 +185,8 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int)
 
 
 def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
-    """Find the cheapest at most `most` cubes that cover `uncovered`, by branch and bound."""
+    """Return the cheapest set of at most `most` cubes that covers `uncovered`, by branch
+    and bound."""
     ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")

@@ -1,10 +1,10 @@
-"""Codes from precomputed tables of cubes (`tests/benchmarks/search_cubes.py`).
+"""Codes and cubes from precomputed tables, made by `tests/benchmarks/search_cubes.py`.
 
-One NOR computes a cube if the planes that are 1 in it are inverted. Codes in which each needed set
-is one cube, with few inversions in a frame, are hard to find, so the cubes come from tables. A
-shutter gets any code that all its cubes allow. Every plane is 0 in the first cube of a frame that
-reads it.
-"""
+A generator needs codes for which certain sets of shutters are single cubes, because one NOR
+computes a cube. Planes that are 1 in a cube must first be inverted, so good codes also need few
+inversions in a frame. Such codes are hard to find. The tables therefore list the cubes; a shutter
+gets any code that all its cubes allow. In the tables, every plane is 0 in the first cube of a
+frame that reads it."""
 
 from __future__ import annotations
 
@@ -23,10 +23,9 @@ from nscc.truth import set_bits, union
 class BumpCubes:
     """Cubes over `planes` planes for bumps that touch the groups i to j of slots.
 
-    `rises[k]`, one cube or two, contain the bumps with i = k, and none with k < i or j < k.
+    `rises[k]`, one or two cubes, contain the bumps with i = k, and none with k < i or j < k.
     `falls[k]`, for all groups except the last, contains the bumps with j = k, and none with i <= k
-    < j. Opening open shutters and closing closed ones is harmless.
-    """
+    < j. Opening open shutters and closing closed shutters has no effect."""
 
     planes: int
     rises: tuple[tuple[Cube, ...], ...]
@@ -34,13 +33,13 @@ class BumpCubes:
 
     @staticmethod
     def of(planes: int, groups: int) -> BumpCubes | None:
-        """The cubes for these numbers of groups and planes; None if no table has them."""
+        """Return the cubes for these numbers of planes and groups; None if no table has them."""
         known = [t for t in _bump_tables() if t.planes <= planes and len(t.rises) >= groups]
         best = min(known, key=lambda t: (-t.planes, len(t.rises)), default=None)
         return best and BumpCubes(best.planes, best.rises[:groups], best.falls[: groups - 1])
 
     def code(self, first: int, last: int) -> int:
-        """The smallest code of a bump that touches the groups `first` to `last`."""
+        """Return the smallest code of a bump that touches the groups `first` to `last`."""
         rising = [_codes_in(cubes, self.planes) for cubes in self.rises]
         falling = [_codes_in((cube,), self.planes) for cube in self.falls]
         allowed = rising[first]
@@ -52,7 +51,7 @@ class BumpCubes:
 
 @cache
 def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """Codes of `count` numbers, and for each a cube that contains its code and no other."""
+    """Return codes of `count` numbers, and for each number a cube that contains only its code."""
     known = [rows for width, rows in _tables("numbers") if width == planes and len(rows) >= count]
     if not known:
         codes = cycle(count, planes)
@@ -67,7 +66,7 @@ def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, 
 
 @cache
 def _codes_in(cubes: Iterable[Cube], planes: int) -> int:
-    """The codes in any of the cubes, as a bit mask."""
+    """Return the codes in any of the cubes, as a bit mask."""
     return sum(
         1 << code
         for code in range(1 << planes)
@@ -86,7 +85,7 @@ def _bump_tables() -> tuple[BumpCubes, ...]:
 
 
 def _tables(kind: str) -> list[tuple[int, list[str]]]:
-    """The tables of a kind: the number of planes, and a row for each group or number."""
+    """Return the tables of a kind: the number of planes, and a row for each group or number."""
     return [(table["planes"], table["rows"].strip().splitlines()) for table in _file()[kind]]
 
 

@@ -2,9 +2,8 @@
 
 A cube is a set of literals (plane, value); it is 1 where every plane has its value. NOR reads
 complements, so a literal with value 1 needs an inverted plane. The emitter inverts planes in place
-and tracks their polarity, so that consecutive demands share inversions (with a Gray counter one a
-step). At the end of the frame all polarities are restored.
-"""
+and tracks their polarity, so that consecutive demands share inversions (with a Gray counter one per
+step). At the end of the frame all polarities are restored."""
 
 from __future__ import annotations
 
@@ -21,8 +20,9 @@ Cube = tuple[tuple[int, int], ...]
 
 @dataclass(frozen=True)
 class Encoding:
-    """The content of the planes, and each demand's predicate as an OR of cubes. `cubes[i]` covers
-    demand i, or its complement if `inverted[i]`."""
+    """The content of the planes, and each demand's predicate as an OR of cubes.
+
+    `cubes[i]` cover demand i, or its complement if `inverted[i]`."""
 
     name: str
     planes: Planes
@@ -35,25 +35,25 @@ _MOST_SORTED = 128
 
 
 class Budget:
-    """The search steps left; the same input always takes the same number."""
+    """A number of search steps; the same input always takes the same number."""
 
     def __init__(self, steps: int) -> None:
         self.left = steps
 
     def spend(self, steps: int) -> None:
-        """Subtract `steps`; raises GaveUp when none are left."""
+        """Subtract `steps`; raise GaveUp if none are left."""
         self.left -= steps
         if self.left < 0:
             raise GaveUp("the search used up its steps")
 
 
 def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
-    """Prime cubes whose union contains `on` and avoids `off`, which the planes must distinguish.
+    """Return prime cubes whose union contains `on` and avoids `off`, which the planes must
+    distinguish.
 
     Codes without a shutter are don't-cares. With 13 planes there are too many primes to enumerate
     (Quine, McCluskey). Each cube starts as the code of one uncovered shutter and is expanded
-    greedily by newly covered shutters (like Espresso, Brayton et al., 1984).
-    """
+    greedily by newly covered shutters (like Espresso, Brayton et al., 1984)."""
     literals = [(everything & ~plane, plane) for plane in planes]
     cubes: list[Cube] = []
     uncovered = on
@@ -79,7 +79,7 @@ def _expand(
     everything: int,
     budget: Budget,
 ) -> list[tuple[int, int]]:
-    """Drop literals, each time the one that covers most, while the cube avoids `off`."""
+    """Drop literals of a cube, each time the one that covers most, while the cube avoids `off`."""
     while cube:
         budget.spend(len(cube) * (1 + everything.bit_length() // 512))
         # The cube without each literal: the product of those before and after it.
@@ -102,7 +102,7 @@ def _expand(
 
 
 def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
-    """The gates of an encoding. Raises GaveUp if there is no free register."""
+    """Return the gates of an encoding; raise GaveUp if there is no free register."""
     planes = len(encoding.planes)
     free_registers = machine.registers - planes
     if free_registers < 0:
@@ -132,9 +132,10 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """The polarity (`inverted` = 1) and register of each plane while gates are emitted. Inverting a
-    plane in place takes two words. Inverting it into a register named by `free` takes one and frees
-    the plane's old register."""
+    """The register and polarity (`inverted` = 1) of each plane while gates are emitted.
+
+    Inverting a plane in place takes two words. Inverting it into a register named by `free` takes
+    one word and frees the plane's old register."""
 
     def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
         self._gates = gates
@@ -143,7 +144,7 @@ class Standing:
         self.free = free
 
     def flip(self, plane: int) -> Segment:
-        """Invert a plane; pending gates are in the same segment."""
+        """Invert a plane; return the segment, which includes pending gates."""
         self.inverted[plane] ^= 1
         if self.free is None:
             self._gates.invert(self.registers[plane])
@@ -155,7 +156,7 @@ class Standing:
         return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
 
     def read_by(self, cube: Cube) -> list[str]:
-        """The registers whose NOR is `cube` after `turn`."""
+        """Return the registers whose NOR is `cube` after `turn`."""
         return [self.registers[plane] for plane, _ in cube]
 
     def restore(self) -> tuple[Segment, ...]:
@@ -186,7 +187,7 @@ class Standing:
 
 
 class _Emitter:
-    """The state of the registers while gates are emitted."""
+    """A list of gates under construction, with the contents of registers."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
         self._machine = machine
@@ -196,7 +197,7 @@ class _Emitter:
         self.used = 0
 
     def answer(self, cubes: Sequence[Cube], inverted: bool) -> tuple[Segment, ...]:
-        """Segments that compute the OR of `cubes`, or its complement, in FLAG."""
+        """Return segments that compute the OR of `cubes`, or its complement, in FLAG."""
         segments: list[Segment] = []
         single = [cube[0] for cube in cubes if len(cube) == 1]
         wide = [cube for cube in cubes if len(cube) != 1]
@@ -241,7 +242,7 @@ class _Emitter:
         raise GaveUp("no register is left to compute with")
 
     def _make_room(self, terms: list[str]) -> list[str]:
-        """Combine the terms so far if every scratch register holds one."""
+        """Combine the terms so far if every scratch register holds a term."""
         scratch_terms = [name for name in terms if name in self._scratch]
         if len(scratch_terms) < len(self._scratch):
             return terms
@@ -270,7 +271,7 @@ class _Emitter:
         return [*terms, target]
 
     def _load_flag(self, terms: list[str]) -> None:
-        """FLAG := OR(terms), which may include FLAG."""
+        """Add gates for FLAG := OR(terms), which may include FLAG."""
         spare = next((name for name in self._scratch if name in terms), None)
         limit = self._machine.where_sources
         if spare is None and limit is not None and len(terms) > limit:

@@ -1,4 +1,4 @@
-"""Digits of numbers as planes: mixed radices, binary digits, thermometers."""
+"""Numbers as planes: digits in mixed radices, binary digits, thermometer codes."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
 
 @cache
 def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
-    """Mixed radices, highest digit first, with sum at most `most` and product at least `least`.
+    """Return mixed radices, highest digit first, with sum at most `most` and product at least
+    `least`.
 
-    Smallest sums first, without radix 1. The product is the number of distinct values, the sum the
-    number of registers: a digit of radix r takes r - 1 thermometer planes and a register for its
-    cube (`nested_demands`), or one plane for each of its r values (`events`).
-    """
+    Smallest sums come first; radix 1 is left out. The product is the number of distinct values, the
+    sum the number of registers: a digit of radix r takes r - 1 thermometer planes and a register
+    for its cube (`nested_demands`), or one plane for each of its r values (`events`)."""
     choices: list[tuple[int, ...]] = []
 
     def extend(chosen: tuple[int, ...], total: int, remaining: int) -> None:
@@ -46,14 +46,14 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
 
 
 def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
-    """The `bits` lowest binary digits of numbers (shutters,), lowest first: `name 0`, ..."""
+    """Return the `bits` lowest binary digits of numbers (shutters,), lowest first: `name 0`, ..."""
     return [(plane, f"{name} {i}") for i, plane in enumerate(number_planes(numbers, bits))]
 
 
 def digits_of(
     numbers: NDArray[np.int64], radices: Sequence[int]
 ) -> list[tuple[str, NDArray[np.int64], int]]:
-    """For each digit, highest first: its name, its values (shutters,) and its radix."""
+    """Return the name, values (shutters,) and radix of each digit, highest digit first."""
     digits = []
     size = int(np.prod(radices))
     for place, radix in enumerate(radices):
@@ -65,9 +65,11 @@ def digits_of(
 def thermometers(
     numbers: NDArray[np.int64], radices: Sequence[int], negative: bool | NDArray[np.bool_]
 ) -> Planes:
-    """For each digit, highest first, the planes "digit <= m" for all m, or "digit > m" if
-    `negative`. In a thermometer code, comparison with a constant reads one plane; binary digits
-    would need several gates. `negative` may be an array (shutters,)."""
+    """Return for each digit the planes "digit <= m" for all m, or "digit > m" if `negative`.
+
+    The highest digit comes first. In a thermometer code, a comparison with a constant reads one
+    plane; with binary digits it would need several gates. `negative` may be an array (shutters,).
+    """
     sign = ">" if negative is True else "<="
     return [
         (columns(((digit <= m) ^ negative)[:, None])[0], f"{name} {sign} {m}")
@@ -77,10 +79,10 @@ def thermometers(
 
 
 def nor(destination: str, sources: Sequence[str]) -> Segment:
-    """destination := NOR(sources), with at least one source."""
+    """Return the segment destination := NOR(sources), with at least one source."""
     return (Gate("NOR" if len(sources) > 1 else "NOT", destination, tuple(sources)),)
 
 
 def turned_over(planes: Iterable[int]) -> tuple[Segment, ...]:
-    """Invert planes in place, each in its own segment."""
+    """Return segments that invert planes in place, one for each plane."""
     return tuple((Gate("NOT", f"p{plane}", (f"p{plane}",)),) for plane in planes)

@@ -1,8 +1,7 @@
-"""Encodings: contents of the code planes that make a problem's predicates cheap to compute.
+"""Encodings: contents of the code planes with which a problem's predicates are cheap to compute.
 
-Each function depends only on the predicates. It raises GaveUp if it does not suit them or if its
-planes leave too few registers.
-"""
+Each function depends only on the predicates. It raises GaveUp if they do not suit the encoding or
+if its planes leave too few registers."""
 
 from __future__ import annotations
 
@@ -20,7 +19,8 @@ from nscc.truth import members, union
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """One plane for each distinct predicate (raw bits, thermometer codes): one word a demand."""
+    """Return one plane for each distinct predicate (raw bits, thermometer codes): one word per
+    demand."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
@@ -32,14 +32,14 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
 
 
 def describe_demand(demand: Demand) -> str:
-    """Describe a demand in words."""
+    """Return a demand in words."""
     if demand.edge == "open":
         return f"open in slot {demand.boundary - 1}"
     return f"{demand.edge} at boundary {demand.boundary}"
 
 
 def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """One plane for each shutter: every predicate is an OR of planes."""
+    """Return one plane for each shutter; every predicate is an OR of planes."""
     if problem.shutters > machine.registers:
         raise GaveUp(f"{problem.shutters} shutters, {machine.registers} registers")
     used = union(demand.predicate for demand in problem.demands)
@@ -53,12 +53,10 @@ def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Event times in Gray code, stored as time XOR now: an event is a test for equality, one NOR.
+    """Return event times in Gray code, stored as time XOR now: an event is a test for 0, one NOR.
 
     The times of the k-th events of one kind (rise or fall of a bucket) form a field. Its planes
-    hold the Gray code of the event number. One in-place NOT before each event keeps "all zero"
-    equal to "now".
-    """
+    hold the Gray code of the event number. One in-place NOT before each event updates "now"."""
     planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
@@ -81,15 +79,14 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
-    """The name of a field of events, such as `fall time`, with rank and bucket if there are
-    several."""
+    """Return the name of a field of events, such as `fall time`, with rank and bucket if needed."""
     rank_text = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
     bucket_text = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
     return f"{edge} time{rank_text}{bucket_text}"
 
 
 def _equality(code: int, base: int, width: int) -> Cube:
-    """The cube of shutters whose planes base .. base + width - 1 hold `code`."""
+    """Return the cube of the shutters whose planes base .. base + width - 1 hold `code`."""
     return tuple((base + bit, code >> bit & 1) for bit in range(width))
 
 
@@ -97,8 +94,10 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
 def event_fields(problem: Problem, most: int) -> Events:
-    """For each kind and rank of events: (demand, shutters) in time order. Demands that FLAG already
-    meets are omitted. Raises GaveUp if there are more than `most` fields."""
+    """Return for each kind and rank of events the pairs (demand, shutters) in time order.
+
+    Demands that FLAG already meets are omitted. Raises GaveUp if there are more than `most` fields.
+    """
     event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
@@ -118,7 +117,7 @@ def event_fields(problem: Problem, most: int) -> Events:
 
 
 def _index_planes(problem: Problem, machine: Machine) -> Planes:
-    """Planes with the Gray code of every shutter's number, as few as possible."""
+    """Return planes with the Gray code of every shutter's number, as few as possible."""
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
@@ -127,9 +126,10 @@ def _index_planes(problem: Problem, machine: Machine) -> Planes:
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Number the shutters in Gray code; each member of a predicate is one test for equality. Useful
-    for long programs, whose kernels must repeat to fit the store: one kernel serves all equality
-    tests, and one inverts each plane."""
+    """Return shutter numbers in Gray code; each shutter of a predicate is one test for equality.
+
+    This is useful for long programs, whose kernels must repeat to fit the store: one kernel serves
+    all equality tests, and one kernel inverts each plane."""
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
     # Every member is a separate equality test of at least two words; for more than a few, other
@@ -140,7 +140,8 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def gray_index_wide(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Like `gray_index`, for any predicates: many words and much time, but few stored words."""
+    """Return the encoding of `gray_index` for any predicates: many words and much time, but few
+    stored words."""
     budget.spend(_STEPS_A_MEMBER * _members(problem))
     return _index_equalities(problem, machine)
 
@@ -166,14 +167,14 @@ def _members(problem: Problem) -> int:
 
 
 def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Number the shutters in Gray code; cover each predicate by cubes."""
+    """Return shutter numbers in Gray code; each predicate is covered by cubes."""
     planes = _index_planes(problem, machine)
     return _covered(problem, "shutter number in Gray code", planes, budget)
 
 
 def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Like `covered_gray_index`, with both polarities of every bit stored, so that no plane is
-    inverted."""
+    """Return the encoding of `covered_gray_index` with both polarities of every bit, without
+    inversions."""
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
@@ -188,9 +189,10 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
 
 
 def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Store the values of the code's fields in Gray code; cover each predicate by cubes. Rules are
-    written in fields, so events of one field are equality tests. Shutters that differ otherwise,
-    for example never-open ones, cost a few cubes at a few boundaries."""
+    """Return the values of the code's fields in Gray code; each predicate is covered by cubes.
+
+    Rules are written in fields, so events of one field are equality tests. Shutters that differ
+    otherwise, for example those that never open, cost a few cubes at a few boundaries."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []
@@ -210,7 +212,8 @@ def _twice(cube: Cube) -> Cube:
 
 
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Store the open shutters of every slot; an edge is one cube of two neighbours."""
+    """Return the open shutters of every slot as planes; an edge is one cube of two neighbouring
+    slots."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:
@@ -230,7 +233,10 @@ def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Enc
 def _best_cover(
     problem: Problem, predicate: int, planes: Sequence[int], budget: Budget
 ) -> tuple[tuple[Cube, ...], bool]:
-    """The cover of a predicate or of its complement, which costs one more gate; the smaller one."""
+    """Return the smaller of the covers of a predicate and of its complement, and whether it is the
+    latter.
+
+    The complement costs one more gate."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
     if len(direct) > 1:

@@ -2,9 +2,8 @@
 
 A time consists of a group and a place in it. The place is written in digits; each value of a digit
 has a plane, which is 0 if the digit has that value. The planes of the group's code are inverted as
-time advances, so that those that identify the current group are all 0. An equality test is then one
-NOR. The codes are chosen to need few inversions.
-"""
+time advances, so that the planes that identify the current group are all 0. An equality test is
+then one NOR. The codes are chosen to need few inversions."""
 
 from __future__ import annotations
 
@@ -28,9 +27,10 @@ from nscc.truth import columns, members, union, vector
 
 @dataclass(frozen=True)
 class _Field:
-    """Numbers (shutters,), and for each event, in time order, its demand and number. Shutters
-    without an event have the number `count` - 1. An event of shutters with several numbers has the
-    lowest one."""
+    """Numbers (shutters,), and for each event, in time order, its demand and number.
+
+    Shutters without an event have the number `count` - 1. An event of shutters with several numbers
+    has the lowest of them."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -40,8 +40,9 @@ class _Field:
 
 @dataclass(frozen=True)
 class _Form:
-    """A layout of a field: places in digits of `radices`, groups in `bits`; `turns` counts
-    inversions in a frame."""
+    """A layout of a field: places in digits of `radices`, groups in `bits` binary digits.
+
+    `turns` is the number of inversions in a frame."""
 
     radices: tuple[int, ...]
     bits: int
@@ -49,7 +50,7 @@ class _Form:
 
     @property
     def planes(self) -> int:
-        """The number of registers."""
+        """The number of planes."""
         return sum(self.radices) + self.bits
 
     @property
@@ -59,7 +60,7 @@ class _Form:
 
     @property
     def name(self) -> str:
-        """The radices, highest digit first."""
+        """The radices as text, highest digit first."""
         high = [str(1 << self.bits)] if self.bits else []
         return " x ".join(high + [str(r) for r in self.radices]) or "1"
 
@@ -72,7 +73,8 @@ _MOST_KINDS = 24
 
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Digits for every field; spare registers store the last demands directly."""
+    """Yield solutions with digits for every field; spare registers store the last demands
+    directly."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -98,8 +100,10 @@ _Events = list[tuple[int, int]]
 
 
 def _events(problem: Problem) -> list[tuple[str, _Events]]:
-    """The events of each field, by name: one field for each kind and rank, merged if the events of
-    several imply each other."""
+    """Return the events of each field, by name.
+
+    There is one field for each kind and rank of events; fields are merged if their events imply
+    each other."""
     kinds = event_fields(problem, _MOST_KINDS)
     merged: list[tuple[str, _Events]] = []
     for key, demand_shutters in kinds.items():
@@ -116,7 +120,8 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
 
 
 def _field(name: str, events: _Events, shutters: int) -> _Field:
-    """The field that numbers these events; raises GaveUp if numbers cannot distinguish them."""
+    """Return the field that numbers these events; raise GaveUp if numbers cannot
+    distinguish them."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
         raise GaveUp("the remaining events are not unions of each other")
@@ -129,9 +134,10 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
 
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
-    """The smallest disjoint `vectors` whose unions are all the others, in their order; None if
-    there are none. One field then serves all: an atom is a number, a union of atoms several
-    equality tests."""
+    """Return the smallest disjoint `vectors` whose unions are all other vectors, in their order.
+
+    None if there are no such vectors. One field then serves all events: an atom is a number, and a
+    union of atoms is several equality tests."""
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
@@ -145,7 +151,7 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 
 def _forms(field: _Field, room: int) -> list[_Form]:
-    """The layouts of a field, fewest planes first."""
+    """Return the layouts of a field, fewest planes first."""
     forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         least = -(-field.count // (1 << bits))
@@ -158,7 +164,8 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
-    """The group bits that are inverted before each demand and, at key -1, after the last one."""
+    """Return segments that invert group bits before each demand and, at key -1, after the last
+    demand."""
     _, cubes = _groups(field, form)
     standing = [0] * form.bits
     turned: dict[int, tuple[Segment, ...]] = {}
@@ -176,7 +183,7 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
 
 
 def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """The code of each group and the cube that identifies it; the first event needs no
+    """Return the code of each group and the cube that identifies it; the first event needs no
     inversion."""
     if not form.bits:
         return (0,), ((),)
@@ -186,7 +193,7 @@ def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ..
 def _script(
     problem: Problem, events: list[tuple[str, _Events]], chosen: tuple[_Form, ...], stored: int
 ) -> Script:
-    """The script for these layouts; the last `stored` demands have their own planes."""
+    """Return the script for these layouts; the last `stored` demands have their own planes."""
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]
     planes: Planes = []

@@ -1,4 +1,4 @@
-"""A list of gates, split to the machine's fan-in as they are added."""
+"""Lists of gates, which are split to the machine's fan-in as they are added."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from nscc.logic.problem import Gate, Machine
 
 
 def words_of(sources: int, fan_in: int | None) -> int:
-    """The words of a NOR or OR of `sources` registers into another register. The first word reads
-    `fan_in` of them. Each further pair of words is in place and reads one source less, since the
-    partial result is also a source."""
+    """Return the words of a NOR or OR of `sources` registers into another register.
+
+    The first word reads `fan_in` sources. Each further pair of words is in place and reads one
+    source less, because the partial result is also a source."""
     if fan_in is None or sources <= fan_in:
         return 1
     return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
 
 
 class Gates:
-    """Collects gates; splits those with more sources than one word accepts."""
+    """A list of gates; gates with more sources than one word accepts are split."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
@@ -30,23 +31,24 @@ class Gates:
         return gates
 
     def add(self, gate: Gate) -> None:
-        """Add a gate that is within the machine's fan-in."""
+        """Add a gate that does not exceed the machine's fan-in."""
         self._gates.append(gate)
 
     def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """destination := NOR(sources), 1 without sources. The destination may be a source."""
+        """Add destination := NOR(sources), or 1 without sources; the destination may be a
+        source."""
         self._gather("NOR", "NOT", destination, sources, mask)
 
     def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """destination := OR(sources), 0 without sources. The destination may be a source."""
+        """Add destination := OR(sources), or 0 without sources; the destination may be a source."""
         self._gather("OR", "MOV", destination, sources, mask)
 
     def invert(self, register: str) -> None:
-        """register := NOT register."""
+        """Add register := NOT register."""
         self._gates.append(Gate("NOT", register, (register,)))
 
     def load_flag(self, sources: Sequence[str], scratch: str | None) -> None:
-        """FLAG := OR(sources); may overwrite `scratch`, even if it is a source."""
+        """Add FLAG := OR(sources); may overwrite `scratch`, even if it is a source."""
         limit = self._machine.where_sources
         if limit is not None and len(sources) > limit:
             if scratch is None:

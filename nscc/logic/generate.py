@@ -1,4 +1,4 @@
-"""The generators of encodings, their order, and the levels of effort that use them."""
+"""The generators of encodings, their order, and the optimisation levels that use them."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _CLOSE = 1.1
 # words that are needed, and at -O2 for no more demands than these: they would not win.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
 _MOST_CASCADED = {2: 32, 3: 1 << 20}
-# They get all steps where every other solution takes so many times the words, fewer where one is
+# They get all steps if every other solution takes this many times the words, and fewer if one is
 # nearer.
 _ALL_STEPS = 15.0
 
@@ -51,15 +51,14 @@ Kind = Literal["direct", "family", "equality", "cascade", "cover", "last"]
 FROM_LEVEL: dict[Kind, int] = {
     "direct": 0, "family": 2, "equality": 0, "cascade": 2, "cover": 0, "last": 0
 }  # fmt: skip
-"""The level of effort from which on generators of a kind are tried.
+"""The lowest optimisation level at which generators of each kind are tried.
 
-direct    One word a demand: nothing can be cheaper, so nothing else is tried after one of these.
-family    One with parameters (radices, polarities), all of whose members are worth a price.
-equality  A few words a demand, at any number of shutters and slots.
-cascade   Arbitrary shutters, by search over several levels of gates.
-cover     Any predicates at all, at a price that grows with them.
-last      The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
-"""
+* direct: one word per demand; nothing is cheaper, so no other kind is tried after a solution
+* family: encodings with parameters (radices, polarities), all of which are compared
+* equality: a few words per demand, for any number of shutters and slots
+* cascade: arbitrary shutters, by search over several levels of gates
+* cover: any predicates, at a cost that grows with them
+* last: the most expensive, every shutter of every predicate separately, with few kernels"""
 
 
 @dataclass(frozen=True)
@@ -67,9 +66,8 @@ class Generator:
     """A generator of solutions for one encoding.
 
     `solve(problem, machine, steps)` yields at least one solution, each with at most `steps` search
-    steps, or raises GaveUp. `kind` decides when it is tried. `from_level` is the lowest level of
-    effort that tries it, None for its kind's default.
-    """
+    steps, or raises GaveUp. `kind` determines when it is tried. `from_level` is the lowest
+    optimisation level at which it is tried, None for its kind's default."""
 
     kind: Kind
     solve: Callable[[Problem, Machine, int], Iterable[Solution]]
@@ -110,19 +108,19 @@ GENERATORS: dict[str, Generator] = {
     "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
     "gray_index_wide": _emitted("last", encodings.gray_index_wide),
 }
-"""All of nscc's own, in the order in which those of one kind are tried.
+"""nscc's generators, in the order in which those of one kind are tried.
 
-Other distributions add theirs, each a Generator, as entry points of the group nscc.encodings. They
-follow, and are asked from LEAST_ADDED on: below it nobody waits for other people's code.
-"""
+Other distributions add generators as entry points of the group nscc.encodings. These follow nscc's
+own, and are used from level LEAST_ADDED on, so that lower levels stay fast."""
 
 LEAST_ADDED = 2
 _GROUP: Group = "nscc.encodings"
 
 
 def added_generators() -> dict[str, Generator]:
-    """The generators that other distributions add. Raises Rejected (NS0905) for an invalid
-    generator or declaration."""
+    """Return the generators that other distributions add, by name.
+
+    Raises Rejected (NS0905) for an invalid generator or declaration."""
     generators: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, generator in generators.items():
         if not isinstance(generator, Generator):
@@ -146,7 +144,7 @@ class GeneratorFault:
     traceback: str
 
     def diagnostic(self) -> Diagnostic:
-        """NS0504, with the traceback in its data."""
+        """Return the warning (NS0504), with the traceback in its data."""
         return Diagnostic(
             "NS0504",
             f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
@@ -160,8 +158,9 @@ class GeneratorFault:
 def note_fault(
     error: Exception, name: str, level: int, faults: list[GeneratorFault] | None
 ) -> None:
-    """Add an exception of the generator `name` to `faults`; raise it again if `faults` is None, or
-    if it is a diagnostic or a MemoryError."""
+    """Add an exception of the generator `name` to `faults`.
+
+    The exception is raised again if `faults` is None, or if it is a diagnostic or a MemoryError."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
     message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
@@ -171,12 +170,11 @@ def note_fault(
 def solutions(
     problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
 ) -> Iterator[Solution]:
-    """Solutions of a problem from different generators; none if every generator gives up.
+    """Yield solutions of a problem from different generators; none if every generator gives up.
 
-    They are computed lazily, those that tend to be cheapest first. The caller prices them, because
-    a price depends on the surrounding words. If a generator raises an unexpected exception,
-    `faults` gets it and the search goes on; without `faults` it propagates.
-    """
+    They are computed lazily, usually the cheapest first. The caller computes their costs, because
+    these depend on the surrounding words. If a generator raises an unexpected exception, it is
+    added to `faults` and the search continues; without `faults` it propagates."""
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
@@ -200,7 +198,7 @@ def solutions(
     fewest = inf
 
     def counted(candidates: Iterable[Solution]) -> Iterator[Solution]:
-        """Solutions, the words of the best one noted."""
+        """Yield the solutions, and record the words of the best one."""
         nonlocal fewest
         for solution in candidates:
             fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
@@ -221,7 +219,7 @@ def solutions(
 
 
 def _generators_at(level: int) -> dict[str, Generator]:
-    """The generators by name that a level of effort uses."""
+    """Return the generators that an optimisation level uses, by name."""
     known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
     return {
         name: generator
@@ -232,8 +230,9 @@ def _generators_at(level: int) -> dict[str, Generator]:
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:
-    """The fewest words of any solution: one a demand, and two for each predicate that cannot be
-    stored."""
+    """Return a lower bound on the words of any solution.
+
+    It counts one word per demand, and two for each predicate that cannot be stored."""
     unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
     return len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
 
@@ -241,8 +240,8 @@ def _fewest_words(problem: Problem, machine: Machine) -> int:
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """The solutions of a generator until it gives up. Raises NS0905 for a wrong solution of an
-    added generator."""
+    """Yield the solutions of a generator until it gives up; raise Rejected (NS0905) if an added
+    generator is wrong."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
@@ -257,10 +256,10 @@ def _checked_solutions(
 
 
 def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """Why a solution of an added generator is invalid; None if it is valid."""
+    """Return why a solution of an added generator is invalid; None if it is valid."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
-    hash(solution)  # raises where anything in it is not frozen: solutions are keys
+    hash(solution)  # raises an exception if a part is not hashable: solutions are used as keys
     if not all(isinstance(text, str) for text in (solution.encoding, *solution.holders)):
         return "its name or a holder is not text"
     return fault(problem, machine, solution)

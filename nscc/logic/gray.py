@@ -1,10 +1,9 @@
 """Gray codes: the codes of consecutive groups differ in one bit.
 
-One NOR selects a group's shutters if every plane that is 1 in its code has been inverted. Stepping
-to the next group inverts two bits on average in binary, always one in a Gray code (F. Gray, US
-patent 2 632 058, 1953). All planes must be restored at the frame's end; among all Gray codes, the
-one with the cheapest restoration is chosen.
-"""
+One NOR selects a group's shutters if every plane that is 1 in its code has been inverted. The step
+to the next group inverts two bits on average with binary codes, but always one with a Gray code (F.
+Gray, US patent 2 632 058, 1953). All planes must be restored at the frame's end, so the Gray code
+with the cheapest restoration is chosen."""
 
 from __future__ import annotations
 
@@ -17,13 +16,14 @@ Numbers = TypeVar("Numbers", int, NDArray[np.int64])
 
 
 def gray(number: Numbers) -> Numbers:
-    """The reflected binary Gray code of a number."""
+    """Return the reflected binary Gray code of a number."""
     return number ^ (number >> 1)
 
 
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
-    """A Gray code whose last or last but one code is a neighbour of the first: few bits to
-    restore."""
+    """Return a Gray code whose last or second last code is a neighbour of the first.
+
+    Few bits must then be restored at the end."""
     # Count up without the top bit and down with it, which is a cycle. An odd number adds one code
     # after the last.
     half = groups // 2

@@ -4,8 +4,7 @@ The frame has two halves of 2^b slots. 2 b planes hold start and last slot modul
 half of the last slot, and the mask the half of the start. The masked register, initially 0, holds
 the open bumps. The NOR of the planes at which a number n has a 0 selects the bumps whose number is
 a submask of n: n itself, and smaller numbers. A bump with a smaller start or end is already open or
-closed, so no plane is ever inverted.
-"""
+closed, so no plane is ever inverted."""
 
 from __future__ import annotations
 
@@ -22,8 +21,10 @@ from nscc.truth import columns
 
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Planes: the slot bits of start and last slot in a half, the half of the last slot, and the
-    masked pair."""
+    """Yield the solution with binary start and last slot, if the demands are bumps and it fits.
+
+    Its planes hold the bits of the start and of the last slot, each in its half of the frame, and
+    the half in which the last slot is. The mask register holds the half in which the start is."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
@@ -36,20 +37,19 @@ def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame.
+    """The gates of one frame, under construction.
 
     `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
     holds the bumps that end in the second half, and `mask` those that have not ended. In the second
     half, `half` holds the bumps that started in the first half. `flag_kept` says for each demand
-    whether FLAG keeps its value until then.
-    """
+    whether FLAG has kept its value since the previous demand."""
 
     def __init__(self, bumps: Bumps, bits: int, flag_kept: list[bool], gates: Gates) -> None:
         self.bumps, self.bits, self.flag_kept, self.gates = bumps, bits, flag_kept, gates
         self.half, self.mask, self.masked = (f"p{2 * bits + k}" for k in range(3))
 
     def script(self) -> Script:
-        """The script of all planes and gates."""
+        """Return the script with all planes and gates."""
         border = 1 << self.bits
         # A never-open shutter has its last slot before its start.
         start = np.where(self.bumps.never, 1, self.bumps.start)
@@ -78,11 +78,11 @@ class _Writer:
         return Script(name, planes, before=before, closing=(self.gates.take(),))
 
     def _starts(self, step: int) -> list[str]:
-        """The planes whose NOR selects starts that are submasks of `step`."""
+        """Return the planes whose NOR selects starts that are submasks of `step`."""
         return [f"p{i}" for i in range(self.bits) if not step >> i & 1]
 
     def _ends(self, step: int) -> list[str]:
-        """The planes whose NOR selects last slots that are submasks of `step` - 1."""
+        """Return the planes whose NOR selects last slots that are submasks of `step` - 1."""
         return [f"p{self.bits + i}" for i in range(self.bits) if not step - 1 >> i & 1]
 
     def _first_half(self, step: int, flag_kept: bool) -> None:
@@ -98,8 +98,10 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _border(self) -> None:
-        """The first step of the second half. Afterwards `mask` holds the bumps that wait for their
-        start, or that ended in the first half."""
+        """Add the gates of the first step of the second half.
+
+        Afterwards `mask` holds the bumps that wait for their start, or that ended in the first
+        half."""
         gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
         gates.load_flag([mask], None)
         gates.nor(mask, [half])
@@ -111,7 +113,9 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _from_waiting(self, step: int) -> None:
-        """`mask` holds the waiting bumps before, and those that ended in this half after."""
+        """Add the gates of a step after which `mask` holds the bumps that ended in this half.
+
+        Before the step, `mask` holds the waiting bumps."""
         gates, masked, mask = self.gates, self.masked, self.mask
         gates.load_flag([mask], None)
         gates.nor(masked, [*self._starts(step), self.half], mask)
@@ -121,7 +125,9 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _from_done(self, step: int) -> None:
-        """`mask` holds the bumps that ended in this half before, and the waiting ones after."""
+        """Add the gates of a step after which `mask` holds the waiting bumps.
+
+        Before the step, `mask` holds the bumps that ended in this half."""
         gates, masked, mask = self.gates, self.masked, self.mask
         gates.load_flag([mask, masked], None)
         gates.nor(mask, [*self._starts(step), self.half, "FLAG"])
@@ -131,8 +137,9 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _restore(self, waiting: bool) -> None:
-        """Restore the planes: at the end, bumps that ended in the first half are the waiting
-        ones."""
+        """Add the gates that restore the planes at the end of the frame.
+
+        Then the waiting bumps are those that ended in the first half."""
         gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
         gates.load_flag([half], None)
         gates.nor(half, [mask]) if waiting else gates.or_(half, [mask, masked])

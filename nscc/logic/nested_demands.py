@@ -1,8 +1,7 @@
 """Generator for nested demands: each contains the next (open until a stop) or the previous one.
 
 Every shutter has a rank, the number of demands that it satisfies, and demand d is rank > d. Ranks
-are written in digits for which this comparison is cheap.
-"""
+are written in digits for which this comparison is cheap."""
 
 from __future__ import annotations
 
@@ -24,8 +23,9 @@ from nscc.truth import columns, rows
 
 @dataclass(frozen=True)
 class Nest:
-    """`ranks` (shutters,) in 0 .. steps; demand i is rank > step[i], or its complement if
-    `complemented[i]`."""
+    """The ranks (shutters,) of nested demands, in 0 .. steps.
+
+    Demand i is rank > step[i], or its complement if `complemented[i]`."""
 
     ranks: NDArray[np.int64]
     step: tuple[int, ...]
@@ -34,7 +34,7 @@ class Nest:
 
 
 def nest_of(problem: Problem) -> Nest:
-    """The ranks of nested demands. Raises GaveUp if they are not nested."""
+    """Return the ranks of nested demands; raise GaveUp if the demands are not nested."""
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
@@ -56,13 +56,13 @@ def nest_of(problem: Problem) -> Nest:
 
 
 def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Mixed-radix digits, each a thermometer; the highest may be bits that are inverted.
+    """Yield solutions with mixed-radix digits, each a thermometer; the highest may be inverted
+    bits.
 
-    When a digit changes, one cube for each higher digit computes "greater already"; the rest of
-    each demand is a cube with one plane a digit. For digits a b and time A B, "rank > time" is a >
-    A or (a >= A and b > B): the first is computed once for all of A's slots, the second is a NOR of
-    two planes.
-    """
+    When a digit changes, one cube for each higher digit computes "already greater"; the remaining
+    part of each demand is a cube with one plane per digit. For digits a b and time A B, "rank >
+    time" is a > A or (a >= A and b > B): the first is computed once for all of A's slots, the
+    second is a NOR of two planes."""
     nest = nest_of(problem)
     for bits in range(4):
         flips, most_cubes = _turns(bits)
@@ -95,13 +95,12 @@ _Flips = tuple[tuple[int, ...], ...]
 
 @cache
 def _turns(bits: int) -> tuple[_Flips, int]:
-    """The cheapest sequence of inversions, and the most cubes of a group.
+    """Return the cheapest sequence of inversions of `bits` bits, and the most cubes of a group.
 
-    A shortest path through (group, polarities). In group h the bits must mask every lower value but
-    not h, and the values above h must be an OR of planes and a few cubes. The path starts in group
-    0 and ends after the last group with the stored polarities. An inversion costs two words, a cube
-    one.
-    """
+    The sequence is a shortest path through (group, polarities). In group h the bits must mask every
+    lower value but not h, and the values above h must be an OR of planes and a few cubes. The path
+    starts in group 0 and ends after the last group with the stored polarities. An inversion costs
+    two words, a cube one."""
     import networkx as nx  # only from -O2 on: `check` starts without it
 
     groups, stored = 1 << bits, (0,) * bits
@@ -126,12 +125,13 @@ def _turns(bits: int) -> tuple[_Flips, int]:
 
 
 def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
-    """The bits in which two polarities differ."""
+    """Return the bits in which two polarities differ."""
     return tuple(i for i, (was, now) in enumerate(zip(old, new, strict=True)) if was != now)
 
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
-    """The number of cubes in group h if the planes have this `polarity`; None if no mask exists."""
+    """Return the number of cubes in group h if the planes have this `polarity`; None if no mask
+    exists."""
     # Each plane as the set of values of the highest digit at which it is 1. The NOR of those that
     # are 0 at h selects h, and no lower value if together they contain all of these.
     groups = range(1 << bits)
@@ -184,12 +184,12 @@ def _digit_script(
 
 
 def _back(turned: Sequence[int]) -> tuple[Segment, ...]:
-    """Restore the polarity of planes that were inverted an odd number of times."""
+    """Return segments that restore planes that were inverted an odd number of times."""
     return turned_over(bit for bit in sorted(set(turned)) if turned.count(bit) % 2)
 
 
 class _Form(Enum):
-    """Where the state of a counted digit is: (name, registers besides the planes)."""
+    """The place of the state of a counted digit: (name, number of registers besides the planes)."""
 
     DIGITS = "state in a register, digits inside"
     STATE = "state in a register"
@@ -206,12 +206,12 @@ _SUBMASK_BITS = (13, 6, 4, 2)
 
 
 def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """The highest digit in binary, with a state "greater" that each group updates.
+    """Yield solutions with the highest digit in binary and a state "greater" that each group
+    updates.
 
     The NOR of the planes where h has a 0 selects the submasks of h: h itself and lower values only.
     Removing it from "greater" at each step leaves exactly the greater values, and no plane is
-    inverted. High bits in Gray code, which are inverted, let kernels repeat.
-    """
+    inverted. High bits in Gray code, which are inverted, let kernels repeat."""
     nest = nest_of(problem)
     values = nest.steps + 1
     for bits in range(2, (values - 1).bit_length() + 1):
@@ -271,8 +271,9 @@ def _counted_script(
 
 
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
-    """Remove the shutters of the cube NOR(equal) from "greater"; all shutters if `equal` is
-    empty."""
+    """Return segments that remove the shutters of the cube NOR(equal) from "greater".
+
+    An empty `equal` removes all shutters."""
     # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still contains
     # the equal shutters: DIGITS keeps its inverse for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):

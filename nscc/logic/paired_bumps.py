@@ -6,10 +6,9 @@ masked register, initially 0, holds the bumps that continue after the group.
 
 In the first slot of a group, the open bumps are those continuing from before and those that start
 in the slot. In the second slot, all bumps that start in the group are open too, except those that
-ended in the first slot. So the mask is set where a bump is active in the group, and there the
-masked register gets "does not end in this group, or ends in its second slot", and then "does not
-end in this group".
-"""
+ended in the first slot. So the mask is set where a bump is active in the group. There the masked
+register gets "does not end in this group, or ends in its second slot", and then "does not end in
+this group"."""
 
 from __future__ import annotations
 
@@ -29,7 +28,7 @@ from nscc.truth import columns
 
 
 class _Form(Enum):
-    """Where the bumps that continue after a group are held."""
+    """The register that holds the bumps that continue after a group."""
 
     MASKED = "masked writes"
     TIGHT = "masked writes, no scratch but the mask"
@@ -42,7 +41,7 @@ _BESIDE = {_Form.MASKED: 5, _Form.TIGHT: 4, _Form.REGISTER: 5, _Form.FLAG: 4}
 
 
 def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Solutions in all forms that suit the machine, if tables have cubes for the groups and
+    """Yield solutions in all forms that suit the machine, if the cube tables have the groups and
     planes."""
     bumps = two_ended(problem)
     forms = (_Form.MASKED, _Form.TIGHT) if machine.masked else (_Form.REGISTER, _Form.FLAG)
@@ -55,8 +54,10 @@ def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame. `on` holds the bumps that continue after a group; `scratch` is
-    for computation. If it keeps its content (`lasts`), planes may move into it."""
+    """The gates of one frame, under construction.
+
+    `on` holds the bumps that continue after a group; `scratch` is for intermediate values. If it
+    keeps its content (`lasts`), planes may move into it."""
 
     def __init__(
         self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates, lasts: bool
@@ -71,11 +72,11 @@ class _Writer:
 
     @property
     def scratch(self) -> str:
-        """A register that is free between the gates of a slot."""
+        """The register that is free between the gates of a slot."""
         return self.planes.free or self.spare
 
     def script(self) -> Script:
-        """The script of all planes and gates."""
+        """Return the script with all planes and gates."""
         bumps, cubes = self.bumps, self.cubes
         # A never-open shutter has its last slot before its start.
         start = np.where(bumps.never, 1, bumps.start)
@@ -97,7 +98,7 @@ class _Writer:
         return Script(name, planes, before=before, closing=self.planes.restore())
 
     def _slot(self, step: int) -> tuple[Segment, ...]:
-        """The gates of one slot."""
+        """Return the gates of one slot."""
         group, second = divmod(step, 2)
         # Alternating order, so that no plane is inverted between the two slots.
         rises = self.cubes.rises[group][:: -1 if second else 1]
@@ -119,7 +120,8 @@ class _Writer:
         return (*segments, self.gates.take())
 
     def _first(self, step: int) -> None:
-        """The first slot of a group: open are continuing bumps and those that start in the slot."""
+        """Add the gates of a group's first slot: continuing bumps and those that start in it are
+        open."""
         gates = self.gates
         gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
         if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
@@ -128,8 +130,9 @@ class _Writer:
             gates.or_(self.on, [], "t0" if self.masked else None)
 
     def _start(self) -> None:
-        """Add the bumps that start in the group. If t0 is the mask, it holds the active ones, and
-        t1 or FLAG the others."""
+        """Add the gates that add the bumps that start in the group.
+
+        If t0 is the mask, it holds the active bumps, and t1 or FLAG the others."""
         gates = self.gates
         match self.form:
             case _Form.MASKED:
@@ -144,8 +147,10 @@ class _Writer:
                 gates.load_flag(["t1"], None)
 
     def _end(self, ends: list[str]) -> None:
-        """The second slot: open are active bumps except those that ended in the first; then remove
-        those that end in the group."""
+        """Add the gates of a group's second slot.
+
+        Active bumps are open except those that ended in the first slot; then the bumps that end in
+        the group are removed."""
         gates, on, place, scratch = self.gates, self.on, self.last_place, self.scratch
         if self.masked:
             gates.or_(on, [*ends, place], "t0")

@@ -1,7 +1,6 @@
-"""Sets of points as arrays of words, and all cubes that one NOR of planes can compute.
+"""Sets of points as bit arrays, and all cubes that one NOR of planes can compute.
 
-A set is an array of uint64 words (.., W); bit i of word w is point 64 w + i.
-"""
+A set is an array of uint64 words (.., W); bit i of word w is point 64 w + i."""
 
 from __future__ import annotations
 
@@ -16,9 +15,10 @@ Indices = NDArray[np.int64]
 
 
 class Planes:
-    """Code planes and all cubes that one NOR of them can compute, by price. `planes` (P, W) are
-    sets of points, `everything` (W,) is the set of all; `groups` are (words, cubes (M, W), masks
-    (M,))."""
+    """Code planes and all cubes that one NOR of them can compute, by cost.
+
+    `planes` (P, W) are sets of points, `everything` (W,) is the set of all points. `groups` are
+    tuples of words, cubes (M, W) and masks of planes (M,)."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
@@ -44,7 +44,7 @@ class Planes:
 
 
 def packed(bits: NDArray[np.bool_]) -> Points:
-    """Rows of `bits` (n, points) as sets of points (n, W)."""
+    """Return the rows of `bits` (n, points) as sets of points (n, W)."""
     width = -(-bits.shape[1] // 64) * 8
     raw = np.packbits(bits, axis=1, bitorder="little")
     padded = np.zeros((len(bits), width), dtype=np.uint8)
@@ -53,19 +53,21 @@ def packed(bits: NDArray[np.bool_]) -> Points:
 
 
 def sizes(sets: Points) -> Indices:
-    """The number of points in each set of (.., W)."""
+    """Return the number of points in each set of (.., W)."""
     counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
     return counts
 
 
 def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
-    """Whether each set of `first_sets` (.., W) is disjoint from its partner in `second_sets`."""
+    """Return whether each set of `first_sets` (.., W) is disjoint from its partner in
+    `second_sets`."""
     none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
     return none
 
 
 def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
-    """The number of points of `on` in each cube, 0 if it contains a point of `off`: (n, M)."""
+    """Return the number of points of `on` in each cube, 0 if it contains a point of `off`:
+    (n, M)."""
     gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
     excluded = np.zeros(gain.shape, dtype=np.bool_)
     for word in range(cubes.shape[1]):

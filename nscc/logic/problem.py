@@ -5,9 +5,8 @@ analog words run. A solution defines the content of every pixel's registers at t
 (the encoding, which the host computes) and the gates for each demand. At the end of the frame the
 registers hold their initial content.
 
-Solutions name virtual registers: p0, p1, .. carry code, s0, .. state inside a frame, t0, .. are
-scratch. `nscc.lower.allocate` maps them to registers.
-"""
+Solutions name virtual registers: p0, p1, .. contain code bits (planes), s0, .. state within a
+frame, and t0, .. are scratch registers. `nscc.lower.allocate` maps them to the chip's registers."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ class Gate:
 
     `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
     among its sources is an in-place pair of words. With a `mask`, the gate writes its destination
-    only where the register `mask` is 1; elsewhere the destination keeps its content.
-    """
+    only where the register `mask` is 1; elsewhere the destination keeps its content."""
 
     name: str
     destination: str
@@ -42,23 +40,24 @@ class Gate:
 
     @property
     def words(self) -> int:
-        """The words of the gate, without SET of a mask. A word cannot read and write the same
-        register: a gate in place is a pair of words that keeps the result on the bus."""
+        """The number of words of the gate, without the SET of a mask.
+
+        A word cannot read and write the same register: a gate in place is a pair of words that
+        keeps the result on the bus."""
         return 2 if self.destination in self.sources else 1
 
 
 Segment = tuple[Gate, ...]
-"""Consecutive gates that are worth storing as one kernel."""
+"""Consecutive gates that may be stored as one kernel."""
 
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """FLAG must equal `predicate`, which is neither empty nor everything, at `boundary`.
+    """A requirement that FLAG equals `predicate` at `boundary`.
 
-    `edge` is "rise", "fall" or "open", of bucket number `bucket`. `flag_kept`: FLAG still holds the
-    predicate of the previous demand. `scratch_kept`: no refresh since then, which only code and
-    states survive.
-    """
+    The predicate is neither empty nor all shutters. `edge` is "rise", "fall" or "open", of bucket
+    number `bucket`. `flag_kept` means that FLAG still holds the predicate of the previous demand.
+    `scratch_kept` means that no refresh happened since then, which only code and states survive."""
 
     boundary: int
     edge: str
@@ -72,11 +71,10 @@ class Demand:
 class Problem:
     """Demands in time order over `shutters` distinct shutters.
 
-    `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts`: FLAG does not
-    decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`). `values`
-    gives, for each field of the code, the value of every shutter (shutters,), taken from one of its
-    codes; predicates are often simple in them.
-    """
+    `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts` means that FLAG
+    does not decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`).
+    `values` gives, for each field of the code, the value of every shutter (shutters,), taken from
+    one of its codes; predicates are often simple in these values."""
 
     demands: tuple[Demand, ...]
     shutters: int
@@ -90,16 +88,17 @@ class Problem:
         return (1 << self.shutters) - 1
 
     def answered(self, index: int) -> bool:
-        """Whether FLAG already holds the predicate of demand `index`."""
+        """Return whether FLAG already holds the predicate of demand `index`."""
         demand = self.demands[index]
         return demand.flag_kept and demand.predicate == self.demands[index - 1].predicate
 
 
 @dataclass(frozen=True)
 class Machine:
-    """The costs and limits of gates on a target. `registers` is the number of one-bit registers of
-    a pixel. `masked`: one of them (R12 on SCAMP-5) is written only where another (R0) is 1; masked
-    gates need this pair."""
+    """The costs and limits of gates on a target.
+
+    `registers` is the number of one-bit registers of a pixel. `masked` means that one of them (R12
+    on SCAMP-5) is written only where another (R0) is 1; masked gates need this pair."""
 
     registers: int
     masked: bool
@@ -109,7 +108,7 @@ class Machine:
 
     @staticmethod
     def of(target: Target) -> Machine:
-        """The gate machine of a target."""
+        """Return the gate machine of a target."""
         return Machine(
             len(target.digital_registers),
             target.masked_register is not None,
@@ -127,8 +126,7 @@ class Solution:
     words. `answers` has one entry for each demand; `opening` runs at boundary 0 before any demand
     and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1 before the opening
     and keeps the solution's state until the end of the frame: other users of FLAG must restore it
-    and may use t0.
-    """
+    and may use t0."""
 
     encoding: str
     planes: tuple[int, ...]
@@ -141,26 +139,28 @@ class Solution:
     state_in_flag: bool = False
 
     def segments(self) -> Sequence[Segment]:
-        """All segments in execution order."""
+        """Return all segments in execution order."""
         return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
 
     def masked_pair(self) -> tuple[str, str] | None:
-        """The register that masked gates write and its mask; None without masked gates. A pixel has
-        one such pair, and every write to the first one is a masked gate."""
+        """Return the register that masked gates write, and its mask; None without masked gates.
+
+        A pixel has one such pair, and every write to its first register is a masked gate."""
         gates = chain.from_iterable(self.segments())
         return next(((g.destination, g.mask) for g in gates if g.mask is not None), None)
 
     def writes(self) -> list[int]:
-        """How often a frame writes each plane."""
+        """Return how often a frame writes each plane."""
         times = Counter(gate.destination for segment in self.segments() for gate in segment)
         return [times[f"p{i}"] for i in range(len(self.planes))]
 
 
 def quietest(writes: Sequence[int]) -> int:
-    """The plane to put in the masked register if all registers are needed. `writes[i]` is how often
-    a frame writes plane i: each write costs the mask and one more word."""
+    """Return the index of the plane to put in the masked register if all registers are needed.
+
+    `writes[i]` is how often a frame writes plane i: each write costs the mask and one more word."""
     return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 
 class GaveUp(Exception):
-    """A generator found no solution, for a reason in words; this proves nothing."""
+    """Raised if a generator found no solution; the text is the reason. This proves nothing."""

@@ -1,8 +1,7 @@
-"""Check a solution against its problem: run its gates on truth vectors of all shutters.
+"""Check of a solution against its problem: runs the gates on truth vectors of all shutters.
 
 Contents on which no pass may rely (scratch at the start, FLAG after other words, registers without
-refresh) are unknown, and no gate may read them.
-"""
+refresh) are unknown, and no gate may read them."""
 
 from __future__ import annotations
 
@@ -14,17 +13,17 @@ _SOURCES = {
     "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
     "SET": (0, 0), "CLR": (0, 0),
 }  # fmt: skip
-"""Fewest and most sources of each gate; None for the machine's limit."""
+"""Fewest and most sources of each gate; None is the machine's limit."""
 
 _INVERTED = ("NOR", "NOT", "SET")
 
 
 class _Wrong(Exception):
-    """A violation by a solution."""
+    """Raised for an invalid solution; the text is the reason."""
 
 
 def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
-    """Why `solution` does not solve `problem` on `machine`, in words; None if it does."""
+    """Return why `solution` does not solve `problem` on `machine`, in words; None if it does."""
     try:
         _fits(problem, machine, solution)
         _Frame(problem, machine, solution).replay()
@@ -76,7 +75,7 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
 
 
 def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> bool:
-    """Whether the gate is masked exactly if its destination is the masked register."""
+    """Return whether the gate is masked if, and only if, it writes the masked register."""
     if gate.mask is None:
         return pair is None or gate.destination != pair[0]
     # A state is lost if a refresh sets the mask.
@@ -89,7 +88,7 @@ def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> 
 
 
 class _Frame:
-    """One frame of a solution; `contents` maps registers to truth vectors, None if unknown."""
+    """One frame of a solution; `contents` are truth vectors by register, None if unknown."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
         self.problem = problem
@@ -102,7 +101,7 @@ class _Frame:
         self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
 
     def replay(self) -> None:
-        """Run the frame; raises _Wrong at the first unmet demand."""
+        """Run the frame; raise _Wrong at the first unmet demand."""
         solution, demands = self.solution, self.problem.demands
         self._run(solution.opening)
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
@@ -117,7 +116,7 @@ class _Frame:
                 raise _Wrong(f"{name} does not hold its code when the frame ends")
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
-        """Forget what other words and boundaries overwrite."""
+        """Mark contents as unknown that other words and boundaries overwrite."""
         if self.solution.state_in_flag:
             self._forget(("t0",))  # where FLAG is saved while analog words need it
         elif not flag_kept:
@@ -152,11 +151,11 @@ class _Frame:
 
 
 def _masked(machine: Machine, solution: Solution) -> str | None:
-    """The plane in the masked register of a solution without masked gates; None if it has none.
+    """Return the plane in the masked register of a solution without masked gates; None if there is
+    none.
 
     If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes there.
-    Each of these writes sets the mask, which overwrites t0.
-    """
+    Each of these writes sets the mask, which overwrites t0."""
     used = len(solution.planes) + solution.states + solution.scratch
     if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
         return None

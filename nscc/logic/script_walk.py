@@ -1,10 +1,9 @@
-"""Walk through a frame: run scripted gates, and find the cheapest gates for each demand.
+"""Execution of a scripted frame, and search for the cheapest gates for each demand.
 
 A script defines the planes and the gates that run before each demand (inversions, state updates).
-The walk runs them on truth vectors, so it knows the content of every register. It answers each
-demand by an OR of values and new cubes, or by the complement of one. Cubes that serve later demands
-stay in scratch registers.
-"""
+The walk runs them on truth vectors, so it knows the content of every register. It meets each demand
+by an OR of values and new cubes, or by the complement of one. Cubes that serve later demands stay
+in scratch registers."""
 
 from __future__ import annotations
 
@@ -24,8 +23,10 @@ from nscc.truth import union
 
 @dataclass(frozen=True)
 class Script:
-    """An encoding and the gates that do not depend on how demands are answered. `before[i]` runs
-    before demand i is answered; it may overwrite states, scratch registers and FLAG."""
+    """An encoding and the gates that do not depend on how demands are met.
+
+    `before[i]` runs before the gates of demand i; it may overwrite states, scratch registers and
+    FLAG."""
 
     encoding: str
     planes: Planes
@@ -38,8 +39,9 @@ class Script:
 
 @dataclass(frozen=True)
 class _Choice:
-    """A cover of a demand, or of its complement if `inverted`, over the values of `names`. With
-    `turned`, the last name is the inverse of that value, which must be computed first."""
+    """A cover of a demand, or of its complement if `inverted`, over the values of `names`.
+
+    With `turned`, the last name is the inverse of that value, which must be computed first."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -60,7 +62,8 @@ _AHEAD = 64
 
 
 def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
-    """The solution of a script, found in `steps` of search; none if a demand has no answer."""
+    """Yield the solution of a script, found in `steps` of search; none if a demand cannot
+    be met."""
     scratch = machine.registers - len(script.planes) - script.states
     if scratch >= 0:
         script = _within_fan_in(script, machine)
@@ -70,7 +73,7 @@ def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iter
 
 
 def _within_fan_in(script: Script, machine: Machine) -> Script:
-    """Split the script's gates that exceed the machine's fan-in."""
+    """Return the script with gates split that exceed the machine's fan-in."""
     limit = machine.or_sources
     if limit is None or all(len(g.sources) <= limit for g in _all_gates(script)):
         return script
@@ -104,7 +107,7 @@ def _all_gates(script: Script) -> Iterator[Gate]:
 
 @dataclass
 class _Walker:
-    """One pass over a script's demands."""
+    """One run through a script's demands."""
 
     problem: Problem
     machine: Machine
@@ -116,7 +119,7 @@ class _Walker:
     used: int = 0
 
     def solution(self) -> Solution:
-        """Run the script and answer every demand."""
+        """Run the script and return the gates for every demand."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
@@ -179,9 +182,10 @@ class _Walker:
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
-        """The gates for demand `index`, from the cheapest cover found. Covers use all registers,
-        then planes and states only, which frees scratch registers; one value may be inverted
-        first."""
+        """Return the gates for demand `index`, from the cheapest cover found.
+
+        Covers use all registers, then planes and states only, which frees scratch registers; one
+        value may be inverted first."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]
@@ -209,8 +213,8 @@ class _Walker:
     def _covers(
         self, names: list[str], turned: str | None, ahead: Sequence[int], against: Sequence[int]
     ) -> Iterator[_Choice]:
-        """Covers of a demand and of its complement by the values of `names` and the inverse of
-        `turned`."""
+        """Yield covers of a demand and of its complement by the values of `names` and the inverse
+        of `turned`."""
         values = [self.values[name] for name in names]
         scratch = self.scratch
         if turned is not None:
@@ -272,7 +276,7 @@ class _Walker:
         self._load_flag([free])
 
     def _gather(self, terms: Sequence[str], needed: set[str]) -> tuple[list[str], str]:
-        """Combine two terms; returns the remaining terms and the freed register."""
+        """Combine two terms; return the remaining terms and the freed register."""
         loose = [t for t in terms if t[0] == "t" and t not in needed]
         if len(loose) < 2:
             raise GaveUp("no register is left to compute with")
@@ -281,8 +285,9 @@ class _Walker:
         return [t for t in terms if t != free], free
 
     def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
-        """A scratch register that is free or whose value serves the fewest later demands; None if
-        all are busy."""
+        """Return a scratch register that is free or whose value serves the fewest later demands.
+
+        None if all scratch registers are in `busy`."""
 
         def missed(name: str) -> int:
             vector = self.values.get(name)

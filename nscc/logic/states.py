@@ -2,8 +2,7 @@
 
 For shutters with few edges, the times of the edges are stored in Gray code
 (`nscc.logic.encodings.gray_times`). Each equality test sets or clears the state, so that every slot
-costs the same few words. The state is a register, or FLAG itself.
-"""
+costs the same few words. The state is a register, or FLAG itself."""
 
 from __future__ import annotations
 
@@ -20,12 +19,13 @@ from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Segment, 
 
 
 def state_register(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """The state of each bucket in its own register."""
+    """Return the solution with the state of each bucket in its own register."""
     return _solve(problem, machine, budget, in_flag=False)
 
 
 def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """The state of a single bucket in FLAG, which must retain it for the frame."""
+    """Return the solution with the state of a single bucket in FLAG, which must keep it for the
+    frame."""
     if not problem.flag_lasts or len(problem.opens) != 1:
         raise GaveUp("FLAG cannot keep the state")
     return _solve(problem, machine, budget, in_flag=True)
@@ -64,7 +64,7 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
 
 
 def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Encoding:
-    """Events in at most `room` planes: as times, fields' values or shutter numbers."""
+    """Return events in at most `room` planes: as times, values of fields, or shutter numbers."""
     for encode in (gray_times, covered_fields):
         try:
             encoding = encode(problem, machine, budget)
@@ -76,9 +76,10 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
-    """Rises and falls in time order, and the number of them before each demand. The demand at
-    boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n come before it. A
-    bucket starts open or closed in all pixels (`from_open`)."""
+    """Return rises and falls in time order, and the number of them before each demand.
+
+    The demand at boundary n + 1 requires the level of slot n, so the events of boundaries 0..n come
+    before it. A bucket starts open or closed in all pixels (`from_open`)."""
     events: list[Demand] = []
     needed: list[int] = []
     boundary = 0
@@ -97,7 +98,7 @@ def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], 
 
 
 class _Walker:
-    """Emits the gates of events and levels."""
+    """The gates of events and levels, under construction."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int, in_flag: bool) -> None:
         self._machine = machine
@@ -107,7 +108,7 @@ class _Walker:
         self.scratch = scratch
 
     def start(self, from_open: Sequence[bool]) -> tuple[Segment, ...]:
-        """Segments that set or clear the states of all buckets."""
+        """Return segments that set or clear the states of all buckets."""
         if self._in_flag:
             if from_open[0]:
                 return ()  # FLAG is 1 everywhere after the setup
@@ -116,7 +117,7 @@ class _Walker:
         return (tuple(Gate("SET" if o else "CLR", f"s{b}", ()) for b, o in closed_first),)
 
     def event(self, event: Demand, cubes: Sequence[Cube]) -> list[Segment]:
-        """Segments that open or close the shutters of one event."""
+        """Return segments that open or close the shutters of one event."""
         segments = []
         change = self._flag if self._in_flag else self._register
         for cube in cubes:

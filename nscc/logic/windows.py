@@ -1,10 +1,10 @@
-"""Bumps of one length, which only the end of the frame may cut.
+"""Generator for bumps of one length, which only the end of the frame may cut.
 
 Time is divided into groups of the bump's length, so an open bump started in this group or in the
-previous one; a start is a group and an offset. In the one case the shutter is open from its offset
-on, in the other before it. The offset planes are inverted in every other group, so that both cases
-read the same plane. Groups are in Gray code: the planes in which two neighbours agree select both.
-"""
+previous one; a start is a group and an offset. If it started in this group, the shutter is open
+from its offset on; if it started in the previous group, it is open before its offset. The offset
+planes are inverted in every other group, so that both cases read the same plane. Groups are in Gray
+code: the planes in which two neighbours agree select both."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ from nscc.truth import set_bits
 
 
 def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Offsets in mixed-radix thermometers, with both polarities of some planes if there is room."""
+    """Yield solutions with offsets in mixed-radix thermometers, and both polarities if there is
+    room."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     if length > _LONGEST:
@@ -55,8 +56,9 @@ _MOST_TRIED = 48
 
 
 class _Turns(Enum):
-    """When the bit in which a group differs from the previous one is inverted; it is not read in
-    that group unless one of the two groups must be distinguished from the other."""
+    """When the bit is inverted in which a group differs from the previous group.
+
+    This bit is not read in that group, unless the two groups must be distinguished."""
 
     WITH = "with the group"
     AFTER = "with the next group"
@@ -64,8 +66,10 @@ class _Turns(Enum):
 
 
 def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Offsets in Gray code, with few registers: every step toggles the state of the shutters whose
-    offset it equals, of this group and of the previous one."""
+    """Yield solutions with offsets in Gray code, with few registers.
+
+    Every step toggles the state of the shutters of this group and the previous one whose offset
+    equals the step."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     high = max(1, (-(-bumps.steps // length) - 1).bit_length())
@@ -108,15 +112,17 @@ def _toggle_script(
 
 
 def _open_state(state: str) -> Segment:
-    """state := state OR t0: in the first group nothing closes."""
+    """Return the segment state := state OR t0; in the first group nothing closes."""
     if state == "FLAG":
         return (Gate("OR", "t0", ("t0", state)), Gate("WHERE", state, ("t0",)))
     return (Gate("OR", state, (state, "t0")),)
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:
-    """state := state XOR t0, with three scratch registers if `roomy`, else two. t1 := neither; then
-    "t0 alone" and "state alone" are a NOR each with t1, and their OR is the XOR."""
+    """Return the segment state := state XOR t0, with three scratch registers if `roomy`, else two.
+
+    With t1 := NOR(state, t0), NOR(state, t1) is 1 where only t0 is 1, and NOR(t0, t1) is 1 where
+    only the state is 1. Their OR is the XOR."""
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (
@@ -148,8 +154,10 @@ def _script(
     low: int,
     turns: _Turns,
 ) -> Script:
-    """`codes` are those of the groups. With `doubled` both polarities of offset planes are stored;
-    also of the `low` lowest bits of the group."""
+    """Return the script for these parameters; `codes` are the codes of the groups.
+
+    With `doubled`, the offset planes and the planes of the `low` lowest bits of the group are
+    stored in both polarities."""
     # At place m, shutters of this group are open if offset <= m, and those of the previous group if
     # not. One of the two groups is odd, and its planes are inverted, so both read a plane in the
     # same way.

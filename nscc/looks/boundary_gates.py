@@ -1,9 +1,9 @@
 """Gates at one boundary: predicates in FLAG, new values in the registers of states.
 
-All values are truth vectors over the boundary's lanes. A target is an OR of NORs of register
-contents (`nscc.logic.cover`), or the complement of one. If the contents do not distinguish the
-lanes, complements are computed in scratch.
-"""
+All values are truth vectors over the boundary's lanes. A lane is a node of the state machine
+together with one outcome of the comparisons. A target is an OR of NORs of register contents
+(`nscc.logic.cover`), or the complement of one. If the contents do not distinguish the lanes,
+complements are computed in scratch registers."""
 
 from __future__ import annotations
 
@@ -20,12 +20,14 @@ FLAG = "FLAG"
 _STEPS = 4_000_000
 _MOST_CUBES = 24
 _MOST_ORDERED = 3
-"""Up to this many registers are tried in every order; of more, the cheapest is written next."""
+"""Most registers for which all orders are tried; if there are more, the cheapest is written
+next."""
 
 
 @dataclass(frozen=True)
 class GateSequence:
-    """Gates that compute a vector in a register, and the values that they leave in scratch."""
+    """Gates that compute a vector in a register, and the values that they leave in scratch
+    registers."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
@@ -36,15 +38,16 @@ class GateSequence:
 
     @property
     def price(self) -> tuple[int, int]:
-        """Words, then scratch registers."""
+        """The number of words, then of scratch registers."""
         return self.words, len(self.scratch)
 
 
 @dataclass
 class Board:
-    """The register contents at a boundary, while gates are chosen. `values` are the contents by
-    name, with FLAG if it is known and the scratch registers (t0, t1, ..) in use. `gates` are the
-    gates chosen so far."""
+    """The register contents at a boundary, while gates are chosen.
+
+    `values` are the contents by name, with FLAG if it is known and the scratch registers (t0, t1,
+    ..) in use. `gates` are the gates chosen so far."""
 
     machine: Machine
     everything: int
@@ -56,24 +59,23 @@ class Board:
         return sum(gate.words for gate in self.gates)
 
     def copy(self) -> Board:
-        """An independent copy."""
         return replace(self, values=dict(self.values), gates=list(self.gates))
 
     def fresh(self, excluded: Collection[str] = ()) -> str:
-        """A scratch register that holds nothing and is not among `excluded`."""
+        """Return an unused scratch register that is not among `excluded`."""
         number = 0
         while f"t{number}" in self.values or f"t{number}" in excluded:
             number += 1
         return f"t{number}"
 
     def keep(self, name: str) -> None:
-        """Copy a register, or FLAG, to scratch."""
+        """Copy a register, or FLAG, to a scratch register."""
         scratch = self.fresh()
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
 
     def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
-        """Append gates, and set scratch and `changes` to their new values."""
+        """Append gates, and set scratch registers and `changes` to their new values."""
         self.gates += sequence.gates
         self.values.update((*sequence.scratch, *changes))
 
@@ -84,7 +86,8 @@ class Board:
         return gates
 
     def tells(self, vectors: Iterable[int]) -> bool:
-        """Whether the contents distinguish the lanes inside each vector from those outside."""
+        """Return whether the contents distinguish the lanes inside each vector from those
+        outside."""
         groups = [self.everything]
         for v in self.values.values():
             groups = [p for group in groups for p in (group & v, group & ~v) if p]
@@ -93,8 +96,10 @@ class Board:
         )
 
     def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
-        """Find the shortest gate sequence, of at most `most` words, that writes `target` to a
-        register."""
+        """Return the shortest gate sequence that writes `target` to a register, of at most `most`
+        words.
+
+        None if there is no such sequence."""
         if most < 1:
             return None
         ways = (
@@ -103,7 +108,7 @@ class Board:
         return min(ways, key=lambda sequence: sequence.price, default=None)
 
     def load(self, target: int) -> GateSequence | None:
-        """Find the shortest gate sequence that writes `target` to FLAG."""
+        """Return the shortest gate sequence that writes `target` to FLAG; None if there is none."""
         if self.values.get(FLAG) == target:
             return GateSequence((), ())
         name = self.fresh()
@@ -114,7 +119,9 @@ class Board:
 
     def _through(self, sequence: GateSequence, name: str, target: int) -> GateSequence:
         """Extend a `sequence` that writes `target` to the register `name` by a WHERE that copies it
-        to FLAG. WHERE replaces a final OR if it may read the sources of the OR."""
+        to FLAG.
+
+        WHERE replaces a final OR if it may read the sources of the OR."""
         last, limit = sequence.gates[-1], self.machine.where_sources
         reads = set(last.sources)
         if (
@@ -131,8 +138,9 @@ class Board:
         )
 
     def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
-        """Gate sequences for a vector, from covers of it and of its complement; all of at most
-        `most` words are included."""
+        """Yield gate sequences for a vector, from covers of it and of its complement.
+
+        All sequences of at most `most` words are included."""
         # Of registers with equal contents, the first: those of code and states before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -205,8 +213,9 @@ class Board:
 
 
 def update(board: Board, new_values: dict[str, int]) -> None:
-    """Write new values to registers simultaneously: gates read old values. Raises GaveUp if the
-    contents do not distinguish lanes with different new values."""
+    """Write new values to registers simultaneously: gates read old values.
+
+    Raises GaveUp if the contents do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best: Board | None = None
     for begun in (board, *_with_changes(board, changes)):
@@ -217,8 +226,9 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 
 
 def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
-    """Boards with a shared scratch value: the lanes in which several registers become 1, which each
-    of them then ORs."""
+    """Yield boards with a shared scratch value: the lanes in which several registers become 1.
+
+    Each of these registers is then ORed with this value."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in board.values.values():
@@ -231,8 +241,9 @@ def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
 
 
 def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
-    """The board after writing all new values in the order of fewest words; `best` if no order takes
-    fewer words."""
+    """Return the board after writing all new values in the order of fewest words.
+
+    Returns `best` if no order takes fewer words than `best`."""
     if best is not None and board.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:
@@ -260,8 +271,9 @@ def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
 
 
 def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
-    """The board after writing one new value, saving the old one if others need it; None if that
-    exceeds `most` words in all."""
+    """Return the board after writing one new value, and saving the old one if others need it.
+
+    None if that exceeds `most` words in total."""
     sequence = board.make(new_values[name], name, most - board.words)
     if sequence is None:
         return None

@@ -1,8 +1,7 @@
-"""Encodings of a pixel's knowledge: how registers hold its behaviour and states.
+"""Encodings of behaviours and states in a pixel's registers.
 
-The host loads the behaviour, so any injective encoding is possible. Every state starts with all its
-registers at 0.
-"""
+The behaviour of a pixel is determined by its code. The host loads it, so any injective encoding is
+possible. Every state starts with all its registers at 0."""
 
 from __future__ import annotations
 
@@ -36,21 +35,21 @@ class ValueBits:
 
 @dataclass(frozen=True, eq=False)
 class LooksEncoding:
-    """One choice of bits for the behaviour and every state of a machine."""
+    """An encoding of the behaviour and every state of a machine."""
 
     code: ValueBits
     states: tuple[ValueBits, ...]
 
     @property
     def name(self) -> str:
-        """Description for reports."""
+        """The description for reports."""
         holders = [self.code] if self.code.registers else []
         holders += [holder for holder in self.states if holder.registers]
         return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"
 
 
 def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
-    """Encodings in at most `registers` registers, those with the fewest registers last."""
+    """Yield encodings in at most `registers` registers, those with the fewest registers last."""
     behaviours = int(machine.behaviour.max()) + 1
     behaviour_numbers = tuple(range(behaviours))
     codes = [
@@ -70,8 +69,9 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
 
 
 def _outlasts(machine: StateMachine, k: int) -> bool:
-    """Whether a later stage depends on the answer `k`. An answer that rules read only at its own
-    boundary needs no register."""
+    """Return whether a later stage depends on answer `k`.
+
+    An answer that rules read only at its own boundary needs no register."""
     other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
         np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True
@@ -102,7 +102,7 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
-    """Encodings of `count` values, the first value all zeros."""
+    """Yield encodings of `count` values, with the first value as all zeros."""
     if count == 1:
         yield "constant", np.zeros((1, 0), np.bool_)
         return
@@ -121,7 +121,7 @@ def _binary(numbers: Sequence[int], width: int) -> Rows:
 
 
 def _few_ones(count: int) -> Rows:
-    """Codes with the fewest ones in the fewest registers, since a one costs a write."""
+    """Return codes with the fewest ones in the fewest registers, because a one costs a write."""
     width = (count - 1).bit_length()
     codes = [ones for size in range(width + 1) for ones in combinations(range(width), size)]
     rows = np.zeros((count, width), np.bool_)

@@ -1,12 +1,12 @@
-"""The analog plan of a program with senses: what happens to each pixel at each boundary.
+"""The analog plan of a program with senses: the analog operations of each pixel at each boundary.
 
 PIX is reset only where the program says so; `light` is the charge since then. When a shutter
 closes, PIX - reset level is added to its bucket; when it opens, it is subtracted. A bucket that was
 open since the frame began and is still empty gets the difference as a copy, so no word reads the
 bucket.
 
-Each moment is described over its lanes. A lane is a node that a pixel can be in before the
-boundary, with one outcome of the boundary's comparisons.
+Each moment (a boundary with operations) is described over its lanes. A lane is a node of the state
+machine that a pixel can be in before the boundary, with one outcome of the boundary's comparisons.
 """
 
 from __future__ import annotations
@@ -33,11 +33,10 @@ Bits = NDArray[np.bool_]
 class Moment:
     """A boundary with comparisons or changes.
 
-    `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers. The
-    other fields are truth vectors over the lanes: for each bucket, where its shutter closes
-    (`falls`; `copies`: the bucket may take a copy) and opens (`rises`), and where PIX is reset in
-    between.
-    """
+    `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as
+    bits. The other fields are truth vectors over the lanes. For each bucket they say where its
+    shutter closes (`falls`) and opens (`rises`); `copies` says whether the bucket may take a copy.
+    `resets` says where PIX is reset in between."""
 
     boundary: int
     comparisons: tuple[Comparison, ...]
@@ -55,15 +54,16 @@ class Moment:
         return (1 << len(self.before)) - 1
 
     def below(self, comparison: int) -> int:
-        """The lanes whose signal is at most the level of a comparison."""
+        """Return the lanes whose signal is at most the level of a comparison."""
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
 @dataclass(frozen=True, eq=False)
 class LookingPlan:
-    """The moments of a frame in order, and the use of analog registers. `reference` holds the reset
-    level, or its negative if every exposure is a single copy: each word adds an error, and the
-    negative takes one word less."""
+    """The moments of a frame in order, and the use of analog registers.
+
+    The register `reference` holds the reset level, or its negative if every exposure is a single
+    copy: each word adds an error, and the negative takes one word less."""
 
     program: Program
     machine: StateMachine
@@ -75,7 +75,8 @@ class LookingPlan:
 
     @cached_property
     def latches(self) -> bool:
-        """Whether every closing shutter copies, and none opens after the start of the frame."""
+        """Whether every closing shutter copies, and no shutter opens after the start of the
+        frame."""
         falls = (
             pair
             for moment in self.moments
@@ -85,24 +86,26 @@ class LookingPlan:
         return all(copy or not fall for fall, copy in falls) and not any(rises)
 
     def sampled(self, *registers: str) -> Op:
-        """The word that puts -(sum of `registers` + PIX) into scratch; it also subtracts the reset
-        level if a register holds its negative."""
+        """Return the word that writes -(PIX + the sum of `registers`) to the scratch register.
+
+        If a register holds the negative reset level, the reset level is subtracted from PIX."""
         level = (self.reference,) if self.latches else ()
         return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
     def register_to_scratch(self, register: str) -> Op:
-        """The word that puts -`register` into scratch, like `sampled` with a PIX without light."""
+        """Return the word that loads `register`, so that the sum of the registers `scratched` is
+        minus its value."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 
     @property
     def scratched(self) -> tuple[str, ...]:
-        """The registers whose sum is -signal after either of these words."""
+        """The registers whose sum is -signal after `sampled` or `register_to_scratch`."""
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
 def plan_looks(program: Program, machine: StateMachine) -> LookingPlan | Misfit:
-    """The plan of a program, or the lack of analog registers."""
+    """Return the plan of a program, or a Misfit if analog registers are missing."""
     analog = analog_registers(program, "edges", reference=True)
     if isinstance(analog, Misfit):
         return analog
@@ -114,7 +117,7 @@ def plan_looks(program: Program, machine: StateMachine) -> LookingPlan | Misfit:
 
 
 def _moments(machine: StateMachine) -> Iterator[Moment]:
-    """Every boundary with comparisons, opening or closing shutters, or resets."""
+    """Yield every boundary with comparisons, opening or closing shutters, or resets."""
     fresh = _fresh(machine)
     for stage in range(machine.stages):
         span = machine.nodes(stage)
@@ -168,8 +171,10 @@ def _moment(
 
 
 def _fresh(machine: StateMachine) -> Bits:
-    """For each node and bucket, whether a shutter that is open at the end of the node's stage was
-    open since the start of the frame without a reset, on every path to the node."""
+    """Return bool (nodes, buckets): whether a shutter that is open at the stage's end was always
+    open.
+
+    That is, it was open since the start of the frame without a reset, on every path to the node."""
     nodes, buckets = len(machine.behaviour), machine.opens.shape[1]
     fresh = np.zeros((nodes, buckets), np.bool_)
     fresh[: machine.first[1]] = True

@@ -1,4 +1,4 @@
-"""The passes for programs with senses, as `nscc.pipeline` lists them."""
+"""Compiler passes for programs with senses; `nscc.pipeline` lists all passes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
 
 ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
-"""For each level the number of encodings to try, and the number until one fits."""
+"""For each level the number of encodings to try, and the largest number until one fits."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class LookingLowered(Lowered):
 def plan_of(
     program: Program, lowering: LoweringOption
 ) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
-    """The plan, or the errors NS0413 or NS0414."""
+    """Return the plan and no errors, or a Misfit and the error NS0413 or NS0414."""
     assert program.machine is not None
     plan = plan_looks(program, program.machine)
     if isinstance(plan, Misfit):
@@ -49,7 +49,8 @@ def plan_of(
 def lowered_of(
     plan: LookingPlan, level: int, most_words: int | None
 ) -> tuple[list[LookingLowered], Sequence[Diagnostic]]:
-    """Lowerings with several encodings, best first, or the error NS0502."""
+    """Return lowerings with several encodings, best first, and errors (NS0502 if none was
+    found)."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)
@@ -85,7 +86,7 @@ def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
 
 
 def container_of(lowered: Lowered, level: int) -> Container:
-    """The container, with its machine and the encodings of states."""
+    """Return the container, with its state machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
     assert lowered.looking is not None
     machine = lowered.program.machine

@@ -21,9 +21,12 @@ from nscc.words.machine import LIGHT, Comparison
 
 @dataclass(frozen=True, slots=True)
 class SetIn:
-    """Set IN to `level` steps."""
+    """An instruction to set IN to `level` steps."""
 
     level: int
+
+    def __str__(self) -> str:
+        return f"IN at {self.level}"
 
 
 Item = Gate | Op | SetIn
@@ -33,10 +36,10 @@ Item = Gate | Op | SetIn
 class LookingSolution:
     """The words of a frame on virtual registers, by boundary.
 
-    p0, p1, .. outlast a frame: `planes` (behaviours,) are their truth vectors before the first
-    frame. s0, s1, .. are states inside a frame, initially 0; t0, .. are scratch. `registers` names
-    the virtual registers of each state, in the order of the encoding's bits.
-    """
+    p0, p1, .. keep their content over frames: `planes` (behaviours,) are their truth vectors before
+    the first frame. s0, s1, .. are states within a frame, initially 0; t0, .. are scratch
+    registers. `registers` names the virtual registers of each state, in the order of the encoding's
+    bits."""
 
     encoding: LooksEncoding
     planes: tuple[int, ...]
@@ -48,14 +51,17 @@ class LookingSolution:
 
 
 def room_of(target: Target, planes: int) -> int:
-    """The digital registers that a program with `planes` planes can use. Without unchanging code
-    the masked register stays unused, since every write to it needs its mask."""
+    """Return the number of digital registers that a program with `planes` planes can use.
+
+    Without unchanging code the masked register stays unused, because every write to it needs its
+    mask."""
     return len(target.digital_registers) - (target.masked_register is not None and not planes)
 
 
 def solve(plan: LookingPlan, encoding: LooksEncoding, target: Target) -> LookingSolution:
-    """The words of a plan. Raises GaveUp if no gates are found for a moment or there are too few
-    scratch registers."""
+    """Return the words of a plan.
+
+    Raises GaveUp if no gates are found for a moment or there are too few scratch registers."""
     return _Solver(plan, encoding, target).solve()
 
 
@@ -107,7 +113,7 @@ class _Solver:
         )  # fmt: skip
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
-        """The content of every register in lanes at these nodes."""
+        """Return the content of every register in lanes at these nodes."""
         contents = dict(
             zip(
                 self.code,
@@ -130,7 +136,7 @@ class _Solver:
 
 
 class _Moment:
-    """Generates the words of one moment."""
+    """The words of one moment, under construction."""
 
     def __init__(self, solver: _Solver, moment: Moment) -> None:
         self.solver, self.moment, self.plan = solver, moment, solver.plan
@@ -143,7 +149,7 @@ class _Moment:
         """Whether the scratch register holds -PIX in every pixel."""
 
     def items(self) -> list[Item]:
-        """The words and gates of this boundary."""
+        """Return the words and gates of this boundary."""
         self._compare()
         moment = self.moment
         falls = [(v, self._fall(b)) for b, v in enumerate(moment.falls)]
@@ -173,18 +179,20 @@ class _Moment:
         return renamed(self.emitted)
 
     def _fall(self, bucket: int) -> tuple[Op, ...]:
-        """register += PIX - reset level, or a copy of it into an empty register."""
+        """Return words for register += PIX - reset level, or for a copy of it into an empty
+        register."""
         plan, register = self.plan, self.plan.bucket_registers[bucket]
         first = plan.sampled() if self.moment.copies[bucket] else plan.sampled(register)
         return first, op("bus", (register,), plan.scratched)
 
     def _rise(self, bucket: int) -> tuple[Op, ...]:
-        """register -= PIX - reset level."""
+        """Return words for register -= PIX - reset level."""
         plan, register = self.plan, self.plan.bucket_registers[bucket]
         return plan.register_to_scratch(register), op("bus", (register,), (plan.scratch, "PIX"))
 
     def _compare(self) -> None:
-        """Make every comparison; store its answer in a register, the last one in FLAG."""
+        """Add words for every comparison; its answer goes to a register, the last answer to
+        FLAG."""
         moment = self.moment
         order = self.plan.machine.order(moment.boundary)
         signal: int | None = None
@@ -204,7 +212,7 @@ class _Moment:
                 del self.board.values[FLAG]
 
     def _take_signal(self, comparison: Comparison) -> None:
-        """Put -signal into the scratch register of every pixel, or into registers whose sum is
+        """Add words that write -signal to the scratch register, or to registers whose sum is
         -signal."""
         self.emitted.append(op("all"))
         if comparison.signal == LIGHT:
@@ -230,7 +238,7 @@ class _Moment:
                 self.emitted.append(op("all"))
 
     def _load(self, v: int, later: Sequence[int]) -> None:
-        """Load a vector into FLAG and keep everything that is needed later."""
+        """Add gates that load a vector into FLAG and keep everything that is needed later."""
         board = self.board
         if v == self.moment.everything:
             if board.values.get(FLAG) != v:
@@ -254,7 +262,7 @@ class _Moment:
         self.emitted += board.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> None:
-        """Copy FLAG to scratch if `later` vectors depend on it."""
+        """Add a copy of FLAG to a scratch register if `later` vectors depend on FLAG."""
         board = self.board
         if FLAG not in board.values:
             return
@@ -266,8 +274,9 @@ class _Moment:
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:
-    """The same gates with as few scratch registers as live values need; the words between them read
-    none."""
+    """Return the same gates with as few scratch registers as live values need.
+
+    The words between the gates read no scratch registers."""
     ends: dict[tuple[str, int], int] = {}
     writes: dict[str, int] = {}
     for place, gate in enumerate(gates):

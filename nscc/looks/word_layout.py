@@ -1,7 +1,6 @@
-"""The words of a solution in time: registers, kernels, launches with their value of IN.
+"""Layout of a solution's words: registers, kernels, and launches with their values of IN.
 
-IN is set between kernels, so a boundary with comparisons of several levels has several kernels.
-"""
+IN is set between kernels, so a boundary with comparisons at several levels has several kernels."""
 
 from __future__ import annotations
 
@@ -25,14 +24,15 @@ from nscc.operations import Op, op
 
 Words = tuple[Op, ...]
 _MOST_CLEARED = 4
-"""Registers that one CLR of the public library accepts."""
+"""Most registers in one CLR of the public library."""
 
 
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """Lay out the words of a solution over the frame; None if the mask's register would lose its
-    value. `most_words` as in Lowered."""
+    """Lay out the words of a solution over the frame; `most_words` is as in Lowered.
+
+    None if the content of the mask's register would be lost."""
     target = plan.program.target
     general = _general(solution, plan)
     allocation = allocate(general, target)
@@ -51,8 +51,9 @@ def lay_out_looks(
 
 
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
-    """Whether a write to the masked register, which first sets its mask, overwrites a value in the
-    mask's register that is read later."""
+    """Return whether a write to the masked register destroys a value that is read later.
+
+    Such a write first sets the mask, and so overwrites the mask's register."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
@@ -69,7 +70,7 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
 
 
 def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:
-    """The solution in the general form, gates by boundary."""
+    """Return the solution in the form of `nscc.logic`, with gates by boundary."""
     answers = tuple(
         (tuple(item for item in items if isinstance(item, Gate)),)
         for items in solution.items.values()
@@ -89,8 +90,10 @@ def _schedule(
     *,
     apart: bool,
 ) -> FrameSchedule:
-    """The kernels of the frame. With `apart`, the gates after a boundary's last analog word are a
-    separate kernel, because the words before them often repeat at other boundaries."""
+    """Return the kernels of the frame.
+
+    With `apart`, the gates after a boundary's last analog word are a separate kernel, because the
+    words before them often repeat at other boundaries."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
     setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))
@@ -124,7 +127,7 @@ def _schedule(
 
 
 def _setup(plan: LookingPlan) -> Words:
-    """Clear the buckets, reset PIX and store its level."""
+    """Return words that clear the buckets, reset PIX and store its reset level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
@@ -134,7 +137,7 @@ def _setup(plan: LookingPlan) -> Words:
 
 
 def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
-    """The words that clear the states at the start of a frame."""
+    """Return words that clear the states at the start of a frame."""
     places = [allocation.places[f"s{i}"] for i in range(len(solution.states))]
     groups = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
     return tuple(op("CLR", group) for group in groups)
@@ -143,7 +146,7 @@ def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """The kernels of a boundary, each with its value of IN."""
+    """Return the kernels of a boundary, each with its value of IN."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
@@ -177,7 +180,7 @@ def _kernels(
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """The analog part, for reports."""
+    """Return the analog part of a plan, for reports."""
     steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
@@ -187,7 +190,7 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """The steps of a moment, each with its lanes."""
+    """Return the steps of a moment, each with its lanes."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))
@@ -208,12 +211,12 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
 
 
 def _problem(plan: LookingPlan) -> Problem:
-    """A problem without demands, since no demand depends on codes alone."""
+    """Return a problem without demands, because no demand depends on codes alone."""
     return Problem((), len(plan.program.table.shutters), (), False, {})
 
 
 def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
-    """The fewest and the most bus words that a pixel executes after the setup."""
+    """Return the fewest and the most bus words that a pixel executes after the setup."""
     machine = plan.machine
     least = np.full(len(machine.behaviour), np.iinfo(np.int64).max)
     most = np.zeros(len(machine.behaviour), np.int64)

@@ -1,10 +1,9 @@
-"""Map virtual registers to registers, and gates to words.
+"""Mapping of virtual registers to the chip's registers, and of gates to words.
 
 The masked register (R12 on SCAMP-5) is written only where its mask (R0) is 1. Masked gates name
-both. Without masked gates, the masked register gets code that does not change inside the frame. If
-every register is needed, it gets the plane that changes least; SET of the mask, which is then
-scratch, precedes each write.
-"""
+both. Without masked gates, the masked register gets code that does not change within the frame. If
+every register is needed, it gets the plane with the fewest writes; each of these writes first sets
+the mask, which is then a scratch register."""
 
 from __future__ import annotations
 
@@ -17,7 +16,8 @@ from nscc.operations import Op, op, pair
 
 @dataclass(frozen=True)
 class Allocation:
-    """The register of every virtual register, and the registers that a frame never writes."""
+    """The chip register of every virtual register, and the registers that contain code and
+    states."""
 
     places: dict[str, str]
     holders: dict[str, str]
@@ -28,7 +28,7 @@ class Allocation:
 
 
 def allocate(solution: Solution, target: Target) -> Allocation:
-    """Map the virtual registers of a solution to registers of `target`."""
+    """Return the allocation of a solution's virtual registers to registers of `target`."""
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
@@ -40,7 +40,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
-        free.remove(target.mask_register)  # code avoids the mask while there are other registers
+        free.remove(target.mask_register)  # the mask is the last choice for code bits
     places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
@@ -59,7 +59,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
 
 
 def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
-    """The virtual registers in the masked register and in its mask."""
+    """Return the places of the virtual registers in the masked register and in its mask."""
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
@@ -74,7 +74,7 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
 
 
 def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
-    """Code registers in loading order: the masked one first, while its mask is 1, and the mask
+    """Return code registers in loading order: the masked one first, while its mask is 1, the mask
     last."""
     order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
     order |= {target.masked_register: -1, target.mask_register: len(order)}
@@ -82,7 +82,7 @@ def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
-    """The words of a segment."""
+    """Return the words of a segment."""
     out: list[Op] = []
     for gate in segment:
         writes_masked = allocation.places.get(gate.destination) == allocation.masked is not None
@@ -105,8 +105,9 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
 
 
 def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
-    """Words that rewrite the content of every one of `registers`. They overwrite FLAG if both the
-    masked register and its mask carry code."""
+    """Return words that rewrite the content of all `registers`.
+
+    They overwrite FLAG if both the masked register and its mask contain code."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]

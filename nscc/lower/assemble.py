@@ -1,4 +1,4 @@
-"""A lowered program as a container: encoded words, schedule, encoding, codes."""
+"""Conversion of a lowered program to a container: encoded words, schedule, encoding, codes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.words.encoding import encode
 
 
 def assemble(lowered: Lowered, level: int) -> Container:
-    """The complete container of a lowered program."""
+    """Return the complete container of a lowered program."""
     program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
     target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)

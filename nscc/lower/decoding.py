@@ -1,4 +1,4 @@
-"""The gates' problem that follows from a plan, and their solution."""
+"""The problem that gates must solve for a plan, and its solution."""
 
 from __future__ import annotations
 
@@ -18,15 +18,18 @@ from nscc.program.wide import whole_name
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]
-"""How a step obtains FLAG before its words. "nothing": FLAG does not matter; "all": set it in every
-pixel; "load": load the step's predicate; "keep": FLAG still holds the last loaded predicate, or 1
-everywhere if the step is for every pixel."""
+"""How a step obtains FLAG before its words.
+
+"nothing": FLAG does not matter; "all": set it in every pixel; "load": load the step's predicate;
+"keep": FLAG still holds the last loaded predicate, or 1 everywhere if the step is for every pixel.
+"""
 
 
 @dataclass(frozen=True)
 class Decoding:
-    """A plan with the gates that compute its predicates. `problem` is the plan's problem, `actions`
-    says what each step does to FLAG."""
+    """A plan with the gates that compute its predicates.
+
+    `problem` is the plan's problem; `actions` say how each step obtains FLAG."""
 
     plan: ExposurePlan
     problem: Problem
@@ -37,7 +40,7 @@ class Decoding:
 def problem_of(
     program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
 ) -> tuple[Problem, tuple[Before, ...]]:
-    """The problem that gates must solve for a plan, and the action of every step on FLAG."""
+    """Return the problem that gates must solve for a plan, and how every step obtains FLAG."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
@@ -54,8 +57,9 @@ def problem_of(
 
 
 def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """The value of every field in one code of each shutter; free bits are separate fields. Of
-    several codes, one whose values other shutters also need is chosen."""
+    """Return the value of every field in one code of each shutter; free bits are separate fields.
+
+    Of several codes, one whose values other shutters also need is chosen."""
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):
@@ -69,7 +73,7 @@ def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
 
 
 def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
-    """A row of `table.codes` for each shutter."""
+    """Return a row of `table.codes` for each shutter."""
     if len(table.codes) == len(table.shutters):
         return table.codes[np.argsort(table.shutter_of_code)]
     meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
@@ -83,7 +87,7 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """How each step of a plan obtains FLAG: keep, load, set all, or nothing."""
+    """Return how each step of a plan obtains FLAG."""
     actions: list[Before] = []
     flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None

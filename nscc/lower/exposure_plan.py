@@ -1,15 +1,19 @@
 """Exposure plans: which analog words run at which boundary, and in which pixels.
 
-A plan computes equation (3), E = sum of L[n] S[n], with a photodiode that only integrates:
+The exposure of a bucket is E = sum over n of L[n] S[n], with the light L[n] of slot n and S[n] = 1
+if the shutter is open (equation 3 of the paper). The photodiode PIX can only integrate light, so
+a plan computes E in one of three ways (lowerings):
 
-accumulate  reset in every slot; add the slot's light at its end where the shutter was open
-latch       never reset inside the frame; a pixel that is open from slot 0 copies PIX when it closes
-edges       never reset inside the frame; add PIX at every falling edge, subtract it at every
-            rising one (where single pixels can be reset, reset them at the rising edge instead)
+* accumulate: PIX is reset in every slot, and the light of a slot is added if the shutter was open
+* latch: PIX is not reset within the frame; a pixel that is open from slot 0 copies PIX when it
+  closes
+* edges: PIX is not reset within the frame; PIX is added when the shutter closes (falling edge) and
+  subtracted when it opens (rising edge). A chip that can reset single pixels resets them instead
+  when they open.
 
-Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A predicate,
-a truth vector over the program's shutters, selects the pixels of each step; gates compute it later.
-"""
+Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A
+predicate, a truth vector over the program's shutters, selects the pixels of each step; gates
+compute the predicate later."""
 
 from __future__ import annotations
 
@@ -34,8 +38,10 @@ Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
 class PlanStep(NamedTuple):
-    """Analog words at one boundary in the pixels of `predicate`. `predicate` None means every
-    pixel, independent of FLAG. `bucket` is the bucket's number, -1 for steps of the whole frame."""
+    """Analog words at one boundary, executed in the pixels of `predicate`.
+
+    A predicate of None means every pixel, independent of FLAG. `bucket` is the bucket's index, -1
+    for steps of the whole frame."""
 
     boundary: int
     role: Role
@@ -46,9 +52,10 @@ class PlanStep(NamedTuple):
 
 @dataclass(frozen=True)
 class ExposurePlan:
-    """The analog part of a program; `registers` maps every used analog register to its holder.
-    `analog_writes` are the fewest and most analog words (`bus`) that a pixel with an opening
-    shutter executes after the setup."""
+    """The analog part of a program.
+
+    `registers` describes the content of every used analog register. `analog_writes` are the fewest
+    and most analog words (`bus`) that a pixel with an opening shutter executes after the setup."""
 
     lowering: Lowering
     steps: tuple[PlanStep, ...]
@@ -66,8 +73,9 @@ class ExposurePlan:
 
 @dataclass(frozen=True)
 class Misfit:
-    """Why a lowering cannot be used: an unmet condition, or too few registers. With `searched`, no
-    gates were found, which proves nothing."""
+    """The reason why a lowering cannot be used: an unmet condition, or too few registers.
+
+    `searched` means that no gates were found, which proves nothing."""
 
     reason: str
     resource: str | None = None
@@ -77,8 +85,9 @@ class Misfit:
 
 
 class AnalogRegisters(NamedTuple):
-    """Use of analog registers: one a bucket, one for the reset level if needed, and scratch.
-    `holders` maps every register to its holder."""
+    """The use of analog registers: one per bucket, one for the reset level if needed, and scratch.
+
+    `holders` describes the content of every register."""
 
     buckets: tuple[str, ...]
     reference: str | None
@@ -92,8 +101,9 @@ Opens = tuple[tuple[int, ...], ...]
 
 @dataclass(frozen=True)
 class Planned:
-    """A program with its exposure plans, fewest analog writes first, and why other lowerings have
-    none."""
+    """A program with its exposure plans, fewest analog writes first.
+
+    `misfits` says why other lowerings have no plan."""
 
     program: Program
     time: Timeline
@@ -103,7 +113,7 @@ class Planned:
 
 
 def plan_exposures(program: Program, option: LoweringOption) -> Planned:
-    """Plan the exposures of `program` with one lowering, or with each of them."""
+    """Return the exposure plans of `program` for one lowering, or for all of them."""
     opens = levels(program)
     plans: list[ExposurePlan] = []
     misfits: dict[Lowering, Misfit] = {}
@@ -118,18 +128,18 @@ def plan_exposures(program: Program, option: LoweringOption) -> Planned:
 
 
 def frame_time(program: Program) -> Timeline:
-    """The timeline of the program's frame."""
+    """Return the timeline of the program's frame."""
     return timeline(program.frame.slot_us, len(program.buckets), program.target)
 
 
 def levels(program: Program) -> Opens:
-    """The predicates of the program's shutters."""
+    """Return the open shutters of every bucket and slot."""
     shutters = program.table.shutters
     return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
 
 
 def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
-    """The plan of `lowering`, or why there is none. `opens` is `levels(program)`."""
+    """Return the plan of `lowering`, or why there is none; `opens` is `levels(program)`."""
     free = len(program.target.analog_available)
     reference = lowering != "edges" or len(program.buckets) < free
     registers = analog_registers(program, lowering, reference=reference)
@@ -144,7 +154,9 @@ def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> Exposur
 def analog_registers(
     program: Program, lowering: Lowering, *, reference: bool
 ) -> AnalogRegisters | Misfit:
-    """The registers of a lowering, with one for the reset level if it needs a `reference`."""
+    """Return the registers of a lowering, with one for the reset level if it needs a `reference`.
+
+    Returns a Misfit if the chip has too few registers."""
     target, buckets = program.target, program.buckets
     free = target.analog_available
     required = len(buckets) + reference
@@ -164,7 +176,7 @@ def analog_registers(
 
 
 def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
-    """See ExposurePlan."""
+    """Return the fewest and most analog words, as in ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
     # Compared by identity, because there are few tuples of words and comparing them is slow.
@@ -186,7 +198,7 @@ RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
-    """Collects the steps of a plan in execution order."""
+    """The steps of a plan in execution order, under construction."""
 
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
@@ -228,12 +240,12 @@ class _Builder:
         self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
-        """register += PIX - reference."""
+        """Return words for register += PIX - reference."""
         before, after = (register, "PIX"), (self.scratch, *self.zero)
         return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _subtract(self, register: str) -> tuple[Op, ...]:
-        """register -= PIX - reference."""
+        """Return words for register -= PIX - reference."""
         before, after = (register, *self.zero), (self.scratch, "PIX")
         return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
@@ -246,7 +258,7 @@ class _Builder:
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
     def _latch(self) -> None:
-        """Copy at boundaries where a shutter closes, since only a pixel's last write counts."""
+        """Add copies at boundaries where a shutter closes; only a pixel's last copy counts."""
         assert self.reference is not None
         sample = op("bus", (self.scratch,), ("PIX",))
         copies = [
@@ -259,7 +271,7 @@ class _Builder:
                     self._step(boundary, "open", bucket, before, copies[bucket])
 
     def _edges(self) -> None:
-        """Falls before rises, because a rise may reset PIX before another bucket's fall reads
+        """Add falls before rises, because a rise may reset PIX before another bucket's fall reads
         it."""
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
@@ -274,7 +286,7 @@ class _Builder:
                     self._step(boundary, "rise", bucket, after & ~before, rises[bucket])
 
     def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
-        """The boundaries where shutters change: for each bucket, the open shutters before and
+        """Yield the boundaries where shutters change, with each bucket's open shutters before and
         after."""
         closed = (0,) * len(self.opens)
         states = (closed, *zip(*self.opens, strict=True), closed)
@@ -283,7 +295,7 @@ class _Builder:
                 yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
-        """Whether a rising pixel may reset PIX: none of its other buckets is open."""
+        """Return whether a rising pixel may reset PIX: none of its other buckets is open."""
         if self.program.target.reset_honours_flag != "yes" or self.reference is None:
             return False
         for boundary in range(1, self.slots):

@@ -1,8 +1,7 @@
-"""Diagnostics for programs that do not fit, or for which only a search can tell.
+"""Diagnostics for programs that do not fit, or whose fit only a search can decide.
 
-Proved and unproved facts are separate. A count that no encoding can beat is always an error. Gates
-that the search did not find prove nothing, so `nscc check` reports them as notes.
-"""
+Proved and unproved facts are separate. A number that no encoding can reduce is always an error. If
+the search finds no gates, this proves nothing, so `nscc check` reports it as a note."""
 
 from __future__ import annotations
 
@@ -22,7 +21,10 @@ from nscc.source import Span
 
 
 def capacity_fault(program: Program) -> Diagnostic | None:
-    """NS0412: more shutters than states of a pixel's registers. Certain."""
+    """Return the error (NS0412) if there are more shutters than states of a pixel's registers, else
+    None.
+
+    The error is proved."""
     target = program.target
     shutters = len(program.table.shutters)
     available = len(target.digital_registers)
@@ -62,7 +64,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
 
 
 def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnostic:
-    """NS0413 or NS0414: no plan exists. Certain."""
+    """Return the error (NS0413 or NS0414) that no plan exists, which is proved."""
     reasons = _reasons(misfits)
     short = [m for m in misfits.values() if m.resource is not None]
     if len(short) < len(misfits):
@@ -102,7 +104,7 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
 
 
 def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: int) -> Diagnostic:
-    """NS0502: no gates were found for any plan. Not proved."""
+    """Return the error (NS0502) that no gates were found for any plan, which is not proved."""
     available = len(program.target.digital_registers)
     return Diagnostic(
         "NS0502",
@@ -130,7 +132,7 @@ def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
 
 
 def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
-    """All errors of the best lowering of `choice`; empty if it fits."""
+    """Return all errors of the best lowering of `choice`; empty if it fits."""
     lowered = choice.best
     diagnostics = []
     if not lowered.retained:
@@ -145,8 +147,9 @@ def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
 
 
 def has_ways_out(diagnostic: Diagnostic) -> bool:
-    """Whether nearby programs may avoid this error. Not if the words that read the light already
-    take too long."""
+    """Return whether similar programs may avoid this error.
+
+    They cannot if the words that read the light already take too long."""
     short_of = diagnostic.data.get("resource")
     if short_of in ("slot_us", "words_per_slot"):
         return only_search_can_tell(diagnostic)
@@ -154,12 +157,12 @@ def has_ways_out(diagnostic: Diagnostic) -> bool:
 
 
 def only_search_can_tell(diagnostic: Diagnostic) -> bool:
-    """Whether an error depends on this compiler's search, not on the chip."""
+    """Return whether an error depends on this compiler's search, not on the chip."""
     return diagnostic.data.get("proved") is False
 
 
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
-    """The note that `nscc check` shows for an unproved error."""
+    """Return the note that `nscc check` shows for an unproved error."""
     message = f"only `nscc build` can decide whether this fits: {diagnostic.message}"
     return replace(
         diagnostic, code="NS0503", message=message, severity=Severity.NOTE, related=(), helps=()
@@ -191,7 +194,7 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
 
 
 def _fewer_codes(program: Program) -> str:
-    """The help to compile only the codes in use, if not done already."""
+    """Return the help to compile only the used codes, or if done already, to use fewer codes."""
     if program.mode == "fixed":
         return "use fewer different codes, or shutters with fewer edges"
     if program.pixel_codes is None:
@@ -204,7 +207,7 @@ def _field_span(program: Program) -> Span:
 
 
 def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagnostic:
-    """NS0502: no encoding of a pixel's knowledge was found to fit. Not proved."""
+    """Return the error (NS0502) that no encoding of codes and states fits, which is not proved."""
     available = len(program.target.digital_registers)
     machine = program.machine
     states = "" if machine is None else ", ".join(state.name for state in machine.states)

@@ -1,4 +1,4 @@
-"""Search gates for the plans of a program, and price them by laying them out."""
+"""Search for the gates of a program's plans, with their costs after layout."""
 
 from __future__ import annotations
 
@@ -19,8 +19,10 @@ MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 @dataclass(frozen=True)
 class Gated:
-    """The plans with gates, best first, and why others have none. `fits`: whether the words of the
-    best one fit. `faults`: exceptions of generators, which were ignored."""
+    """The plans with gates, best first, and why others have none.
+
+    `fits` says whether the words of the best plan fit. `faults` are exceptions of generators, which
+    were ignored."""
 
     program: Program
     time: Timeline
@@ -38,7 +40,8 @@ def find_gates(
     results: Results | None = None,
     most_words: int | None = None,
 ) -> Gated:
-    """The gates of the plans of `planned`: without `price_all` until no better plan can follow.
+    """Return the gates of all plans; without `price_all`, stop when no better plan can follow.
+
     `most_words` is the largest allowed number of words at a boundary, None for any."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
@@ -64,8 +67,8 @@ def find_gates(
 
 
 def _rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
-    """Sort key: fits or distance from fitting; fewest analog writes on an open pixel; words;
-    largest boundary."""
+    """Return a sort key: fits, or distance from fitting; analog writes of an open pixel; words;
+    peak."""
     misfit, overload, *_ = lowered.price
     total, largest = lowered.schedule.words_total, max(lowered.words_per_boundary)
     return misfit, overload, lowered.plan.analog_writes[1], total, largest
@@ -79,11 +82,11 @@ def lower(
     most_words: int | None = None,
     faults: list[GeneratorFault] | None = None,
 ) -> Lowered | Misfit:
-    """The cheapest solution of a plan, whether it fits or not; a Misfit if none was found.
+    """Return the cheapest solution of a plan, whether it fits or not; a Misfit if none was found.
 
-    `most_words` as in Lowered. Levels 2 and 3 improve the best solutions. The solution of a level
-    is never more expensive than that of the level below, or than another one of this level. Known
-    solutions come from `results`. `faults` as in `nscc.logic.generate.solutions`.
+    `most_words` is as in Lowered. Levels 2 and 3 improve the best solutions. The solution of a
+    level is never more expensive than that of the level below, or than another solution of this
+    level. Known solutions come from `results`. `faults` is as in `nscc.logic.generate.solutions`.
     """
     program, target, time = planned.program, planned.program.target, planned.time
     if most_words is not None and level >= 2:
@@ -116,7 +119,7 @@ def lower(
         ]
         searched = known.known is None and bool(problem.demands)
         if level >= 2 and searched and ranked:
-            from nscc.logic.improve import refine  # with networkx, which `check` does without
+            from nscc.logic.improve import refine  # imports networkx, which `check` does not need
 
             try:
                 best = refine(ranked, problem, machine, level, priced, target.store_words)

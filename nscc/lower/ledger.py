@@ -1,4 +1,5 @@
-"""Register usage in short form: one entry for holders that differ in a number only."""
+"""Short description of register usage: registers whose contents differ only in a number are
+grouped."""
 
 from __future__ import annotations
 
@@ -9,7 +10,7 @@ _LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
 
 
 def ledger(holders: Mapping[str, str]) -> str:
-    """Format {register: holder} as `R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch`."""
+    """Format {register: content} as `R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch`."""
     groups: dict[tuple[str, str], list[tuple[str, str | None]]] = {}
     for register, holder in holders.items():
         match = _LAST_NUMBER.match(holder)

@@ -1,4 +1,4 @@
-"""A lowered program with its costs, and the choice between several."""
+"""A lowered program with its costs, and the choice between several lowerings."""
 
 from __future__ import annotations
 
@@ -21,8 +21,9 @@ _ROUNDING = 1 + 1e-9
 
 @dataclass(frozen=True, repr=False)
 class Lowered:
-    """A plan, its gates and its words, with costs on the program's target. `most_words` is the
-    user's limit on words at a boundary, None for none."""
+    """A plan, its gates and its words, with costs on the program's target.
+
+    `most_words` is the user's limit on words at a boundary, None if there is no limit."""
 
     program: Program
     decoding: Decoding
@@ -43,7 +44,7 @@ class Lowered:
 
     @cached_property
     def words_per_boundary(self) -> list[int]:
-        """Words at each boundary 0..N."""
+        """The number of words at each boundary 0..N."""
         counts = [0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
             counts[boundary] += len(self.schedule.kernels[kernel])
@@ -51,8 +52,10 @@ class Lowered:
 
     @cached_property
     def busy_us(self) -> list[float]:
-        """Time of each boundary's words, with launches, settling of IN and the waiting loop; at
-        boundary 0 of the words after the start of the exposure."""
+        """The time of each boundary's words in microseconds, with launches, settling of IN and the
+        loop.
+
+        At boundary 0 only the words after the start of the exposure count."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
         busy = [0.0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
@@ -66,37 +69,38 @@ class Lowered:
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest equal slots for which all words fit."""
+        """The shortest slot length, for equal slots, with which all words fit."""
         return max(self.busy_us[: self.plan.slots])
 
     @property
     def shortest_slot_launches(self) -> int:
-        """Kernel launches included in `shortest_slot_us`."""
+        """The number of kernel launches included in `shortest_slot_us`."""
         boundary = self.busy_us.index(self.shortest_slot_us)
         # The first launch of the frame is before the start of the exposure.
         return sum(n == boundary for n, _ in self.schedule.launches[1:])
 
     @property
     def frame_us(self) -> float:
-        """Time from the first word of boundary 0 to the last word of boundary N."""
+        """The time from the first word of boundary 0 to the last word of boundary N, in
+        microseconds."""
         return self.schedule.setup_us + self.time.boundary_us[-1] + self.busy_us[-1]
 
     @cached_property
     def late(self) -> list[int]:
-        """Slots shorter than the words at their start."""
+        """The slots that are shorter than the words at their start."""
         slots = self.program.frame.slot_us
         return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us * _ROUNDING]
 
     @cached_property
     def overfull(self) -> list[int]:
-        """Boundaries with more words than the user allows."""
+        """The boundaries with more words than the user allows."""
         if self.most_words is None:
             return []
         return [n for n, words in enumerate(self.words_per_boundary) if words > self.most_words]
 
     @cached_property
     def overload(self) -> float:
-        """The fullest boundary's words or time as a multiple of its limit; 0 if all are within
+        """The words or time of the fullest boundary relative to its limit; 0 if all are within
         limits."""
         slots = self.program.frame.slot_us
         ratios = [self.busy_us[n] / slots[n] for n in self.late]
@@ -110,26 +114,30 @@ class Lowered:
 
     @property
     def retained(self) -> bool:
-        """Whether digital memory lasts from one refresh to the next."""
+        """Whether digital registers keep their content from one refresh to the next."""
         return self.time.refresh_at is not None or not self.schedule.allocation.code_registers
 
     @property
     def fits(self) -> bool:
-        """Whether store, slot time, retention and the user's limit are respected."""
+        """Whether store, slot times, retention and the user's limit are met."""
         return self.stored_ok and self.retained and not self.late and not self.overfull
 
     @property
     def price(self) -> tuple[bool, float, int, int, int]:
-        """Sort key among solutions of one lowering: fits, overload, words a frame without refresh,
-        largest boundary, refresh words."""
+        """Sort key among solutions of one lowering.
+
+        Its items are: does not fit, overload, words per frame without refresh, words of the largest
+        boundary, refresh words."""
         refresh = self.schedule.words_refresh
         words = self.schedule.words_total - refresh
         return not self.fits, self.overload, words, max(self.words_per_boundary), refresh
 
     @property
     def headroom_e(self) -> float:
-        """The largest constant light that saturates no code, in electrons a frame of an always-open
-        shutter. The limits are PIX between two resets and the frame registers."""
+        """The largest constant light, in electrons per frame of an open shutter, that saturates no
+        pixel.
+
+        It is limited by PIX between two resets and by the registers of the buckets."""
         program, plan = self.program, self.plan
         target = program.target
         slot_us = np.array(program.frame.slot_us)
@@ -156,8 +164,9 @@ class Lowered:
 
 @dataclass(frozen=True)
 class Choice:
-    """All lowerings, best first, and why others failed. `failed_generators` names the generators
-    that raised an exception."""
+    """All lowerings, best first, and why others failed.
+
+    `failed_generators` names the generators that raised an exception."""
 
     lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]
@@ -171,7 +180,9 @@ class Choice:
 def lay_out(
     program: Program, decoding: Decoding, time: Timeline, most_words: int | None
 ) -> Lowered:
-    """Lay out the words of a decoding over the frame's boundaries. `most_words` as in Lowered."""
+    """Lay out the words of a decoding over the frame's boundaries.
+
+    `most_words` is the user's limit on words at a boundary, as in `Lowered`."""
     laid = schedule(decoding, time, program.target)
     return Lowered(program, decoding, laid, time, most_words)
 
@@ -181,7 +192,7 @@ def _reads_pix(step: PlanStep) -> bool:
 
 
 def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64]) -> float:
-    """The largest light between a rise and its fall, as a share of the frame's light."""
+    """Return the largest light between a rise and its fall, as a fraction of the frame's light."""
     bump = np.zeros(shutters.shape[:2])
     longest = 0.0
     for slot, slot_share in enumerate(share):

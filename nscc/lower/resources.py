@@ -1,4 +1,4 @@
-"""Common parts of resource errors: the origin of the limit, the need, times."""
+"""Shared parts of resource errors: the origin of the limit, the required amount, times."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from nscc.program.program import Program
 
 
 def chip_label(program: Program, text: str) -> tuple[Label, ...]:
-    """The second label of a resource error: the statement that names the chip."""
+    """Return the second label of a resource error: the statement that names the chip."""
     return (Label(program.target_span, text),) if program.target_span is not None else ()
 
 
 def chip_note(program: Program, text: str) -> tuple[str, ...]:
-    """The content of `chip_label` as a note, for a program that does not name its chip."""
+    """Return the content of `chip_label` as a note, if the program does not name its chip."""
     return () if program.target_span is not None else (f"{program.target.name}: {text}",)
 
 
 def resource(
     name: str, required: float, available: float, *, proved: bool
 ) -> dict[str, str | float | bool]:
-    """The machine-readable data of a resource error."""
+    """Return the machine-readable data of a resource error."""
     return {"resource": name, "required": required, "available": available, "proved": proved}
 
 

@@ -1,9 +1,8 @@
-"""Words in time: the kernels, their boundaries, and their costs.
+"""The words of a frame in time: kernels, the boundaries that launch them, and their costs.
 
 The words of a boundary come in segments. A kernel is stored once however often it is launched, but
 every launch takes time. So the segments of a boundary are one kernel if the store has room, else
-separate kernels that boundaries share.
-"""
+separate kernels that boundaries share."""
 
 from __future__ import annotations
 
@@ -28,8 +27,7 @@ class FrameSchedule:
 
     `kernels` are distinct; `launches` are (boundary, kernel) in execution order. `setup_us` is the
     time of boundary 0's words before the exposure starts, including their launch. `levels` is the
-    value of IN of each launch in steps, None if it does not matter; empty if no launch sets IN.
-    """
+    value of IN of each launch in steps, None if it does not matter; empty if no launch sets IN."""
 
     allocation: Allocation
     kernels: tuple[Words, ...]
@@ -39,7 +37,7 @@ class FrameSchedule:
     levels: tuple[int | None, ...] = ()
 
     def settles(self) -> list[int]:
-        """The boundaries at which IN changes, once for each change."""
+        """Return the boundaries at which IN changes, once for each change."""
         boundaries: list[int] = []
         last: int | None = None
         levels = self.levels or (None,) * len(self.launches)
@@ -51,23 +49,23 @@ class FrameSchedule:
 
     @property
     def words_stored(self) -> int:
-        """Stored words."""
+        """The number of stored words."""
         return sum(len(kernel) for kernel in self.kernels)
 
     @property
     def words_total(self) -> int:
-        """Executed words of a frame."""
+        """The number of words that a frame executes."""
         return sum(len(self.kernels[kernel]) for _, kernel in self.launches)
 
     @property
     def words_refresh(self) -> int:
-        """Words of a frame that only refresh registers."""
+        """The number of words of a frame that only refresh registers."""
         of_kernel = [refresh_count(kernel) for kernel in self.kernels]
         return sum(of_kernel[kernel] for _, kernel in self.launches)
 
 
 def kernel_us(kernel: Sequence[Op], target: Target) -> float:
-    """Time of a kernel's launch and words."""
+    """Return the time of a kernel's launch and words in microseconds."""
     analog = sum(1 for word in kernel if word.analog)
     return words_us(analog, len(kernel) - analog, target) + target.launch_us
 
@@ -104,7 +102,8 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> FrameSchedul
 
 
 def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
-    """The segments of every boundary; the first one of boundary 0 ends with the setup."""
+    """Return the segments of every boundary; the first segment of boundary 0 ends with the
+    setup."""
     plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
@@ -147,9 +146,10 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
 def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
-    """The code registers that the frame's own words do not write often enough. A write to the
-    masked register counts only after SET of its mask, because it does not reach all pixels
-    otherwise."""
+    """Return the code registers that the frame's own words do not write often enough.
+
+    A write to the masked register counts only after SET of its mask, because otherwise it does not
+    reach all pixels."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     mask_is_set = False
     for n, segments in enumerate(boundaries):
@@ -163,7 +163,7 @@ def refreshed_registers(
 
 
 def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> list[list[Words]]:
-    """One segment for each boundary, except segments in `apart`."""
+    """Return the segments of each boundary merged into one, except segments in `apart`."""
     merged: list[list[Words]] = []
     for segments in boundaries:
         run: list[Words] = []
@@ -177,7 +177,7 @@ def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> 
 def _shared(
     boundaries: Sequence[Sequence[Words]],
 ) -> tuple[tuple[Words, ...], tuple[tuple[int, int], ...]]:
-    """One kernel for each distinct segment."""
+    """Return one kernel for each distinct segment, and the launches."""
     number: dict[Words, int] = {}
     launches: list[tuple[int, int]] = []
     for n, segments in enumerate(boundaries):

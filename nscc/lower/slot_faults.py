@@ -1,4 +1,4 @@
-"""Diagnostics for slots that are too short, too full, or longer than the memory's retention."""
+"""Diagnostics for slots that are too short, too full, or longer than the retention time."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from nscc.program.problems import counted
 
 
 def retention_fault(lowered: Lowered) -> Diagnostic:
-    """NS0602: a slot, or the readout, is longer than the retention of digital memory. Certain."""
+    """Return the error (NS0602) that a slot or the readout exceeds the retention time, which is
+    proved."""
     program = lowered.program
     longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
     slot_us = program.frame.slot_us[longest]
@@ -27,14 +28,15 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
             f"every bit must be refreshed within {time_text(keep_us)}, which includes a "
             "margin of 10 %",
         ),
-        helps=("split the slot into several slots: the rule may treat them alike",),
+        helps=("split the slot into several slots; the rule can open the shutter in all of them",),
         data=resource("retention_us", slot_us, keep_us, proved=True),
     )
 
 
 def late_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0601: words take longer than the slot at whose start they run. Certain if in every lowering
-    the analog words and one launch take too long."""
+    """Return the error (NS0601) that words take longer than the slot at whose start they run.
+
+    It is proved if in every lowering the analog words and one launch take too long."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
@@ -72,8 +74,9 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0603: more words at a boundary than `--max-words-per-slot` allows. Certain if in every
-    lowering the analog words of a boundary exceed the limit."""
+    """Return the error (NS0603) for more words at a boundary than `--max-words-per-slot` allows.
+
+    It is proved if in every lowering the analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
@@ -105,7 +108,7 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def _where_they_go(lowered: Lowered, boundary: int) -> str:
-    """The words of a boundary by purpose, and the time of launches."""
+    """Return the words of a boundary by purpose, and the time of launches, as text."""
     kernels, launch_us = lowered.schedule.kernels, lowered.program.target.launch_us
     launched = [kernels[kernel] for n, kernel in lowered.schedule.launches if n == boundary]
     words = [word for kernel in launched for word in kernel]
@@ -132,19 +135,19 @@ def _times(target: Target) -> str:
 
 
 def _nothing_untried(choice: Choice) -> bool:
-    """Whether every lowering was laid out or is impossible."""
+    """Return whether every lowering was laid out or is impossible."""
     return not any(misfit.searched for misfit in choice.misfits.values())
 
 
 def _too_short(lowered: Lowered) -> list[int]:
-    """Slots too short for analog words alone, worst first."""
+    """Return the slots that are too short for their analog words alone, worst first."""
     slots_us = lowered.program.frame.slot_us
     lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
     return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
-    """The minimum time at a boundary: its analog words, one launch, the loop."""
+    """Return the minimum time at a boundary: its analog words, one launch, and the loop."""
     target = lowered.program.target
     analog = _analog_words(lowered, boundary)
     loop_us = target.launch_us + (target.wait_us if boundary else 0.0)
@@ -152,6 +155,6 @@ def _least_us(lowered: Lowered, boundary: int) -> float:
 
 
 def _analog_words(lowered: Lowered, boundary: int) -> int:
-    """Words that move a boundary's light, independent of gates."""
+    """Return the number of words that move a boundary's light, independent of gates."""
     steps = [s for s in lowered.plan.steps if s.boundary == boundary and s.bucket >= 0]
     return sum(len(step.words) for step in steps)

@@ -1,4 +1,4 @@
-"""The times of a frame, and the retention of digital memory."""
+"""The times of a frame, and the retention of digital registers."""
 
 from __future__ import annotations
 
@@ -15,9 +15,12 @@ RETENTION_SHARE = 0.9
 
 @dataclass(frozen=True)
 class Timeline:
-    """The frame's times in microseconds. `boundary_us[n]` is the time of boundary n; `between_us`
-    is from boundary N to the next frame's boundary 0 (readout). `refresh_at` are the boundaries
-    inside the frame at which registers must be refreshed; None if even that is not enough."""
+    """The frame's times in microseconds.
+
+    `boundary_us[n]` is the time of boundary n. `between_us` is the time from boundary N to the next
+    frame's boundary 0 (readout). `keep_us` is the time for which registers keep their content.
+    `refresh_at` are the boundaries within the frame at which registers must be refreshed; None if
+    that is not enough."""
 
     boundary_us: tuple[float, ...]
     between_us: float
@@ -26,7 +29,7 @@ class Timeline:
 
 
 def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeline:
-    """The timeline of a frame of `buckets` readouts."""
+    """Return the timeline of a frame with `buckets` readouts."""
     boundary_us = (0.0, *accumulate(slot_us))
     between_us = target.readout_us * buckets
     keep_us = RETENTION_SHARE * target.digital_retention_us
@@ -37,7 +40,9 @@ def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeli
 def _refresh_boundaries(
     boundary_us: tuple[float, ...], between_us: float, keep_us: float
 ) -> tuple[int, ...] | None:
-    """The fewest boundaries that keep every gap, including the readout, within keep_us."""
+    """Return the fewest boundaries that keep every gap, including the readout, within keep_us.
+
+    None if a single slot or the readout is too long."""
     at: list[int] = []
     last = -between_us
     for n in range(1, len(boundary_us)):
@@ -50,7 +55,8 @@ def _refresh_boundaries(
 
 
 def fades(written_at: Collection[int], time: Timeline) -> bool:
-    """Whether a register written at these boundaries of every frame exceeds the retention time."""
+    """Return whether a register written at these boundaries of every frame exceeds the retention
+    time."""
     if not written_at:
         return True
     times = [time.boundary_us[n] for n in sorted(written_at)]

@@ -1,1 +1,1 @@
-"""Images and planes of neighbouring pixels: from expressions to words."""
+"""Compile images and planes, which read neighbouring pixels, from expressions into words."""

@@ -1,4 +1,4 @@
-"""The words of planes: comparisons, logic, and bits of neighbours."""
+"""Emit the words of planes: comparisons, logic, and bits of neighbours."""
 
 from __future__ import annotations
 
@@ -11,15 +11,13 @@ from nscc.words import pictures as p
 _OF_STEP = {step: name for name, step in STEERING.items()}
 Offset = tuple[int, int]
 Kept = tuple[str, str | None]
-"""A register that holds a bit, and the plane whose register it is; None for one that only whoever
-has it reads."""
+"""A register that holds a bit, and the plane it belongs to, or None for an intermediate result."""
 
 
 class BitWords:
     """The digital registers of a lowering, and the words that fill them.
 
-    The registers that steer DNEWS are kept for it where the text reads neighbours.
-    """
+    The registers that steer DNEWS are reserved where the program reads neighbours."""
 
     def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
         self.lowering = lowering
@@ -38,7 +36,7 @@ class BitWords:
         self.steered: frozenset[str] | None = None
 
     def declare(self, name: str, node: p.Condition) -> None:
-        """Computes a plane, and keeps it while it is read."""
+        """Compute a plane and keep its register until the plane has been read for the last time."""
         register, owner = self.bit(node)
         if owner is not None:
             register = self._emit_word("MOV", [register], [(register, owner)])
@@ -47,14 +45,14 @@ class BitWords:
         self.give((register, name))
 
     def take(self) -> str:
-        """A register that is free."""
+        """Take a free register; raise `PictureRefused` if there is none."""
         if not self.free:
             count = len(self.available)
             raise PictureRefused("planes", self.lowering.now, count + 1, count)
         return self.free.pop(0)
 
     def give(self, *bits: Kept) -> None:
-        """Bits have been read; their registers are free where nothing else reads them."""
+        """Note that bits have been read, and free each register that nothing else reads."""
         for register, owner in bits:
             if owner is not None:
                 self.uses[owner] -= 1
@@ -65,13 +63,13 @@ class BitWords:
             self.free.sort(key=self.available.index)
 
     def to_flag(self, node: p.Condition) -> None:
-        """FLAG is 1 where a condition is."""
+        """Set FLAG to 1 in the pixels where a condition holds, and to 0 elsewhere."""
         bit = self.bit(node)
         self.lowering.word(op("WHERE", [], [bit[0]]))
         self.give(bit)
 
     def bit(self, node: p.Condition) -> Kept:
-        """Where a condition is."""
+        """Emit the words that compute a condition, and return the register of its bit."""
         match node:
             case p.Bit():
                 return self.planes[node.name], node.name
@@ -92,14 +90,15 @@ class BitWords:
                 return self._near_bit(node), None
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """A register that a word fills; the bits that were `used` are then given back."""
+        """Emit a word into a free register, free the bits that were `used`, and return the
+        register."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))
         self.give(*used)
         return target
 
     def _above(self, node: p.Above) -> str:
-        """A comparison: `where` asks whether the value and IN together are above 0."""
+        """Emit a comparison: `where` tests whether the sum of the value and IN is above 0."""
         lowering = self.lowering
         value = lowering.value(node.value)
         lowering.everywhere()
@@ -108,13 +107,13 @@ class BitWords:
         lowering.word(op("where", [], sources), level or None)
         lowering.give(value)
         register = self.take()
-        # What is held may be minus the value: then FLAG says the opposite.
+        # The register may hold minus the value: then FLAG is the inverse of the answer.
         lowering.word(op("MOV" if value.sign > 0 else "NOT", [register], ["FLAG"]))
         lowering.everywhere()
         return register
 
     def _joined(self, node: p.Joined) -> str:
-        """`or` is one word, `and` the inverse of that of the inverses."""
+        """Emit `or` as one OR word, and `and` as the NOR of both inverses."""
         first, second = self.bit(node.first), self.bit(node.second)
         a, b = first[0], second[0]
         if a == b:
@@ -134,7 +133,7 @@ class BitWords:
     # --- neighbours
 
     def _steer(self, steps: frozenset[Offset]) -> None:
-        """R1..R4 choose these neighbours, in all pixels."""
+        """Set R1..R4 so that DNEWS reads these neighbours in every pixel."""
         directions = frozenset(_OF_STEP[step] for step in steps)
         if directions == self.steered:
             return
@@ -143,12 +142,12 @@ class BitWords:
         self.steered = directions
 
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
-        """The OR of the bits of these neighbours."""
+        """Emit the OR of these neighbours' bits, and return its register."""
         self._steer(steps)
         return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], [])
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
-        """The bit of the pixel so far away, one step at a time; a register of its own."""
+        """Copy the bit of the pixel at an offset into a new register, moving one pixel per word."""
         x, y = at
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
         moved = None
@@ -167,7 +166,8 @@ class BitWords:
         return moved
 
     def _near_bit(self, node: p.Near) -> str:
-        """`any`: the OR of neighbours; `all`: the inverse of any of the inverse."""
+        """Emit `any` as the OR of the neighbours, and `all` as the inverse of `any` of the
+        inverse."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
@@ -181,7 +181,8 @@ class BitWords:
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """The OR of the bits at these offsets: of rectangles row by row, then column by column."""
+        """Emit the OR of the bits at these offsets: for a rectangle, first along rows, then along
+        columns."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})
@@ -191,8 +192,8 @@ class BitWords:
         return self._line(register, outside, offsets)
 
     def _line(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """The OR of the bits at these offsets: nearest neighbours in one word, others step by
-        step."""
+        """Emit the OR of the bits at these offsets: one word reads all nearest neighbours, and
+        every other bit is moved here first."""
         nearest_offsets = frozenset(offsets & set(_OF_STEP))
         registers = [self._look(register, outside, nearest_offsets)] if nearest_offsets else []
         for at in sorted(offsets - nearest_offsets - {(0, 0)}):
@@ -207,7 +208,7 @@ class BitWords:
         return total
 
     def _or(self, first: str, second: str) -> str:
-        """The OR of two bits of ours, in the place of the first."""
+        """Store the OR of two intermediate bits in the register of the first."""
         for word in pair("OR", first, [first, second]):
             self.lowering.word(word)
         self.give((second, None))

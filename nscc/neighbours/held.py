@@ -1,4 +1,4 @@
-"""Values in registers while images are lowered, and what both halves of the lowering share."""
+"""Values in registers while images are lowered, and the interface of the lowering to its parts."""
 
 from __future__ import annotations
 
@@ -10,12 +10,14 @@ from nscc.operations import Op, WordEffect, op
 from nscc.words import pictures as p
 
 Leveled = tuple[Op, int | None]
-"""A word and the steps of IN that it needs."""
+"""A word and the steps of IN that it needs, or None if it does not read IN."""
 
 
 class PictureRefused(Exception):
-    """An image does not fit the chip: `kind` is "registers", "range" or "planes"; `name` is the
-    image or plane, `needed` and `available` are numbers of what `kind` says."""
+    """Raised if an image does not fit the chip.
+
+    `kind` is "registers", "range" or "planes"; `name` is the image or plane. `needed` and
+    `available` are numbers of registers or, for "range", the value relative to the range."""
 
     def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
         super().__init__(kind, name, needed, available)
@@ -24,11 +26,10 @@ class PictureRefused(Exception):
 
 @dataclass(frozen=True)
 class Held:
-    """A register that holds a value times `sign`, somewhere from `low` to `high` electrons.
+    """A register that holds a value times `sign`; the value lies in `low` to `high` electrons.
 
-    `name` is that of an image or a bucket, which others may read as well; None for a value that
-    only whoever has it reads. `variance` is that of its error, in variances of a word's error.
-    """
+    `name` is the image or bucket, or None for an intermediate result that is read once. `variance`
+    is the variance of the value's error, in units of the variance of one word's error."""
 
     register: str
     sign: int
@@ -38,7 +39,8 @@ class Held:
     variance: float = 0.0
 
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
-        """The range of what a kernel makes of the value, whose weights add and take so much."""
+        """Return the range of the value after a convolution whose positive weights sum to `up` and
+        whose negative weights sum to -`down`."""
         return (
             float(up) * self.low - float(down) * self.high,
             float(up) * self.high - float(down) * self.low,
@@ -46,7 +48,8 @@ class Held:
 
 
 class Emitter(ABC):
-    """Words that are emitted one after the other; `now` is the image or plane that they compute."""
+    """A sequence of words under construction; `now` is the image or plane that the words
+    compute."""
 
     def __init__(self, pictures: p.Pictures) -> None:
         self.pictures = pictures
@@ -56,7 +59,7 @@ class Emitter(ABC):
         self.now = ""
 
     def word(self, op: Op, level: int | None = None) -> None:
-        """Emits the next word."""
+        """Emit the next word."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True
@@ -65,14 +68,14 @@ class Emitter(ABC):
         self.words.append((op, level))
 
     def everywhere(self) -> None:
-        """FLAG is 1 in all pixels from here on."""
+        """Emit `all`, which sets FLAG to 1 in every pixel, unless FLAG is 1 everywhere already."""
         if self.masked:
             self.word(op("all"))
 
     @abstractmethod
     def value(self, node: p.Value) -> Held:
-        """Emits the words that compute a value; returns where it then is."""
+        """Emit the words that compute a value, and return its register."""
 
     @abstractmethod
     def give(self, *values: Held) -> None:
-        """Takes note that values have been read."""
+        """Note that values have been read."""

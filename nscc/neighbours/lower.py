@@ -1,9 +1,8 @@
-"""From images and planes to words: which register holds what, item by item in the text's order.
+"""Lower images and planes to words and registers, item by item in the order of the program.
 
-An analog value is known up to its sign, for every word inverts. Kernels become programs of one
-input (`nscc.neighbours.synthesis`); sums, absolute values and choices are written out here. A value
-stays in its register while something still reads it.
-"""
+An analog value may be held negated, because every word inverts. Convolution kernels become
+programs of one input (`nscc.neighbours.synthesis`); this module writes sums, absolute values and
+choices. A value stays in its register until it has been read for the last time."""
 
 from __future__ import annotations
 
@@ -25,7 +24,8 @@ Weights = dict[tuple[int, int], Fraction]
 
 
 class Lowering(Emitter):
-    """The words of all items; `registers` then says where what leaves the chip is held."""
+    """The words of all items; afterwards `registers` names the register of each result for the
+    chip."""
 
     def __init__(
         self,
@@ -52,7 +52,8 @@ class Lowering(Emitter):
             self.give(value)
 
     def _uses(self) -> dict[str, int]:
-        """How often each image and bucket is still read; what leaves the chip once more."""
+        """Count how often each image and bucket will be read; an image that is read out counts once
+        more."""
         uses: dict[str, int] = dict.fromkeys(self.held, 0)
         for item in self.pictures.items:
             uses[item.name] = 0
@@ -64,7 +65,8 @@ class Lowering(Emitter):
         return uses
 
     def run(self) -> None:
-        """Computes every item; `registers` then holds what leaves the chip, by name."""
+        """Emit the words of every item, and store the registers of the results in `registers`, by
+        name."""
         for item in self.pictures.items:
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Condition):
@@ -74,7 +76,7 @@ class Lowering(Emitter):
                 value = self.value(item.node)
                 if item.name in self.pictures.outputs and value.sign < 0:
                     value = self.negated(value)
-                if value.name is not None:  # another name of a value that is held already
+                if value.name is not None:  # another name of a value that is in a register already
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
                 self.uses[item.name] += 1
@@ -91,14 +93,14 @@ class Lowering(Emitter):
     # --- registers
 
     def take(self) -> str:
-        """A register that is free."""
+        """Take a free register; raise `PictureRefused` if there is none."""
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
         return self.free.pop(0)
 
     def give(self, *values: Held) -> None:
-        """Values have been read; their registers are free where nothing else reads them."""
+        """Note that values have been read, and free each register that nothing else reads."""
         for value in values:
             if value.name is not None:
                 self.uses[value.name] -= 1
@@ -109,7 +111,7 @@ class Lowering(Emitter):
             self.free.sort(key=self.target.analog_available.index)
 
     def checked(self, low: float, high: float) -> None:
-        """Refuses a value that a register does not hold."""
+        """Raise `PictureRefused` if a register cannot hold values in this range."""
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
@@ -118,7 +120,7 @@ class Lowering(Emitter):
     # --- values
 
     def value(self, node: p.Value) -> Held:
-        """The words that compute a value, and where it then is."""
+        """Emit the words that compute a value, and return its register."""
         match node:
             case p.Source():
                 return self.held[node.name]
@@ -133,7 +135,7 @@ class Lowering(Emitter):
                 return self.chosen(node)
 
     def _merged(self, node: p.Value) -> tuple[Weights, p.Value]:
-        """Kernels of kernels, and factors of one value, as one kernel."""
+        """Merge nested convolutions, and factors of one value, into one convolution kernel."""
         if isinstance(node, p.Filtered):
             taps, inner = self._merged(node.value)
             return _after(self.weights[node.kernel].taps, taps), inner
@@ -144,7 +146,7 @@ class Lowering(Emitter):
         return {(0, 0): Fraction(1)}, node
 
     def filtered(self, value: Held, weights: Weights) -> Held:
-        """A value weighted by a kernel."""
+        """Emit the convolution of a value with the weights."""
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -164,7 +166,8 @@ class Lowering(Emitter):
         return Held(register, value.sign, low, high, variance=variance)
 
     def _program(self, taps: Taps, value: Held) -> Ranged:
-        """The shortest program whose values fit the registers."""
+        """Return the shortest program whose values fit the registers; raise `PictureRefused` if
+        none fits."""
         candidates = self.synthesis.programs(taps)
         least = float("inf")
         for candidate in candidates:
@@ -175,13 +178,13 @@ class Lowering(Emitter):
         raise PictureRefused("range", self.now, least, 1.0)
 
     def _excess(self, value: Held, taps: Taps) -> float:
-        """How many times the registers' range what a kernel makes of a value may be."""
+        """Return how large a convolution's result can become, relative to the registers' range."""
         low, high = value.scaled(*gains(taps))
         ends = (low, high) if value.sign > 0 else (-high, -low)
         return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
 
     def run_program(self, program: Program, value: Held) -> str:
-        """The words of a program; returns the register of its result. The value has been read."""
+        """Emit the words of a program, free its input, and return the register of its result."""
         self.everywhere()
         last: dict[str, int] = {}
         for number, word in enumerate(program):
@@ -204,7 +207,7 @@ class Lowering(Emitter):
         return places[result]
 
     def negated(self, value: Held) -> Held:
-        """A value with the other sign, in a register of its own."""
+        """Emit a word that copies a value with the opposite sign into a new register."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [value.register]))
@@ -213,7 +216,7 @@ class Lowering(Emitter):
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def sum(self, node: p.Sum) -> Held:
-        """A sum of values: terms of one value are one kernel."""
+        """Emit a sum of values; terms of the same value become one convolution kernel."""
         taps, inner = self._merged(node)
         if inner is not node:
             return self._shortest(
@@ -222,7 +225,8 @@ class Lowering(Emitter):
         return self._term_by_term(node)
 
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
-        """The value by that way which takes the fewest words, of those that fit."""
+        """Return the result of the way that takes the fewest words, among those that fit
+        the chip."""
         best: tuple[int, int] | None = None
         refused: PictureRefused | None = None
         for number, way in enumerate(ways):
@@ -253,7 +257,7 @@ class Lowering(Emitter):
         bits.free, bits.planes, bits.uses, bits.steered = of_bits
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """A sum whose terms are computed one after the other."""
+        """Emit a sum whose terms are computed one after the other."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
@@ -267,20 +271,20 @@ class Lowering(Emitter):
         return self._added(signed_terms)
 
     def _nothing(self) -> Held:
-        """A value that is 0."""
+        """Emit a word that sets a register to 0."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register]))
         return Held(register, 1, 0.0, 0.0)
 
     def _added(self, signed_terms: list[tuple[int, Held]]) -> Held:
-        """The sum of values that are held, each with its sign in the sum."""
+        """Emit the sum of values in registers, each with its sign in the sum."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         self.checked(low, high)
         plus = [v for sign, v in signed_terms if sign * v.sign > 0]
         minus = [v for sign, v in signed_terms if sign * v.sign < 0]
-        # The fewer ones are inverted, all together; a word adds at most four sources.
+        # The smaller group is added and inverted first; a word adds at most four sources.
         total, inverted = (1, minus) if len(plus) >= len(minus) else (-1, plus)
         direct = plus if total > 0 else minus
         if inverted:
@@ -297,10 +301,10 @@ class Lowering(Emitter):
         return Held(register, -total, low, high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
-        """A value without its sign.
+        """Emit the absolute value of a value.
 
-        NEWS and the result are minus the value; where that is below 0 it is inverted again.
-        """
+        The first two words store minus the value in NEWS and in the result; where the value is
+        below 0, a third word inverts the result again."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))
@@ -314,7 +318,7 @@ class Lowering(Emitter):
         return Held(register, 1, least, most, variance=value.variance + 2)
 
     def chosen(self, node: p.Chosen) -> Held:
-        """One value where a condition is 1, another one where it is 0."""
+        """Emit a choice: one value where the condition is 1, the other value where it is 0."""
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
             then = self.negated(then)
@@ -331,5 +335,5 @@ class Lowering(Emitter):
 
 
 def _after(outer: Weights, inner: Weights) -> Weights:
-    """The kernel of one kernel after another."""
+    """Return the convolution kernel `inner` followed by `outer`."""
     return added(*((weight, moved(inner, x, y)) for (x, y), weight in outer.items()))

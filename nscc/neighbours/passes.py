@@ -1,4 +1,4 @@
-"""Images and planes in the pipeline: a container of an exposure gets the words that follow it."""
+"""The compiler pass that adds the words of images and planes after a container's exposure."""
 
 from __future__ import annotations
 
@@ -25,11 +25,10 @@ from nscc.words.pictures import Condition, Pictures, Sum, TailLaunch
 def with_pictures(
     container: Container, program: Program, level: int
 ) -> tuple[Container, Sequence[Diagnostic]]:
-    """The container with the words of a program's images and planes.
+    """Return the container with the words of the program's images and planes, or diagnostics.
 
-    Refuses what takes more registers or store than there are (NS0535), values beyond the range of
-    registers (NS0540) and images that reach too far (NS0541).
-    """
+    The diagnostics: too few registers or too little instruction store (NS0535), values beyond the
+    range of the registers (NS0540), and images that read pixels too far away (NS0541)."""
     pictures = program.pictures
     assert pictures is not None
     far = _too_far(pictures, program)
@@ -56,7 +55,8 @@ def with_pictures(
 
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
-    """The words of images and planes after a container's exposure. Raises Refused."""
+    """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
+    do not fit."""
     target = container.target
     buckets = {
         readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
@@ -75,7 +75,7 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
 def grouped(
     words: Sequence[Leveled],
 ) -> tuple[list[tuple[Op, ...]], tuple[TailLaunch, ...]]:
-    """Words in kernels, one for each value of IN; equal kernels are stored once."""
+    """Group words into kernels, one per value of IN, and store equal kernels once."""
     runs: list[tuple[list[Op], int | None]] = []
     for word, level in words:
         if not runs or (level is not None and runs[-1][1] not in (None, level)):
@@ -91,11 +91,11 @@ def grouped(
 
 
 _MORE_HALVINGS = 3
-"""So many divisors are tried, from the least that could do."""
+"""Number of divisors tried, from the smallest that could suffice."""
 
 
 def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
-    """The same images, one of them divided."""
+    """Return the same images and planes, with one image divided by `divisor`."""
     items = []
     for item in pictures.items:
         node = item.node
@@ -106,7 +106,7 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
 
 
 def _place(program: Program, name: str) -> Span:
-    """Where the statement of an image or a plane stands."""
+    """Return the span of the statement that declares an image or a plane."""
     for statement in parse(program.source)[0].statements:
         if isinstance(statement, Image | Plane) and statement.name.text == name:
             return statement.span
@@ -123,11 +123,11 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
             if size > limit:
                 return Diagnostic(
                     "NS0541",
-                    f"`{name}` depends on pixels {size} {unit} away; the most is {limit}, a "
-                    f"quarter of the array of {target.name}",
+                    f"`{name}` depends on pixels {size} {unit} away, but at most {limit} are "
+                    f"allowed, a quarter of the array of {target.name}",
                     source=program.source,
-                    label=Label(_place(program, name), "reaches this far"),
-                    helps=("use smaller kernels, or fewer of them one after another",),
+                    label=Label(_place(program, name), "depends on these pixels"),
+                    helps=("use smaller convolution kernels, or apply fewer of them in sequence",),
                     data={"resource": "reach", "required": size, "available": limit},
                 )
     return None
@@ -150,12 +150,13 @@ def _refusal(
     )
     return Diagnostic(
         "NS0535",
-        f"`{name}` needs {needed:g} {resource} or more, and {available:g} are there",
+        f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",
         source=program.source,
         label=label,
-        notes=(f"of the exposure, {holders}",) if refused.kind == "registers" else (),
+        notes=(f"the exposure is in registers, too: {holders}",)
+        if refused.kind == "registers" else (),
         helps=(
-            "compute and read fewer images and planes at once, or take large kernels apart",
+            "read out fewer images and planes, or use smaller convolution kernels",
         ),
         data={"resource": resource, "required": needed, "available": available, "proved": False},
     )  # fmt: skip
@@ -164,7 +165,8 @@ def _refusal(
 def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
-    """NS0540, with an assumption under which the words were made."""
+    """Return NS0540 for a value beyond the registers' range, with a change that makes it fit if
+    found."""
     pictures, over = program.pictures, refused.needed
     assert pictures is not None
     target = container.target
@@ -176,7 +178,7 @@ def _beyond_range(
             lowered(container, smaller, level)
         except PictureRefused:
             continue
-        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")
+        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
     share = int(100 / over)
     while share >= 1:
@@ -186,7 +188,7 @@ def _beyond_range(
         except PictureRefused:
             share //= 2
             continue
-        helps.append(f"promise less light: `assume exposure <= {share}%` compiles")
+        helps.append(f"limit the exposure: `assume exposure <= {share}%` compiles")
         break
     return Diagnostic(
         "NS0540",

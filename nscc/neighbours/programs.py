@@ -1,9 +1,8 @@
-"""Programs of one input: lists of bus words that weigh a register's neighbours by a kernel.
+"""Programs of one input: sequences of bus words that convolve a register with a kernel.
 
-A program reads the register `x` and never writes it. Every other name but NEWS and its directed
-forms is a register of its own, written once. `kernel_of` runs a program on exact polynomials: what
-a table or a search claims is believed only when this says so.
-"""
+A program reads the register `x` and never writes it. Every other name, except NEWS and its
+directed forms (XN, XE, XS, XW), is a register that is written once. `kernel_of` runs a program on
+exact polynomials: a program from a table or a search is used only after this check."""
 
 from __future__ import annotations
 
@@ -16,34 +15,36 @@ from nscc.operations import NEIGHBOURS, STEPS
 
 Offset = tuple[int, int]
 UNIT = 1 << 40
-"""Weights are whole numbers of 1 / UNIT: exact, as all divisors are powers of two."""
+"""Weights are integer multiples of 1 / UNIT, which is exact because all divisors are powers
+of two."""
 Taps = Mapping[Offset, int]
-"""A kernel's weights by where their pixels lie: columns to the right, rows down. None is 0."""
+"""A convolution kernel: offset (columns right, rows down) to weight; a missing offset weighs 0."""
 Polynomial = dict[Offset, int]
 Weight = TypeVar("Weight", int, Fraction)
 
 
 @dataclass(frozen=True)
 class BusWord:
-    """A bus word: each destination takes minus the sum of the sources, halved for two of them."""
+    """A bus word: it writes minus the sum of its sources, or half of that to each of two
+    destinations."""
 
     destinations: tuple[str, ...]
     sources: tuple[str, ...]
 
     @property
     def halves(self) -> bool:
-        """Whether it is a bus2 word."""
+        """Whether the word halves the sum, that is, has two destinations (`bus2`)."""
         return len(self.destinations) == 2
 
 
 Program = tuple[BusWord, ...]
-"""Its result is in the first destination of the last word."""
+"""Words in order; the first destination of the last word holds the result."""
 
 IDENTITY: Taps = {(0, 0): UNIT}
 
 
 def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
-    """A kernel in units of 1 / UNIT; ValueError for weights that are finer."""
+    """Return a convolution kernel in units of 1 / UNIT; raise `ValueError` for finer weights."""
     scaled = {at: weight * UNIT for at, weight in weights.items()}
     if any(weight.denominator > 1 for weight in scaled.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
@@ -51,7 +52,7 @@ def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
 
 
 def added(*terms: tuple[Weight, Mapping[Offset, Weight]]) -> dict[Offset, Weight]:
-    """The sum of kernels times factors, without weights that are 0."""
+    """Return the sum of convolution kernels times factors, without weights of 0."""
     total: dict[Offset, Weight] = {}
     for factor, taps in terms:
         for at, weight in taps.items():
@@ -60,27 +61,28 @@ def added(*terms: tuple[Weight, Mapping[Offset, Weight]]) -> dict[Offset, Weight
 
 
 def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, Weight]:
-    """The kernel of the pixel so far away."""
+    """Return the convolution kernel shifted by some columns to the right and rows down."""
     return {(x + right, y + down): weight for (x, y), weight in taps.items()}
 
 
 def halved(taps: Taps) -> Polynomial:
-    """Half a kernel; ValueError for weights that are too fine for it."""
+    """Return half a convolution kernel; raise `ValueError` if a weight would be finer than 1 /
+    UNIT."""
     if any(weight % 2 for weight in taps.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
     return {at: weight // 2 for at, weight in taps.items()}
 
 
 def kernel_of(program: Program) -> Polynomial:
-    """The kernel that a program computes."""
+    """Return the convolution kernel that a program computes."""
     return values_of(program)[-1] if program else dict(IDENTITY)
 
 
 def values_of(program: Program) -> list[Polynomial]:
-    """What each word writes, as a kernel, by running the words on exact polynomials.
+    """Return the convolution kernel that each word writes, by running the words on exact
+    polynomials.
 
-    KeyError for a program that reads what it has not written.
-    """
+    Raise `KeyError` if the program reads a register that it has not written."""
     registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     values: list[Polynomial] = []
     for word in program:
@@ -107,20 +109,20 @@ _TURNS = (
     (1, 0, 0, 1), (0, -1, 1, 0), (-1, 0, 0, -1), (0, 1, -1, 0),
     (-1, 0, 0, 1), (1, 0, 0, -1), (0, 1, 1, 0), (0, -1, -1, 0),
 )  # fmt: skip
-"""The eight ways to turn and mirror an array: (x, y) becomes (a x + b y, c x + d y)."""
+"""The eight rotations and reflections of an array: (x, y) becomes (a x + b y, c x + d y)."""
 TURNS = range(len(_TURNS))
 OF_STEP = {step: name for name, step in STEPS.items()}
-"""The source that reads the neighbour at a step."""
+"""Offset of a nearest neighbour to the name of the source that reads it."""
 
 
 def turned_taps(taps: Taps, turn: int) -> Polynomial:
-    """A kernel, turned or mirrored."""
+    """Return a convolution kernel rotated or mirrored; `turn` is an index of `_TURNS`."""
     a, b, c, d = _TURNS[turn]
     return {(a * x + b * y, c * x + d * y): weight for (x, y), weight in taps.items()}
 
 
 def turned(program: Program, turn: int) -> Program:
-    """The program of the turned kernel."""
+    """Return the program of the rotated or mirrored convolution kernel; see `turned_taps`."""
     a, b, c, d = _TURNS[turn]
     names = {
         name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()
@@ -133,7 +135,7 @@ def turned(program: Program, turn: int) -> Program:
 
 
 def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
-    """A program with other names of registers: those of `names`, and others behind a prefix."""
+    """Return the program with registers renamed by `names`, and all others prefixed."""
 
     def of(operand: str) -> str:
         if operand in names or operand == "NEWS" or operand in NEIGHBOURS:
@@ -146,7 +148,7 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
 
 
 def chained(first: Program, second: Program) -> Program:
-    """The program whose second part takes the result of the first as its input."""
+    """Return the program that applies `second` to the result of `first`."""
     if not first or not second:
         return first or second
     result = first[-1].destinations[0]
@@ -159,12 +161,11 @@ _LETTERS = {"n": "NEWS", "N": "XN", "E": "XE", "S": "XS", "W": "XW"}
 
 
 def program_from_text(text: str) -> Program:
-    """A program as tables have it, such as `n=x a=E b=W c=x,a,b d=c,n`.
+    """Return a program from the text form of tables, such as `n=x a=E b=W c=x,a,b d=c,n`.
 
-    A word is its destination, `=`, and its sources. Small letters are registers, `n` is NEWS, `N`,
-    `E`, `S` and `W` are XN, XE, XS and XW. `an` are the register `a` and NEWS, both halved; `a2`
-    is `a`, halved beside a register that nobody reads.
-    """
+    A word is its destination, `=`, and its sources. A lowercase letter is a register, `n` is NEWS;
+    `N`, `E`, `S` and `W` are XN, XE, XS and XW. The destination `an` means `a` and NEWS, both
+    halved; `a2` means `a` halved, with a second destination that is never read."""
     words = []
     for assignment in text.split():
         target, _, sources = assignment.partition("=")

@@ -1,8 +1,8 @@
-"""Short programs for a kernel: rows of a table, turned, chained and added; and one for any kernel.
+"""Find short programs for a convolution kernel.
 
-The search is deterministic and counts its steps. What it returns is ordered by words; programs of
-more words stay only where their intermediate values are smaller.
-"""
+Candidates are rows of a table, rotated, chained and added, and one program that works for every
+kernel. The search is deterministic and limits its number of steps. Results are ordered by number
+of words; a longer program is kept only if its intermediate values are smaller."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS, STEPS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
-"""Kernels that a search may take apart, by the level of optimisation."""
+"""Largest number of convolution kernels that a search decomposes, by optimisation level."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
 
@@ -48,7 +48,7 @@ _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 @cache
 def rows() -> dict[_Key, Program]:
-    """The programs of the table and their turns, by what they compute."""
+    """Return the table's programs and their rotations and reflections, by convolution kernel."""
     shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
@@ -63,25 +63,24 @@ def rows() -> dict[_Key, Program]:
 
 @dataclass(frozen=True)
 class Ranged:
-    """A program with the largest factors that its values have: of exposures that are added, and of
-    those that are subtracted."""
+    """A program and `peak`, the largest factor by which one of its values may exceed its input."""
 
     program: Program
     peak: Fraction
 
 
 class Synthesis:
-    """Programs for kernels, found within so many steps."""
+    """A search for programs of convolution kernels, with a limited number of steps."""
 
     def __init__(self, steps: int) -> None:
         self.steps = steps
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
 
     def programs(self, taps: Taps) -> list[Ranged]:
-        """Programs for a kernel, the shortest first, the others with smaller values in between.
+        """Return programs for a convolution kernel, the shortest first, each later one with smaller
+        values.
 
-        Each is proved: its words compute the kernel.
-        """
+        Each result is checked: running its words yields the kernel."""
         candidates = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
         candidates = [_ranged(tidied(candidate.program)) for candidate in candidates]
         assert all(kernel_of(candidate.program) == dict(taps) for candidate in candidates)
@@ -128,7 +127,7 @@ class Synthesis:
         yield from self._sums(inverse, depth)
 
     def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
-        """Programs whose last word adds two values; `inverse` is what they add up to."""
+        """Yield programs whose last word adds two values; `inverse` is the sum of these values."""
         table = rows()
         if len(inverse) < 2:
             return
@@ -154,7 +153,7 @@ class Synthesis:
 
 
 def _summed(first: Program, second: Program) -> Program:
-    """Both programs, and a word that adds their results."""
+    """Return both programs followed by a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
@@ -162,11 +161,10 @@ def _summed(first: Program, second: Program) -> Program:
 
 @dataclass(frozen=True)
 class Factor:
-    """A kernel of at least two weights that others may be multiples of, with a program for it.
+    """A convolution kernel of at least two weights, tried as a divisor of others, with its program.
 
-    `lead` is the place of its last weight in reading order by columns; `size` is how many columns
-    and rows it has, less one; `corner` is the least column and row.
-    """
+    `lead` is the offset of its last weight, ordered by column, then by row; `size` is its number of
+    columns and of rows, each less one; `corner` is its smallest column and row."""
 
     taps: Taps
     program: Program
@@ -181,7 +179,8 @@ class Factor:
 
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
-    """The least column and row of a kernel, and how many it has, less one."""
+    """Return a convolution kernel's smallest column and row, and its columns and rows, each less
+    one."""
     columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
     corner = min(columns), min(rows_)
     return corner, (max(columns) - corner[0], max(rows_) - corner[1])
@@ -189,12 +188,12 @@ def _box(taps: Taps) -> tuple[Offset, Offset]:
 
 @cache
 def factors() -> tuple[Factor, ...]:
-    """The rows of the table that have at least two weights."""
+    """Return the table's convolution kernels that have at least two weights."""
     return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
 
 
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """The kernel that gives `taps` together with `factor`; None where there is none."""
+    """Return the convolution kernel whose convolution with `factor` is `taps`, or None."""
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     if width < 0 or height < 0:
@@ -222,7 +221,8 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
 
 
 def halvings_of(taps: Taps) -> int:
-    """How often a kernel of whole weights is halved to give this one."""
+    """Return how often a convolution kernel of integer weights must be halved to give this
+    kernel."""
     lowest = min((weight & -weight).bit_length() for weight in taps.values())
     return max(0, UNIT.bit_length() - lowest)
 
@@ -233,11 +233,10 @@ _OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
 
 
 def accumulated(taps: Taps) -> Program:
-    """A program that adds one neighbour after the other, for any kernel.
+    """Return a program for any convolution kernel, which adds one neighbour after the other.
 
-    The input is halved first as often as the weights need it, so that all are integers. The sum so
-    far changes its sign with every word.
-    """
+    The program halves its input first until all weights are integers. The running sum changes its
+    sign with every word."""
     halvings = halvings_of(taps)
     words = [
         BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
@@ -259,8 +258,9 @@ def accumulated(taps: Taps) -> Program:
 
 
 def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
-    """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
-    one step to a neighbour, a neighbour's NEWS after two."""
+    """Return the source through which the next word reads minus the register of the pixel at `at`.
+
+    The source is NEWS after one step to a neighbour, and a neighbour's NEWS after two steps."""
     x, y = at
     steps = [OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
     while len(steps) > 2:
@@ -273,14 +273,14 @@ def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
 
 
 class _Multiples:
-    """Integer multiples of a register, made when they are first asked for."""
+    """Integer multiples of a register, computed on first request."""
 
     def __init__(self, source: str, words: list[BusWord]) -> None:
         self.words = words
         self.held = {1: source}
 
     def of(self, factor: int) -> str:
-        """The register that holds so many times the source."""
+        """Return the register that holds `factor` times the source."""
         if factor not in self.held:
             name = f"m{factor}"
             sources: tuple[str, ...] = ()
@@ -312,14 +312,14 @@ def _ranged(program: Program) -> Ranged:
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
-    """How much of the largest exposure a kernel gives at most, and how much it takes away."""
+    """Return the sum of the positive weights, and minus the sum of the negative weights."""
     added_weight = sum(weight for weight in taps.values() if weight > 0)
     subtracted = sum(-weight for weight in taps.values() if weight < 0)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
 
 
 def _best(candidates: list[Ranged]) -> list[Ranged]:
-    """The shortest programs, and longer ones of smaller values."""
+    """Return the shortest program, and longer programs with successively smaller values."""
     best: list[Ranged] = []
     for candidate in sorted(
         candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
@@ -330,7 +330,7 @@ def _best(candidates: list[Ranged]) -> list[Ranged]:
 
 
 def tidied(program: Program) -> Program:
-    """A program without words for values that are held already, or that nobody reads."""
+    """Return the program without words whose value is held already or is never read."""
     registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     names: dict[str, str] = {"x": "x"}
     words: list[BusWord] = []
@@ -360,7 +360,7 @@ def tidied(program: Program) -> Program:
 
 
 def _used(words: Sequence[BusWord]) -> Program:
-    """The words whose results are read."""
+    """Return the words whose results are read."""
     used_words: list[BusWord] = []
     live: set[str] = set(words[-1].destinations[:1]) if words else set()
     for word in reversed(words):
@@ -374,8 +374,9 @@ def _used(words: Sequence[BusWord]) -> Program:
 
 
 def noise_gain(program: Program) -> float:
-    """How large the error of a program's result is, where each word has one of standard deviation
-    1 for every destination, and all are independent."""
+    """Return the standard deviation of the error of a program's result.
+
+    Each word adds to each destination an independent error of standard deviation 1."""
     last = program[-1].destinations[0] if program else ""
     total = 0.0
     for number in range(len(program)):
@@ -386,7 +387,7 @@ def noise_gain(program: Program) -> float:
 
 
 def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
-    """What registers hold at the end of a unit error that one word makes in one destination."""
+    """Return each register's value at the end if one word makes a unit error in one destination."""
     registers: dict[str, Polynomial] = {}
     for index, word in enumerate(program[number:], number):
         error: Polynomial = {}

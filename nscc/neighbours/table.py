@@ -1,8 +1,7 @@
 """Short programs of one input, as text: found by a search (`docs/kernel_programs.py`) or by hand.
 
-`nscc.neighbours.programs.program_from_text` reads them. A row says no kernel: what it computes is
-worked out from its words.
-"""
+`nscc.neighbours.programs.program_from_text` reads them. A row does not state its convolution
+kernel: `kernel_of` computes it from the words."""
 
 from __future__ import annotations
 

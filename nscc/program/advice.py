@@ -22,13 +22,12 @@ def judge_rules(
     basis: str,
     problems: Problems,
 ) -> None:
-    """Warn of rules that never open (NS0350) and, if there are fields, of rules that always open
-    (NS0351).
+    """Warn about rules that never open (NS0350) and, if there are fields, always open (NS0351).
 
-    Never is judged by the compiled codes (`table`; `basis` describes them), since the frame would
-    stay dark. Always is judged by `survey`: all codes if there are few, since the pixels in use may
-    need long exposures.
-    A bucket that is always open beside coded ones is the ordinary exposure of the same moment.
+    Rules that never open are found among the compiled codes (`table`, described by `basis`),
+    because the frame would stay dark. Rules that always open are found among the codes in `survey`
+    (all codes if there are few), because the used codes may need long exposures. A bucket that is
+    always open beside coded buckets is an ordinary exposure of the same scene, and is not reported.
     """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
@@ -50,8 +49,9 @@ def judge_names(
     books: Books,
     problems: Problems,
 ) -> None:
-    """Warn of fields that no rule reads (NS0352); note unused lets and codebooks (NS0355). `rules`
-    are all expressions that shutters depend on; a sense's level may also be a field."""
+    """Warn about fields that no rule reads (NS0352); note unused lets and codebooks (NS0355).
+
+    `rules` are all expressions that shutters depend on; a sense's level may also be a field."""
     read = _names_read(declared)
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
@@ -72,7 +72,7 @@ def judge_names(
 
 
 def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
-    """Warn of bumps of one length that the frame's edge cuts (NS0354)."""
+    """Warn about bumps of fixed length that the end of the frame cuts (NS0354)."""
     if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",
@@ -86,7 +86,7 @@ def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Pro
 
 
 def _names_read(declared: Declarations) -> set[str]:
-    """Every name in the expressions of the file."""
+    """Return every name in the expressions of the file."""
     exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
     exprs += [r.condition for r in declared.requires]
     exprs += [r.rule for r in declared.rules]
@@ -108,7 +108,7 @@ def _names_read(declared: Declarations) -> set[str]:
 
 
 def _looked_at(declared: Declarations) -> Iterator[tree.Expr]:
-    """The expressions in statements of language version 2."""
+    """Yield the expressions in statements of language version 2."""
     for sense in declared.senses.values():
         yield sense.at
         levels = sense.level.items if isinstance(sense.level, tree.Levels) else (sense.level,)

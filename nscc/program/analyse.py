@@ -1,4 +1,4 @@
-"""From the tree to a checked program: every name, type, range and code, every error at once."""
+"""Analysis of a program: names, types, ranges and codes, with all errors at once."""
 
 from __future__ import annotations
 
@@ -30,13 +30,12 @@ from nscc.syntax.tree import File, TargetByName, TargetFromFile
 def analyse(
     source: Source, tree: File, *, base: Path, codes: Codes = "fixed", target: Target | None = None
 ) -> Program:
-    """The program that `tree` describes.
+    """Return the checked program of a syntax tree.
 
-    Paths in it are relative to the folder `base`. `target` overrides the target statement. A
-    file without `pixels` is compiled for every legal code, whatever `codes` says; so is one
-    without fields, whose single code every pixel then holds. Raises Rejected with every error
-    found, by place (NS02xx, NS03xx; NS0450 beyond a stated limit of enumeration).
-    """
+    Paths in it are relative to the folder `base`. `target` replaces the target statement. A file
+    without `pixels` is compiled for every legal code, whatever `codes` says; a file without fields
+    has a single code, which every pixel has. Raises Rejected with all errors, in the order of the
+    text (NS02xx, NS03xx; NS0450 if a limit of enumeration is exceeded)."""
     problems = Problems(source)
     declared = gather(tree, problems)
     chosen = target or target_of(declared, base, problems)
@@ -68,7 +67,7 @@ def analyse(
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
-    """The ranges of the fields that a text declares; what cannot be told is left out."""
+    """Return the ranges of the fields that a text declares; invalid fields are left out."""
     problems = Problems(source)
     declared = gather(parse(source)[0], problems)
     constants = resolve_constants(declared, target, problems)
@@ -79,7 +78,7 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
 
 
 def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
-    """The chip that a file is for; None after reporting why it cannot be had."""
+    """Return the chip that a file names; None after reporting why it cannot be loaded."""
     from nscc.chips.load import DEFAULT_NAME, load_target
 
     match declared.target:
@@ -97,7 +96,7 @@ def target_of(declared: Declarations, base: Path, problems: Problems) -> Target 
 
 
 def _refuse_looking(declared: Declarations, target: Target, problems: Problems) -> None:
-    """NS0510, for pixels that look at the light on a chip without logic; nothing else is said."""
+    """Report NS0510 if pixels look at their light on a chip without logic."""
     looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
     statements = [*looking, *([declared.reset] if declared.reset else [])]
     spans = (
@@ -124,7 +123,7 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
 def _check_rules(
     declared: Declarations, constants: Mapping[str, Meaning], problems: Problems
 ) -> tuple[list[Checked], list[Checked]]:
-    """The sound `require` conditions and rules, names and types checked."""
+    """Return the valid `require` conditions and rules, with names and types checked."""
     scope = require_scope(declared, constants)
     conditions = [
         check(r.condition, "boolean", scope, problems, "a condition") for r in declared.requires

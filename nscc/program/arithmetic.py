@@ -1,10 +1,8 @@
-"""Values of expression nodes, their faults, and exact arithmetic for many codes, slots or pixels at
-once.
+"""Values of expression nodes, and exact arithmetic for many codes, slots or pixels at once.
 
 Integers never wrap: results beyond 2^62 - 1 in magnitude, division by zero and shift counts outside
 0..61 are faults. `low` and `high` come from interval arithmetic in unbounded integers; only if they
-allow a fault are the single values checked.
-"""
+allow a fault are the single values checked."""
 
 from __future__ import annotations
 
@@ -22,12 +20,13 @@ from nscc.syntax.tree import Binary
 MOST_SHIFT = 61
 
 Data = Any
-"""An int or a bool, or an int64 or bool array that broadcasts with others."""
+"""An int or a bool, or an int64 or bool array that broadcasts with other data."""
 
 
 class Fault(NamedTuple):
-    """Why an expression has no value: an error code, a message, the place and its label. These are
-    the arguments of `Problems.error`."""
+    """The reason why an expression has no value: an error code, a message, the place and its label.
+
+    These are the arguments of `Problems.error`."""
 
     code: str
     message: str
@@ -36,12 +35,14 @@ class Fault(NamedTuple):
 
 
 Faults = Fault | NDArray[np.bool_] | None
-"""No fault, a fault everywhere, or the places of the fault."""
+"""The faults of an expression: none, one for all places, or the places with a fault."""
 
 
 class Value:
-    """The values of a node: integers in `low`..`high`; where `faults` hold, the data is undefined.
-    For a single integer, `low` and `high` are set to it."""
+    """The values of a node: integers in `low`..`high`.
+
+    Where `faults` hold, the data is undefined. For a single integer, `low` and `high` are set to
+    it."""
 
     __slots__ = ("data", "faults", "high", "low")
 
@@ -55,19 +56,19 @@ class Value:
 
 
 def scalar(number: int) -> Value:
-    """The value of a single integer."""
+    """Return the value of a single integer."""
     return Value(number, number, number)
 
 
 def array(numbers: NDArray[np.int64]) -> Value:
-    """The value of an int64 array."""
+    """Return the value of an int64 array."""
     if numbers.size == 0:
         return Value(numbers, 0, 0)
     return Value(numbers, int(numbers.min()), int(numbers.max()))
 
 
 def either(a: Faults, b: Faults) -> Faults:
-    """The union of the faults of two operands."""
+    """Return the union of the faults of two operands."""
     if a is None or isinstance(b, Fault):
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):
@@ -76,7 +77,7 @@ def either(a: Faults, b: Faults) -> Faults:
 
 
 def faults_where(condition: Data, faults: Faults) -> Faults:
-    """The faults that remain if only the places of `condition` are evaluated."""
+    """Return the faults that remain if only the places of `condition` are evaluated."""
     if faults is None:
         return None
     if isinstance(condition, np.ndarray):
@@ -89,7 +90,8 @@ def faults_where(condition: Data, faults: Faults) -> Faults:
 def guard(
     at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
-    """Replace `data` by `harmless` where it is `at_fault`, and add those places to the faults."""
+    """Return `data` with the value `harmless` at the places `at_fault`, and the faults at these
+    places."""
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before
@@ -103,7 +105,9 @@ def _bounded(
     node: Binary, a: Value, b: Value, low: int, high: int, faults: Faults,
     compute: Callable[[], Data], beyond: Callable[[], Data],
 ) -> Value:  # fmt: skip
-    """`compute` with a guard against results beyond the limit, whose places `beyond` returns."""
+    """Return `compute()` as a value, with faults at the places that `beyond()` returns.
+
+    These are the places where the result exceeds the limit on integers."""
 
     def fault() -> Fault:
         text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"

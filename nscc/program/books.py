@@ -22,9 +22,11 @@ Digits = NDArray[np.bool_]
 def make_books(
     books: dict[str, Book], slots: Meaning, base: Path, problems: Problems
 ) -> dict[str, Digits | None]:
-    """The digits (K, N) of every codebook, None after reporting an error. `slots` is the meaning of
-    N: if it failed, row lengths are not checked and every book is None. Reports rows of wrong
-    length or with other digits (NS0310) and errors of files (NS0313, NS0314, NS0315)."""
+    """Return the digits (K, N) of every codebook, None after reporting an error.
+
+    `slots` is the meaning of N: if it failed, row lengths are not checked and every book is None.
+    Reports rows of wrong length or with other digits (NS0310) and errors of files (NS0313, NS0314,
+    NS0315)."""
     return {name: _make(book, slots, base, problems) for name, book in books.items()}
 
 
@@ -61,7 +63,8 @@ def _wrong_digit(book: BookInline, problems: Problems) -> bool:
 
 
 def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
-    """Report the first row that does not have N digits, and the number of such rows."""
+    """Report the first row that does not have N digits, and the number of such rows; return whether
+    any."""
     if slots.kind != "constant":
         return False
     wrong_rows = [row for row in book.rows if len(row.digits) != slots.value]
@@ -100,7 +103,8 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
 
 
 def _key(book: BookFromFile, file: ArraysFile) -> str:
-    """The array to read: the stated key, else the book's name, else the only array."""
+    """Return the name of the array to read: the stated key, else the book's name, else the only
+    array."""
     if book.key is not None:
         return book.key.text
     if book.name.text not in file.keys and len(file.keys) == 1:

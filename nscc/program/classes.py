@@ -1,8 +1,7 @@
-"""The shutter class of a program (as in the paper), and the reason.
+"""Recognition of the shutter class of a program (as in the paper), with the reason.
 
 Always-open shutters and bumps are recognised from the decode table, independent of the rule's form.
-Codebooks and free bits (class e) are recognised from the rule.
-"""
+Codebooks and free bits (class e) are recognised from the rule."""
 
 from __future__ import annotations
 
@@ -22,8 +21,9 @@ from nscc.words.container import DecodeTable
 
 
 class Recognised(NamedTuple):
-    """Class `name` (a, b, c, d, e, codebook or general) with a `reason` sentence; `cut` is the
-    number of shutters whose bump the end of the frame shortens."""
+    """A recognised class: its `name` (a, b, c, d, e, codebook or general) and a `reason` sentence.
+
+    `cut` is the number of shutters whose bump the end of the frame shortens."""
 
     name: str
     reason: str
@@ -31,8 +31,10 @@ class Recognised(NamedTuple):
 
 
 def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: str) -> Recognised:
-    """The class of a program; several buckets must all be of one class, else it is general. `basis`
-    describes the codes in `table`."""
+    """Return the class of a program; several buckets must all have the same class, else it is
+    general.
+
+    `basis` describes the codes in `table`."""
     recognised = [
         _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
         for k, rule in enumerate(rules.rules)
@@ -86,7 +88,7 @@ def _codebook_reason(rules: Rules, node: Index, by_shape: Recognised) -> str:
 
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
-    """Whether the rule is `bits[I]` with a different bit in every slot."""
+    """Return whether the rule is `bits[I]` with a different bit in every slot."""
     if isinstance(node.index, Name) and node.index.text == "n":
         return True
     fields = {field.name for field in rules.fields}
@@ -103,7 +105,7 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
-    """Class a, b, c or d from the distinct `shutters` (K, N), else general."""
+    """Return class a, b, c or d for the distinct `shutters` (K, N), else general."""
     slots = shutters.shape[1]
     length = np.count_nonzero(shutters, axis=1)
     opens = length > 0

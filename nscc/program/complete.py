@@ -1,4 +1,4 @@
-"""From sound declarations to the program: codes, decode table, class, advice."""
+"""Completion of valid declarations to a program: codes, decode table, class, advice."""
 
 from __future__ import annotations
 
@@ -48,10 +48,9 @@ from nscc.words.pictures import Pictures
 
 @dataclass(eq=False, repr=False)
 class Completion:
-    """The second half of the analysis: codes, shutters and class of sound declarations.
+    """The second half of the analysis: codes, shutters and class, from valid declarations.
 
-    `planes` has the values of every field at every pixel where the file has `pixels`.
-    """
+    `planes` contains the values of every field at every pixel if the file has `pixels`."""
 
     problems: Problems
     declared: Declarations
@@ -70,8 +69,10 @@ class Completion:
         self.buckets = tuple(_bucket(rule) for rule in self.declared.rules)
 
     def run(self) -> Program:
-        """The program; raises Rejected for codes that break `require` (NS0312), rules without a
-        value for some code, no legal code (NS0317) and too many codes (NS0450)."""
+        """Return the program.
+
+        Raises Rejected for codes that violate `require` (NS0312), rules without a value for some
+        code, programs without a legal code (NS0317) and too many codes (NS0450)."""
         in_use, at_pixel = self._codes_in_use()
         if self.looking is not None:
             return self._looking(self.looking, in_use, at_pixel)
@@ -86,7 +87,7 @@ class Completion:
         return self._program(table, legal, at_pixel, recognised)
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
-        """The program whose shutters depend on the light."""
+        """Return the program whose shutters depend on the light."""
         codes, legal = in_use, None
         if self.mode == "open":
             codes, at_pixel = self._legal(in_use, at_pixel)
@@ -154,7 +155,7 @@ class Completion:
         return in_use, at_pixel
 
     def _require(self, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> None:
-        """Rejects pixels whose code breaks a `require`."""
+        """Raise Rejected (NS0312) for pixels whose code violates a `require`."""
         if not self.rules.fields:
             return
         try:
@@ -192,14 +193,14 @@ class Completion:
     def _open(
         self, in_use: CodeArray, at_pixel: NDArray[np.int32]
     ) -> tuple[DecodeTable, NDArray[np.int32]]:
-        """The table of all legal codes, and the pixels' rows in it."""
+        """Return the table of all legal codes, and the pixels' rows in it."""
         legal, at_pixel = self._legal(in_use, at_pixel)
         return self._decode(legal, "open"), at_pixel
 
     def _legal(
         self, in_use: CodeArray, at_pixel: NDArray[np.int32]
     ) -> tuple[CodeArray, NDArray[np.int32]]:
-        """All legal codes, and the pixels' rows among them."""
+        """Return all legal codes, and the pixels' rows among them."""
         try:
             legal = legal_codes(self.rules)
         except (NoValue, TooMuch) as problem:
@@ -219,8 +220,9 @@ class Completion:
         return legal, at_pixel
 
     def _survey(self, table: DecodeTable) -> tuple[DecodeTable, int | None]:
-        """A table of all legal codes, where they are few enough to look at, else of those in use;
-        and their number, where it can be told quickly."""
+        """Return a table of all legal codes if there are few, else of the used codes.
+
+        Also returns the number of legal codes, None if it cannot be determined quickly."""
         rules = self.rules
         total = rules.combinations
         legal = None if rules.requires or total >= UNCOUNTED else total
@@ -232,7 +234,7 @@ class Completion:
             if legal * len(rules.rules) * rules.slots <= SURVEY_LIMIT:
                 return decode(rules, codes), legal
         except (NoValue, TooMuch):
-            # Codes that no pixel holds are not judged where only the codes in use are compiled.
+            # If only the codes in use are compiled, codes that no pixel has are not checked.
             pass
         return table, legal
 
@@ -274,7 +276,8 @@ class Completion:
         )
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
-        """NS0450 at what makes the machine large."""
+        """Return the error (NS0450) for a state machine that is too large, at the place that makes
+        it large."""
         self.problems.error(
             "NS0450",
             f"too many codes, states and answers: {problem.message}",
@@ -286,7 +289,7 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _fewer_codes(self, mode: Codes) -> list[str]:
-        """What compiles for fewer of the codes that there are."""
+        """Return helps on compiling fewer codes, if that is possible."""
         if mode != "open" or not self.rules.fields:
             return []
         if self.declared.has_pixels:
@@ -294,7 +297,8 @@ class Completion:
         return ["add the pixel values: then nscc compiles only the used codes"]
 
     def _limit_span(self) -> Span:
-        """The place to change where there are too many codes: the widest field's, or the frame."""
+        """Return the place to change if there are too many codes: the widest field, or the
+        frame."""
         if not self.rules.fields:
             return self.frame.count_span
         return max(self.rules.fields, key=lambda f: f.high - f.low).span
@@ -320,7 +324,7 @@ def _proved(problem: TooMuch) -> dict[str, object]:
 
 
 def _named_at(target: tree.TargetByName | tree.TargetFromFile | None) -> Span | None:
-    """Where the target statement names the chip."""
+    """Return the place where the target statement names the chip, or None."""
     match target:
         case tree.TargetByName(name=name):
             return name.span

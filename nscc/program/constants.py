@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from graphlib import CycleError, TopologicalSorter
+
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label
 from nscc.program.arithmetic import Fault
@@ -18,7 +21,7 @@ _MOST_CYCLES = 20
 
 
 def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
-    """The value of a compile-time integer, or None after reporting an error."""
+    """Return the value of a compile-time integer, or None after reporting an error."""
     checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None
@@ -32,8 +35,9 @@ def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | N
 def resolve_constants(
     declared: Declarations, target: Target | None, problems: Problems
 ) -> dict[str, Meaning]:
-    """The meaning of N, rows, cols and every let; those with errors are `failed`. Reports cycles
-    (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
+    """Return the meaning of N, rows, cols and every let; those with errors are `failed`.
+
+    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 
@@ -52,52 +56,36 @@ class _Resolver:
             self.exprs["N"] = (declared.frame.count, declared.frame.count.span)
 
     def run(self) -> dict[str, Meaning]:
-        """Resolve everything that does not depend on itself; then report cycles one by one, up to a
-        limit."""
+        """Resolve all constants without cyclic dependencies, then report cycles up to a limit."""
         self.scope = constants_scope(self.declared, self.known)
         if isinstance(self.declared.frame, ListedSlots):
             self._slots(len(self.declared.frame.lengths), self.declared.frame.span)
-        self.needs: dict[str, list[str]] = {}
-        self.needed_by: dict[str, list[str]] = {name: [] for name in self.exprs}
-        for name, (expr, _) in self.exprs.items():
-            needs = dict.fromkeys(k.text for k in names_in(expr) if k.text in self.exprs)
-            self.needs[name] = list(needs)
-            for need in needs:
-                self.needed_by[need].append(name)
-        self.missing = {name: len(needs) for name, needs in self.needs.items()}
-        self.done: set[str] = set()
-        self._settle([name for name, missing in self.missing.items() if missing == 0])
-        cycles = 0
-        for name in self.exprs:
-            while name not in self.done and cycles < _MOST_CYCLES:
-                cycles += 1
-                cycle = self._cycle(name)
-                self._report(cycle)
-                for member in cycle:
-                    self._learn(member, FAILED)
-                    self.done.add(member)
-                self._settle(self._released(cycle))
-        for name in self.exprs:
-            if name not in self.done:
+        needs = {
+            name: [k.text for k in names_in(expr) if k.text in self.exprs]
+            for name, (expr, _) in self.exprs.items()
+        }
+        waiting = dict.fromkeys(self.exprs)
+        for _ in range(_MOST_CYCLES):
+            order = TopologicalSorter(
+                {name: [need for need in needs[name] if need in waiting] for name in waiting}
+            )
+            with suppress(CycleError):  # the names outside of cycles are resolved all the same
+                order.prepare()
+            while ready := order.get_ready():
+                for name in ready:
+                    self._resolve(name)
+                    del waiting[name]
+                order.done(*ready)
+            if not waiting:
+                return self.known
+            cycle = _cycle(needs, waiting)
+            self._report(cycle)
+            for name in cycle:
                 self._learn(name, FAILED)
+                del waiting[name]
+        for name in waiting:
+            self._learn(name, FAILED)
         return self.known
-
-    def _settle(self, ready: list[str]) -> None:
-        while ready:
-            name = ready.pop()
-            if name in self.done:
-                continue
-            self.done.add(name)
-            self._resolve(name)
-            ready.extend(self._released([name]))
-
-    def _released(self, names: list[str]) -> list[str]:
-        free = []
-        for user in (user for name in names for user in self.needed_by[name]):
-            self.missing[user] -= 1
-            if self.missing[user] == 0 and user not in self.done:
-                free.append(user)
-        return free
 
     def _resolve(self, name: str) -> None:
         expr, place = self.exprs[name]
@@ -123,16 +111,6 @@ class _Resolver:
         if name not in self.declared.refused or name == "N":
             self.scope[name] = meaning
 
-    def _cycle(self, start: str) -> list[str]:
-        """A dependency cycle among the unresolved names, starting the search at `start`."""
-        path: dict[str, None] = {}
-        name = start
-        while name not in path:
-            path[name] = None
-            name = next(need for need in self.needs[name] if need not in self.done)
-        order = list(path)
-        return order[order.index(name) :]
-
     def _report(self, cycle: list[str]) -> None:
         shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
         chain = " -> ".join(shown)
@@ -148,3 +126,14 @@ class _Resolver:
             ),
             helps=("give one of them a number",),
         )
+
+
+def _cycle(needs: dict[str, list[str]], waiting: dict[str, None]) -> list[str]:
+    """Return a dependency cycle among the `waiting` names, searching from the first."""
+    path: dict[str, None] = {}
+    name = next(iter(waiting))
+    while name not in path:
+        path[name] = None
+        name = next(need for need in needs[name] if need in waiting)
+    order = list(path)
+    return order[order.index(name) :]

@@ -1,10 +1,10 @@
-"""Values of checked expressions, exact, for many codes, slots or pixels at once.
+"""Exact values of checked expressions, for many codes, slots or pixels at once.
 
-A fault of arithmetic, or an index outside its bits or rows, leaves a place without a value. Faults
-are lazy where the language chooses: `and`, `or` and a chain of comparisons stop at the first part
-that decides them, and `A if C else B` evaluates only the branch that C names, so
-`n != 0 and 8 / n > 2` has none. (`xor`, `min` and `max` use all their operands.)
-"""
+A fault of arithmetic, or an index outside its bits or rows, leaves a place without a value.
+Operands that do not decide the result are not evaluated: `and`, `or` and a chain of comparisons
+stop at the first operand that decides them, and `A if C else B` evaluates only the branch that C
+selects. So `n != 0 and 8 / n > 2` has no fault at n = 0. (`xor`, `min` and `max` evaluate all their
+operands.)"""
 
 from __future__ import annotations
 
@@ -36,7 +36,9 @@ Books = Mapping[str, NDArray[np.bool_]]
 
 
 def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
-    """The value of `expr`; `bindings` gives every variable that it reads, `books` (K, N) digits."""
+    """Return the value of `expr`.
+
+    `bindings` contains every variable that it reads, `books` the digits (K, N) of codebooks."""
     stack: list[Value] = []
     for node in expr.nodes:
         count = len(operands(node))
@@ -52,7 +54,8 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
 def fault_at(
     expr: Checked, bindings: Bindings, books: Books, shape: tuple[int, ...], place: tuple[int, ...]
 ) -> Fault:
-    """The fault of `expr` at one place of the broadcast `shape`, with the values found there."""
+    """Return the fault of `expr` at one place of the broadcast `shape`, with the values at that
+    place."""
     values_at_place = {
         name: scalar(int(np.broadcast_to(value.data, shape)[place]))
         for name, value in bindings.items()
@@ -181,7 +184,7 @@ def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Va
 
 
 def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
-    """The bit at `position` of fields kept as several numbers; both broadcast."""
+    """Return the bit at `position` of fields stored as several numbers; both broadcast."""
     if isinstance(position, int):
         return chunks[position // CHUNK_BITS] >> position % CHUNK_BITS & 1 != 0
     shape = np.broadcast_shapes(np.shape(chunks[0]), position.shape)
@@ -194,7 +197,8 @@ def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
 
 
 def bit_count(field: str) -> str:
-    """The binding that holds the number of bits of a bit field (no name of the language)."""
+    """Return the binding's name for the number of bits of a bit field (not a name of the
+    language)."""
     return f"{field}[]"
 
 

@@ -1,8 +1,8 @@
-"""Names and types of expressions: what may stand where, found without evaluating anything.
+"""Checks of the names and types of expressions, without evaluation.
 
-Two types, integer and boolean, and they do not mix. An expression is checked in one pass over its
-nodes in evaluation order, by a loop: a chain of ten thousand operators is no deeper than one.
-"""
+There are two types, integer and boolean, which do not mix. An expression is checked in one pass
+over its nodes in evaluation order, by a loop instead of recursion, so that a chain of ten thousand
+operators is no problem."""
 
 from __future__ import annotations
 
@@ -23,13 +23,12 @@ MinMax = ("min", "max")
 
 @dataclass(eq=False, repr=False)
 class Meaning:
-    """What a name stands for in one place.
+    """The meaning of a name in some part of a program.
 
-    `constant` has a `value`; `variable` differs between codes, slots or pixels (`bits` where it may
-    be indexed, and `wide` where it is too long for a number); `book` is a codebook; `failed` had an
-    error that is reported already; `misplaced` is known but cannot stand here, and `note` says why.
-    `type` is that of a variable.
-    """
+    A `constant` has a `value`. A `variable` differs between codes, slots or pixels; `bits` means
+    that it may be indexed, and `wide` that it has too many bits for a number. `book` is a codebook.
+    `failed` means that an error is already reported. `misplaced` means that the name is known but
+    not allowed here, for the reason `note`. `type` is the type of a variable."""
 
     kind: Literal["constant", "variable", "book", "failed", "misplaced"]
     value: int = 0
@@ -46,10 +45,10 @@ VARIABLE = Meaning("variable")
 
 @dataclass(eq=False, repr=False)
 class Checked:
-    """An expression whose names and types are right.
+    """An expression with valid names and types.
 
-    `nodes` stand in evaluation order, operands before their operator; `constants` gives the values
-    of constant names, `variables` the fields and n, x, y that it reads, `books` its codebooks.
+    `nodes` are in evaluation order, operands before their operator. `constants` contains the values
+    of constant names. `variables` are the fields and n, x, y that it reads, `books` its codebooks.
     """
 
     nodes: tuple[tree.Expr, ...]
@@ -60,7 +59,8 @@ class Checked:
 
 
 def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
-    """The direct subexpressions, in evaluation order. A book or bit field's name is not one."""
+    """Return the direct subexpressions in evaluation order, without the names of books and bit
+    fields."""
     match node:
         case tree.Int() | tree.Bool() | tree.Name():
             return ()
@@ -84,7 +84,7 @@ def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
 
 
 def in_evaluation_order(expr: tree.Expr) -> tuple[tree.Expr, ...]:
-    """Every node of `expr`, each after its operands, left before right."""
+    """Return every node of `expr`, each after its operands, left before right."""
     backwards: list[tree.Expr] = []
     waiting = [expr]
     while waiting:
@@ -95,7 +95,7 @@ def in_evaluation_order(expr: tree.Expr) -> tuple[tree.Expr, ...]:
 
 
 def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
-    """Every name read by `expr`, those of indexed books and bit fields included."""
+    """Yield every name in `expr`, including those of indexed books and bit fields."""
     for node in in_evaluation_order(expr):
         if isinstance(node, tree.Name):
             yield node
@@ -106,11 +106,10 @@ def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
 def check(
     expr: tree.Expr, expected: Type, scope: Scope, problems: Problems, role: str
 ) -> Checked | None:
-    """`expr` with its names and types checked, or None after reporting what is wrong.
+    """Return `expr` with its names and types checked, or None after reporting errors.
 
     `role` names the expression in messages ("a rule", "the end of a range"). Names that are
-    `failed` in `scope` make the result None without a further report.
-    """
+    `failed` in `scope` make the result None without a further report."""
     return _Checker(scope, problems).run(expr, expected, role)
 
 

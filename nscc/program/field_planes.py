@@ -28,7 +28,7 @@ from nscc.source import Span
 from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 
 Plane = NDArray[np.int64]
-"""The values of one field: int64 (rows, cols)."""
+"""The values of one field at all pixels: int64 (rows, cols)."""
 
 
 def make_planes(
@@ -39,13 +39,12 @@ def make_planes(
     base: Path,
     problems: Problems,
 ) -> dict[str, Plane]:
-    """The plane of every field, without fields that have errors.
+    """Return the plane (values at all pixels) of every field, except fields that have errors.
 
     Empty without `pixels` statements or without a target. Reports fields without pixels (NS0210),
     values outside their range (NS0311), faults of expressions, tiles that are not rectangular
     (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a plane for each of
-    its chunks.
-    """
+    its chunks."""
     return _Maker(declared, fields, constants, target, base, problems).run()
 
 
@@ -253,12 +252,12 @@ class _Maker:
 
 
 def _range(field: Field) -> str:
-    """The range of a field; a number has at most 62 bits."""
+    """Return the range of a field as text; a number has at most 62 bits."""
     return f"{field.low}..{min(field.high, LIMIT)}"
 
 
 def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
-    """Help on how to define the pixels of a long bit field."""
+    """Return a help on how to define the pixels of a long bit field."""
     if field.high <= LIMIT or target is None:
         return ()
     shape = f"({target.rows}, {target.cols}, {field.bits})"
@@ -266,7 +265,7 @@ def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
-    """The place that defines the value of pixel (x, y)."""
+    """Return the place that defines the value of pixel (x, y)."""
     match statement:
         case PixelsExpr():
             return statement.value.span
@@ -279,7 +278,7 @@ def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: 
 
 
 Stored = tuple[Plane, NDArray[np.bool_]]
-"""A plane, and where the given values do not fit int64."""
+"""The values of a field, and where the given values do not fit int64."""
 
 
 def stored_planes(
@@ -289,7 +288,7 @@ def stored_planes(
     chunk_count: int = 1,
     bits: int | None = None,
 ) -> list[Stored]:
-    """The planes of field `name` in a file, as of `planes_of`; raises NS0313, NS0314."""
+    """Return the planes of field `name` in a file, as `planes_of` does; raise NS0313, NS0314."""
     most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
     stored = file.integers(name, most=max(most, 2**20), bools=True)
     return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
@@ -303,12 +302,12 @@ def planes_of(
     bits: int | None = None,
     origin: str = "",
 ) -> list[Stored]:
-    """The planes of a field that is stored in `chunk_count` chunks, from the array that defines it.
+    """Return the planes of a field that is stored in `chunk_count` chunks, from the array that
+    defines it.
 
-    The array holds integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
+    The array contains integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
     first. K is `bits` if given, else at most the bits of all chunks. Raises NS0314 for other
-    arrays.
-    """
+    arrays."""
     if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
         chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
         return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
@@ -346,7 +345,7 @@ def _single_bits(
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Integers as int64, and where they do not fit."""
+    """Return integers as int64, and where they do not fit."""
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)
@@ -355,11 +354,11 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
 
 
 def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
-    """(y, x) of the first true place, row by row."""
+    """Return (y, x) of the first true place, row by row."""
     y, x = np.unravel_index(int(places.argmax()), places.shape)
     return int(y), int(x)
 
 
 def pixel_text(x: int, y: int) -> str:
-    """Name a pixel in messages by both conventions."""
+    """Return the name of a pixel in messages, in both conventions."""
     return f"pixel at x = {x}, y = {y} (row {y}, column {x})"

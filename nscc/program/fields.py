@@ -26,9 +26,10 @@ def make_fields(
     books: Mapping[str, NDArray[np.bool_] | None],
     problems: Problems,
 ) -> dict[str, Field | None]:
-    """Every declared field, None after an error in it or its codebook. Sets the long bit fields in
-    `declared`. Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row
-    of` something other than a codebook (NS0209, NS0214)."""
+    """Return every declared field, None after an error in it or its codebook.
+
+    Sets the long bit fields in `declared`. Reports an empty range (NS0306), a bit count outside
+    1..MOST_BITS (NS0307) and `row of` something other than a codebook (NS0209, NS0214)."""
     maker = _Maker(declared, scope, books, problems)
     return {name: maker.make(statement) for name, statement in declared.codes.items()}
 
@@ -81,7 +82,7 @@ class _Maker:
         return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
 
     def _bits_place(self, statement: CodeBits) -> Span:
-        """The place of `bit[K]`; the tree only has the place of K."""
+        """Return the place of `bit[K]`; the tree only has the place of K."""
         start = self.problems.source.text.rfind(
             "bit", statement.name.span.end, statement.count.span.start
         )

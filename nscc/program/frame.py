@@ -17,8 +17,9 @@ LONGEST_US = Fraction(10**12)
 def make_frame(
     statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
 ) -> SlotGrid | None:
-    """The frame, or None after reporting invalid slot lengths (NS0309). `slots` is the meaning of
-    N; if it failed there is no frame and no further report."""
+    """Return the frame, or None after reporting invalid slot lengths (NS0309).
+
+    `slots` is the meaning of N; if it failed, the result is None without a report."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
     invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in invalid[:8]:

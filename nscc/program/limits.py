@@ -8,36 +8,40 @@ from nscc.program.expressions import Checked, operands
 from nscc.syntax.tree import Index, Name
 
 PROOF_LIMIT = 2**26
-"""Most codes x buckets x slots. Each is evaluated, stored as a byte for the replay, and proved: 67
-million take under 100 MB and about a second."""
+"""Most codes x buckets x slots, each of which is evaluated, stored as a byte, and proved.
+
+67 million take less than 100 MB and about a second."""
 
 COMBINATION_LIMIT = 2**22
-"""Most combinations of field values to test against `require` when every legal code is compiled."""
+"""Most combinations of field values to test against `require` if every legal code is compiled."""
 
 TABLE_LIMIT = 2**23
 """Most codes x fields, stored as 8 bytes each: 64 MB."""
 
 WORK_LIMIT = 2**32
-"""Most operations to evaluate one expression: some ten seconds."""
+"""Most operations to evaluate one expression, which take about ten seconds."""
 
 SURVEY_LIMIT = 2**20
-"""Most codes x buckets x slots to determine the class if only the codes in use are compiled, so
-that `nscc check` stays fast."""
+"""Most codes x buckets x slots for determining the class if only used codes are compiled.
+
+The limit keeps `nscc check` fast."""
 
 MOST_SLOTS = 65536
-"""Most slots in a frame: 16 times the longest frame in the literature, and a table of 1024 codes
-stays within the proof limit."""
+"""Most slots in a frame: 16 times the longest frame in the literature.
+
+A table of 1024 codes with this number of slots is within the proof limit."""
 
 MOST_FIELDS = 64
 """Most fields of a pixel code: more than any target has registers for."""
 
 MOST_BITS = MOST_SLOTS
-"""Most bits of a bit field: one for every slot of the longest frame."""
+"""Most bits of a bit field: one for each slot of the longest frame."""
 
 
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
-    """Operations to evaluate `expr`; each varying operand counts once for each of its values.
-    `sizes` gives the axis (0 or 1) and the length of every variable."""
+    """Return the number of operations to evaluate `expr` for all values of its variables.
+
+    `sizes` contains the axis (0 or 1) and the length of every variable."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))
@@ -61,5 +65,5 @@ def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
 
 
 def total_work(exprs: Iterable[Checked], sizes: Mapping[str, tuple[int, int]]) -> int:
-    """The work of several expressions over the same variables."""
+    """Return the number of operations to evaluate several expressions over the same variables."""
     return sum(work(e, sizes) for e in exprs)

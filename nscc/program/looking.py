@@ -22,9 +22,11 @@ from nscc.words import machine
 
 @dataclass(frozen=True, eq=False)
 class CheckedSense:
-    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`. The answer is
-    whether the signal is above its level, or below if not `above`. `steps` is the level in steps of
-    IN for each boundary of `at`; None if the `field` of the code gives it, in codes of the ADC."""
+    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`.
+
+    The answer is whether the signal is above its level, or below if not `above`. `steps` is the
+    level in steps of IN for each boundary of `at`; None if the `field` of the code gives the level
+    as a converter code."""
 
     name: str
     signal: int
@@ -46,7 +48,7 @@ class CheckedNext:
 
 @dataclass(frozen=True, eq=False)
 class Looking:
-    """Everything besides code and slot that shutters depend on."""
+    """The senses, states, resets and readouts on which shutters depend besides code and slot."""
 
     senses: tuple[CheckedSense, ...]
     states: tuple[machine.State, ...]
@@ -73,12 +75,12 @@ def make_looking(
     target: Target | None,
     problems: Problems,
 ) -> Looking | None:
-    """The checked statements of version 2; None if there are none, or after reporting errors.
+    """Return the checked statements of version 2; None if there are none, or after reporting
+    errors.
 
     Reports names that are not states (NS0209, NS0214), levels that the well or IN cannot represent
-    (NS0320, NS0321), senses that never look (NS0322), starts outside their range (NS0311) and
-    signals that cannot be compared (NS0323).
-    """
+    (NS0320, NS0321), senses without a boundary (NS0322), starts outside their range (NS0311) and
+    signals that cannot be compared (NS0323)."""
     if not declared.looking:
         return None
     maker = _Maker(declared, constants, target, problems)
@@ -161,7 +163,7 @@ class _Maker:
         return number
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
-        """The boundaries 1..N of a sense, or None after reporting an error."""
+        """Return the boundaries 1..N of a sense, or None after reporting an error."""
         checked = check(
             sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
         )
@@ -211,7 +213,7 @@ class _Maker:
         return None if None in steps else tuple(step for step in steps if step is not None)
 
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
-        """A level in steps of IN."""
+        """Return a level in steps of IN, or None after reporting an error."""
         if isinstance(level, tree.Levels):
             self.problems.error("NS0320", "a level cannot be a list of lists", level.span, "")
             return None
@@ -221,8 +223,8 @@ class _Maker:
                 self.problems.error(
                     "NS0320", f"the level {number} has no unit", level.span, "of what?",
                     helps=(
-                        f"write {number}% of a full well, {number}e electrons or {number}lsb codes "
-                        "of the ADC; a field of the code is in codes",
+                        f"write {number}% of a full well, {number}e electrons or {number}lsb "
+                        "converter codes; the values of a field are converter codes",
                     ),
                 )  # fmt: skip
             return None
@@ -281,7 +283,7 @@ class _Maker:
         return machine.State(name, low, high, start, state.kept, read, boolean)
 
     def _start(self, state: State) -> int | None:
-        """The start value; a bit may also start with true or false."""
+        """Return the start value of a state; a bit may also start with true or false."""
         if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
             return int(state.start.value)
         return constant(state.start, self.constants, self.problems, "the start of a state")
@@ -308,7 +310,7 @@ class _Maker:
         return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
-        """Whether the name is a state; reports an error if not."""
+        """Return whether the name is a state; report an error if not."""
         if name.text in self.declared.states:
             return True
         if name.text in self.declared.refused:
@@ -340,12 +342,13 @@ def level_steps(value: float, unit: str, target: Target) -> int:
 
 
 def can_tell(value: float, unit: str, target: Target) -> bool:
-    """Whether the signal can be below and above a level: IN can represent it, and neither PIX nor a
-    register saturates below it."""
+    """Return whether the signal can be below and above a level.
+
+    IN must be able to represent the level, and neither PIX nor a register may saturate below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
     return reached and level_e(value, unit, target) < _full_e(target)
 
 
 def _full_e(target: Target) -> float:
-    """Electrons at which PIX or a register saturates."""
+    """Return the electrons at which PIX or a register saturates."""
     return min(target.full_well_e, target.register_max_e)

@@ -30,7 +30,9 @@ def judge_looking(
     problems: Problems,
 ) -> None:
     """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
-    rules that never open (NS0350). `untold` as of `nscc.program.open_time.with_open_times`."""
+    rules that never open (NS0350).
+
+    `untold` is from `nscc.program.open_time.with_open_times`."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -60,9 +62,10 @@ def judge_looked_names(
     machine: StateMachine,
     problems: Problems,
 ) -> None:
-    """Note unused senses and states, and states that never change (NS0355). An unread sense is used
-    if it alone causes a look at which a `next` steps or which `looks` counts. `rules` are the rules
-    of shutters."""
+    """Note unused senses and states, and states that never change (NS0355).
+
+    An unread sense counts as used if it is the only sense at a look that changes a state or that
+    `looks` counts. `rules` are the rules of shutters."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -102,7 +105,8 @@ def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, CheckedNext
 def _judge_resets(
     statement: tree.Reset, machine: StateMachine, target: Target, problems: Problems
 ) -> None:
-    """With a global reset, all pixels at a boundary must agree on it."""
+    """Report a boundary at which pixels disagree on a reset, if the chip can only reset all of
+    them."""
     for stage in range(machine.stages):
         slots = slice(machine.starts(stage), machine.ends(stage))
         stage_resets = machine.resets[machine.nodes(stage), slots]
@@ -123,7 +127,7 @@ def _judge_resets(
 
 
 def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
-    """The shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
+    """Return the shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
@@ -145,9 +149,11 @@ class Excess:
 def largest_part(
     declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
 ) -> Excess:
-    """The largest factor of the number of transitions: codes, states, or the levels of one
-    boundary. `codes` (codes, fields) are the compiled ones, in the order of `fields`. The helps do
-    not include how to have fewer codes."""
+    """Return the largest factor of the number of transitions: codes, states, or levels at one
+    boundary.
+
+    `codes` (codes, fields) are the compiled codes, in the order of `fields`. The helps do not
+    include how to have fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
     boundary, levels_of_sense = _busiest(looking, values)
     levels = sum(levels_of_sense.values())
@@ -165,7 +171,7 @@ def largest_part(
 
 
 def most_looks(declared: Declarations, looking: Looking) -> Excess:
-    """The sense with most looks, as the largest factor of the number of open times."""
+    """Return the sense with the most looks, as the largest factor of the number of open times."""
     sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["use fewer looks, or a state that keeps a shutter closed"]
@@ -191,8 +197,10 @@ def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
 
 
 def _state_combinations(looking: Looking, answers: int) -> int:
-    """An upper bound on the combined values of states: kept states start with any value; others
-    have one value for each of 2^`answers` histories, at most their range."""
+    """Return an upper bound on the number of combined values of states.
+
+    Kept states start with any value. Other states have one value for each of 2^`answers` histories,
+    but at most the number of values in their ranges."""
     kept_values, reached = (
         prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
         for is_kept in (True, False)
@@ -201,7 +209,8 @@ def _state_combinations(looking: Looking, answers: int) -> int:
 
 
 def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
-    """The boundary with most levels to compare, and the number of levels of each of its senses."""
+    """Return the boundary with most levels to compare, and the number of levels of each of its
+    senses."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
     level_counts = Counter[int]()
     for sense in looking.senses:

@@ -1,8 +1,7 @@
 """The finite state machine of a program with senses, built by running it for every code and answer.
 
-For each stage: the reachable nodes, the shutters and resets in them until the next look, and the
-next node for each outcome of that look.
-"""
+For each stage it contains the reachable nodes, the shutters and resets in them until the next look,
+and the next node for each outcome of that look."""
 
 from __future__ import annotations
 
@@ -25,14 +24,16 @@ from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, State, StateMachine
 
 MOST_TRANSITIONS = 10**7
-"""Most codes x states x outcomes, which the proof also replays."""
+"""Most codes x states x outcomes, which the proof replays, too."""
 MOST_CELLS = 1 << 29
-"""Most nodes x slots of all stages and rules together, a byte each."""
+"""Most nodes x slots of all stages and rules together; each takes a byte."""
 MOST_HISTORIES = 1 << 16
 """Most different open times of one node."""
 
 Nodes = NDArray[np.int64]
-"""(nodes, 1 + states + remembered senses): the row of the code, the states' values, the answers."""
+"""The nodes of a stage: (nodes, 1 + states + remembered senses).
+
+A row has the index of the code, the states' values, and the answers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +49,10 @@ class Stage:
 def build_machine(
     rules: Rules, looking: Looking, codes: CodeArray, target: Target
 ) -> tuple[StateMachine, NDArray[np.int32]]:
-    """The machine, and the behaviour of every code (codes,). Raises NoValue if an expression has no
-    value in a reachable node or a state leaves its range, and TooMuch beyond MOST_TRANSITIONS."""
+    """Return the machine, and the behaviour of every code (codes,).
+
+    Raises NoValue if an expression has no value in a reachable node or a state leaves its range,
+    and TooMuch beyond MOST_TRANSITIONS."""
     return _Builder(rules, looking, codes, target).build()
 
 
@@ -92,7 +95,7 @@ class _Builder:
         return self._joined(stages, tuple(comparisons))
 
     def _start(self) -> Nodes:
-        """Every code with every possible value of its kept states."""
+        """Return every code with every possible value of its kept states."""
         ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
         size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
         self._limit(size)
@@ -112,7 +115,8 @@ class _Builder:
             raise TooMuch(message, self.transitions, MOST_TRANSITIONS)
 
     def _bindings(self, nodes: Nodes, looks: int) -> dict[str, Value]:
-        """Fields, states and latest answers as columns (nodes, 1), and the number of looks."""
+        """Return fields, states and latest answers as columns (nodes, 1), and the number of
+        looks."""
         bindings: dict[str, Value] = {LOOKS: scalar(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
@@ -133,7 +137,7 @@ class _Builder:
     def _rules(
         self, nodes: Nodes, begin: int, end: int, looks: int
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Open shutters (nodes, buckets, N) and resets of PIX (nodes, N)."""
+        """Return the open shutters (nodes, buckets, N) and the resets of PIX (nodes, N)."""
         slots = self.rules.slots
         self._limit(len(nodes))
         # Every stage stores opens and resets for all slots of the frame.
@@ -165,7 +169,7 @@ class _Builder:
         begin: int,
         needed: NDArray[np.bool_] | None = None,
     ) -> NDArray[np.int64]:
-        """The values of an expression; raises NoValue if a `needed` one does not exist."""
+        """Return the values of an expression; raise NoValue if a `needed` value does not exist."""
         evaluated = evaluate(expr, bindings, self.rules.books)
         data = np.broadcast_to(np.asarray(evaluated.data), shape)
         if evaluated.faults is None:
@@ -185,13 +189,13 @@ class _Builder:
         )
 
     def _place(self, node: Nodes, boundary: int) -> str:
-        """Describe a node at a boundary in words."""
+        """Return a description of a node at a boundary."""
         texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
         texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
 
     def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:
-        """The comparisons of a look, and for each sense the comparison number of every code
+        """Return the comparisons of a look, and for each sense the comparison of every code
         (codes,)."""
         comparisons: list[Comparison] = []
         of_sense: dict[str, NDArray[np.int64]] = {}
@@ -237,7 +241,7 @@ class _Builder:
         comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """The next node of each outcome (nodes, outcomes), as rows of the returned nodes."""
+        """Return the next node of each outcome (nodes, outcomes), as rows of the returned nodes."""
         outcomes = 1 << comparison_count
         self._limit(len(nodes) * outcomes)
         rows = np.repeat(nodes, outcomes, axis=0)
@@ -277,7 +281,8 @@ class _Builder:
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[StateMachine, NDArray[np.int32]]:
-        """Join the stages, with one copy of codes that behave equally."""
+        """Return the machine of all stages, with codes of equal behaviour merged, and the codes'
+        behaviours."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
         stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]
@@ -312,7 +317,7 @@ class _Builder:
         return machine, behaviour_of_code
 
     def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        """The behaviour of every code, and the first code of each behaviour."""
+        """Return the behaviour of every code, and the first code of each behaviour."""
         behaviour_of_key: dict[bytes, int] = {}
         behaviour_of_code = np.empty(len(self.codes), np.int32)
         chosen: list[int] = []

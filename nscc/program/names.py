@@ -1,4 +1,4 @@
-"""What a file declares: each statement under its name, duplicates and gaps reported."""
+"""The declarations of a file, by name, with reports of duplicate and missing statements."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ PREDEFINED = {
 }
 
 LOOKS = "looks"
-"""In version 2: the number of boundaries so far with at least one sense, this one included."""
+"""In version 2, the name of the number of boundaries with at least one sense, up to the current
+one."""
 
 State = tree.StateRange | tree.StateBit
 Code = tree.CodeRange | tree.CodeBits | tree.CodeRow
@@ -30,13 +31,12 @@ Rule = tree.Open | tree.Bucket
 
 
 class Declarations:
-    """The statements of a file by kind and name, each name once, in the order written.
+    """The statements of a file by kind and name, each name once, in the order of the text.
 
-    `pixels` holds the first `pixels FIELD = ...` for each name, whether that is a field or not;
-    `pixels_file` the one `pixels from`. `wide` are the bit fields that no number holds, as soon as
-    their lengths are known. `refused` are names whose declaration, or second
-    declaration, was an error: what they mean is not known, and their use is no second error.
-    """
+    `pixels` contains the first `pixels FIELD = ...` for each name, whether or not that is a field;
+    `pixels_file` is the statement `pixels from`. `wide` are the bit fields that do not fit a
+    number, once their lengths are known. `refused` are names with an invalid or a second
+    declaration; their meaning is unknown, and using them is not reported again."""
 
     def __init__(self) -> None:
         self.target: tree.TargetByName | tree.TargetFromFile | None = None
@@ -70,11 +70,11 @@ class Declarations:
 
     @property
     def has_pixels(self) -> bool:
-        """True for a file that says anything about its pixels' codes."""
+        """Whether the file defines codes of pixels."""
         return bool(self.pixels) or self.pixels_file is not None
 
     def declared(self) -> Iterator[tuple[str, str]]:
-        """Every declared name of expressions with what it is, in words."""
+        """Yield every declared name that expressions may use, with a description."""
         for name in self.lets:
             yield name, "a let"
         for name in self.codes:
@@ -92,12 +92,11 @@ class Declarations:
 
 
 def gather(file: tree.File, problems: Problems) -> Declarations:
-    """The declarations of `file`.
+    """Return the declarations of `file`, without those that are reported.
 
-    Reports names given twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204), a
-    statement given twice (NS0205), `open` beside buckets (NS0206), a field given twice (NS0211) and
-    more fields than the stated limit (NS0450). What is reported is left out.
-    """
+    Reports names declared twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204),
+    a statement that occurs twice (NS0205), `open` beside buckets (NS0206), a field defined twice
+    (NS0211) and too many fields (NS0450)."""
     gatherer = _Gatherer(problems)
     for statement in file.statements:
         gatherer.add(statement)
@@ -174,7 +173,7 @@ class _Gatherer:
                 assert_never(statement)
 
     def finish(self, file: tree.File) -> None:
-        """Reports what must be there and is not, at the first statement."""
+        """Report required statements that are missing, at the first statement."""
         place = file.statements[0].span if file.statements else Span(0, 0)
         if self.declared.frame is None:
             message = "the program has no `frame` statement"
@@ -253,7 +252,7 @@ class _Gatherer:
             rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
         ):
             return
-        # Buckets have names of their own (the key cannot be a name): until version 3, no expression
+        # Buckets have separate names (the key cannot be a name): before version 3, no expression
         # reads them.
         elif self._unused(
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"

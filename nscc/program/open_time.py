@@ -14,14 +14,16 @@ from nscc.program.table import TooMuch
 from nscc.words.machine import StateMachine
 
 Times = tuple[tuple[int, float], ...]
-"""For each bucket: the number of open slots, and their total length in microseconds."""
+"""For each bucket the number of open slots, and their total length in microseconds."""
 
 
 @dataclass(frozen=True)
 class Untold:
-    """A readout that does not determine open times. `bucket` is the first whose time differs
-    between pixels of equal code and readout. `states` are the fewest additional states to `read`
-    that would determine it, () if no states do."""
+    """A readout that does not determine open times.
+
+    `bucket` is the first bucket whose open time differs between pixels with the same code and
+    readout. `states` are the fewest additional states to `read` that would determine it, () if no
+    states do."""
 
     bucket: int
     states: tuple[str, ...]
@@ -30,8 +32,9 @@ class Untold:
 def with_open_times(
     machine: StateMachine, slot_us: Sequence[float]
 ) -> tuple[StateMachine, Untold | None]:
-    """The machine with `open_us` and `open_slots`, or an Untold. Raises TooMuch for too many
-    different times."""
+    """Return the machine with `open_us` and `open_slots` and None, or unchanged with an Untold.
+
+    Raises TooMuch for too many different times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
@@ -46,7 +49,7 @@ def with_open_times(
 
 
 def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
-    """For each node, the possible open times at the end of its stage."""
+    """Return for each node the possible open times at the end of its stage."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
     times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
@@ -73,7 +76,8 @@ def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set
 def _differing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
-    """The first bucket whose time is not determined by code and these states; None if all are."""
+    """Return the first bucket whose time is not determined by code and these states; None if all
+    are."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()

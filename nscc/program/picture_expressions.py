@@ -1,4 +1,4 @@
-"""Expressions of images and planes: from the tree to nodes, every name and type checked."""
+"""Expressions of images and planes: conversion to nodes, with names and types checked."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _FUNCTIONS = ("abs", "any", "all", "agree", "max", "min")
 
 
 class _Wrong(Exception):
-    """An expression has an error, which is reported."""
+    """Raised after an error in an expression was reported."""
 
 
 class Reader:
-    """Reads the expressions of a text in its order; `kinds` are the images and planes so far."""
+    """A reader of expressions in the order of the text; `kinds` are the names declared so far."""
 
     def __init__(
         self,
@@ -46,21 +46,22 @@ class Reader:
         self._outside_asked = False
 
     def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
-        """A picture is known from here on."""
+        """Declare an image or plane for the following expressions; unless `sound`, mark it as
+        invalid."""
         if not sound:
             self.failed.add(name)
         else:
             self.kinds[name] = "plane" if is_plane else "image"
 
     def image(self, expr: tree.Expr) -> p.Value | None:
-        """The image that an expression is; None after reporting why it is none."""
+        """Return the image of an expression; None after reporting an error."""
         try:
             return self._image(expr)
         except _Wrong:
             return None
 
     def condition(self, expr: tree.Expr) -> p.Condition | None:
-        """The plane that an expression is; None after reporting why it is none."""
+        """Return the plane of an expression; None after reporting an error."""
         try:
             return self._condition(expr)
         except _Wrong:
@@ -88,7 +89,7 @@ class Reader:
                 return self._call(expr)
         raise self._report(
             "NS0531", "this is not an image", expr.span, "no image",
-            ("an image is made of `exposure`, buckets and images by `+`, `-`, `* integer`, "
+            ("an image combines `exposure`, buckets and images with `+`, `-`, `* integer`, "
              "`/ power of two`, kernels, `abs(..)` and `A if PLANE else B`",),
         )  # fmt: skip
 
@@ -106,8 +107,8 @@ class Reader:
             return p.Source(text)
         if kind == "plane":
             raise self._report(
-                "NS0531", f"`{text}` is a plane, and an image belongs here", name.span, "a plane",
-                (f"choose by it: `A if {text} else B`",),
+                "NS0531", f"`{text}` is a plane, but this must be an image", name.span, "a plane",
+                (f"choose between two images with it: `A if {text} else B`",),
             )  # fmt: skip
         if text in self.buckets and text not in self.kinds:
             return p.Source(text)
@@ -118,9 +119,9 @@ class Reader:
             image, factor = factor, image
         if not self._is_number(factor):
             raise self._report(
-                "NS0531", "images are multiplied and divided by integers only", expr.span,
+                "NS0531", "an image can be multiplied or divided only by an integer", expr.span,
                 "two images" if not self._is_number(image) else "divided by an image",
-                ("a pixel adds, subtracts and halves; it has no product of two values",),
+                ("a pixel can add, subtract and halve values, but not multiply two values",),
             )  # fmt: skip
         number = constant(factor, self.constants, self.problems, "a factor")
         if number is None:
@@ -141,8 +142,8 @@ class Reader:
             )  # fmt: skip
         if name in ("any", "all"):
             raise self._report(
-                "NS0531", f"`{name}` makes a plane, and an image belongs here", call.span,
-                "a plane", (f"declare it: `plane p = {name}(..)`, then choose: `A if p else B`",),
+                "NS0531", f"`{name}(..)` is a plane, but this must be an image", call.span,
+                "a plane", (f"declare `plane p = {name}(..)` and write `A if p else B`",),
             )  # fmt: skip
         if name != "abs" and name not in self.kernels:
             if name in self.declared.kernels:
@@ -150,7 +151,7 @@ class Reader:
             raise self._unknown("a kernel", call.function, "kernel")
         if len(arguments) != 1:
             raise self._report(
-                "NS0531", f"`{name}` takes one image", call.span, f"{len(arguments)} are given",
+                "NS0531", f"`{name}` takes one image", call.span, f"{len(arguments)} arguments",
                 (f"write `{name}(EXPR)`",),
             )  # fmt: skip
         value = self._image(arguments[0])
@@ -182,8 +183,8 @@ class Reader:
                 return self._any_or_all(expr)
         raise self._report(
             "NS0531", "this is not a plane", expr.span, "no condition",
-            ("a plane is made of comparisons such as `image > 6%`, planes, `and`, `or`, `xor`, "
-             "`not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",),
+            ("a plane combines comparisons such as `image > 6%` and planes with `and`, `or`, "
+             "`xor`, `not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",),
         )  # fmt: skip
 
     def _named_plane(self, name: tree.Name) -> p.Condition:
@@ -192,7 +193,7 @@ class Reader:
             return p.Bit(name.text)
         if kind == "image" or name.text in (*self.buckets, "exposure"):
             raise self._report(
-                "NS0531", f"`{name.text}` is an image, and a plane belongs here", name.span,
+                "NS0531", f"`{name.text}` is an image, but this must be a plane", name.span,
                 "an image", (f"compare it with a level: `{name.text} > 6%`",),
             )  # fmt: skip
         raise self._unknown("a plane", name, "plane")
@@ -204,7 +205,7 @@ class Reader:
             if not image:
                 raise self._unknown("a function of planes", call.function, "function")
             raise self._report(
-                "NS0531", f"`{kind}(..)` is an image, and a plane belongs here", call.span,
+                "NS0531", f"`{kind}(..)` is an image, but this must be a plane", call.span,
                 "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
             )  # fmt: skip
         if len(call.arguments) != 2 or not isinstance(call.arguments[1], tree.Name):
@@ -225,9 +226,9 @@ class Reader:
             return
         self._outside_asked = True
         self.problems.error(
-            "NS0534", "bits of neighbours are read, and those beyond the array have no value", span,
-            "at the border this reads beyond the array",
-            helps=("say what they are: `outside 0`, or `outside 1`",),
+            "NS0534", "the bits of neighbours outside the array are not defined", span,
+            "reads them in pixels at the border",
+            helps=("define these bits: `outside 0` or `outside 1`",),
         )  # fmt: skip
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
@@ -238,11 +239,11 @@ class Reader:
         ):
             if op in ("==", "!="):
                 raise self._report(
-                    "NS0533", "charges are compared by `>` and `<`", compare.span,
+                    "NS0533", "images can be compared only with `>` and `<`", compare.span,
                     f"this is `{op}`",
-                    ("a pixel compares with both sides of a small range: "
+                    ("test whether the image is in a small range: "
                      "`-2% < image < 2%`",),
-                    notes=("no comparator can tell whether two charges are equal",),
+                    notes=("a comparator cannot test whether two charges are equal",),
                 )  # fmt: skip
             comparison = self._one_comparison(op[0] == ">", first, second, compare.span)
             condition = comparison if condition is None else p.Joined("and", condition, comparison)
@@ -252,11 +253,12 @@ class Reader:
     def _one_comparison(
         self, above: bool, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """`first > second` where `above`, else `first < second`; at least one side is an image."""
+        """Return `first > second` if `above`, else `first < second`; at least one side is
+        an image."""
         levels = [self._steps(side) for side in (first, second)]
         if levels[0] is not None and levels[1] is not None:
             raise self._report(
-                "NS0533", "a comparison has an image on at least one side", span, "two levels",
+                "NS0533", "at least one side of a comparison must be an image", span, "no image",
                 ("compare an image with a level: `image > 6%`",),
             )  # fmt: skip
         if levels[0] is not None:
@@ -268,7 +270,7 @@ class Reader:
         return test if above else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int | None:
-        """A level in steps of IN; None for what is no level."""
+        """Return a level in steps of IN; None for an expression that is not a level."""
         sign, inner = 1, expr
         while isinstance(inner, tree.Unary) and inner.op == "-":
             sign, inner = -sign, inner.operand
@@ -276,9 +278,9 @@ class Reader:
             if inner.value == 0:
                 return 0
             raise self._report(
-                "NS0533", "a level has a unit", expr.span, "without a unit",
+                "NS0533", "this level has no unit", expr.span, "a number alone",
                 (f"write `{inner.value}%` of a full well, `{inner.value}e` or `{inner.value}lsb`; "
-                 "only `0` needs none",),
+                 "only `0` needs no unit",),
             )  # fmt: skip
         if not isinstance(inner, tree.Amount):
             return None
@@ -289,17 +291,18 @@ class Reader:
         if abs(steps) > reach or steps == 0 != electrons:
             least, most = target.electrons_per_step, reach * target.electrons_per_step
             raise self._report(
-                "NS0533", f"IN cannot be {electrons:g} e", expr.span, "this level",
+                "NS0533", f"the level {electrons:g} e is outside the range of IN", expr.span,
+                "this level",
                 (f"give a level from {100 * least / target.full_well_e:.3g}% to "
                  f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
-                notes=(f"IN has steps of {least:.4g} e, up to {reach} of them",),
+                notes=(f"IN has steps of {least:.4g} e, from 1 to {reach}",),
             )  # fmt: skip
         return steps
 
     # --- both
 
     def _is_number(self, expr: tree.Expr) -> bool:
-        """Whether an expression has neither images nor levels in it."""
+        """Return whether an expression contains neither images nor levels."""
         match expr:
             case tree.Int():
                 return True
@@ -318,13 +321,13 @@ class Reader:
         later = [picture for picture in self.declared.pictures if picture.name.text == text]
         if later:
             return self._report(
-                "NS0531", f"`{text}` is declared further down", name.span, "not computed yet",
-                ("images and planes are computed in the order of the text: move it up",),
+                "NS0531", f"`{text}` is used before its declaration", name.span, "not computed yet",
+                ("images and planes are computed in the order of the program: move it up",),
             )  # fmt: skip
         if text in (*self.declared.senses, *self.declared.states):
             return self._report(
                 "NS0539", f"`{text}` in images and planes is not supported yet", name.span,
-                "not yet", ("use exposures, images and planes",),
+                "not yet", ("use only `exposure`, buckets, images and planes",),
             )  # fmt: skip
         known = {
             "kernel": [*self.kernels, "abs"],
@@ -348,36 +351,36 @@ class Reader:
 
 
 def is_power_of_two(number: int) -> bool:
-    """Return whether a pixel can divide by `number`."""
+    """Return whether `number` is a power of two, by which a pixel can divide."""
     return number > 0 and number & (number - 1) == 0
 
 
 def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
-    """Report NS0532, with the nearest power of two and what dividing by it changes."""
+    """Report NS0532, with the nearest power of two and how much the result changes."""
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:
         power = nearest_power(divisor)
         percent = 100 * abs(divisor / power - 1)
         change = "larger" if power < divisor else "smaller"
-        text = f"`/ {power}` makes everything {percent:.0f} % {change}; choose levels to match"
+        text = f"with `/ {power}` values are {percent:.0f} % {change}: change the levels, too"
         helps = (text, *helps)
         fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
     problems.error(
-        "NS0532", f"a pixel cannot divide by {divisor}", span, "no power of two",
-        notes=("one word halves a value; there is no other division",),
+        "NS0532", f"a pixel cannot divide by {divisor}", span, "not a power of two",
+        notes=("a word can halve a value; there is no other division",),
         helps=helps, fixes=fixes,
     )  # fmt: skip
 
 
 def nearest_power(number: int) -> int:
-    """The power of two whose ratio to a number above 0 is nearest to 1."""
+    """Return the power of two whose ratio to a number above 0 is nearest to 1."""
     low = 1 << (number.bit_length() - 1)
     return low if number / low <= 2 * low / number else 2 * low
 
 
 def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """A sum without sums in it, and without terms that add nothing."""
+    """Return a sum with nested sums expanded, and without terms with factor 0."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
         terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)

@@ -1,4 +1,4 @@
-"""The statements of version 3, checked: kernels, images, planes, and what is read or reported."""
+"""Checked statements of version 3: convolution kernels, images, planes, readouts and reports."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nscc.syntax import tree
 from nscc.words.pictures import Picture, Pictures, PlaneReport, Weights
 
 MOST_SIDE = 9
-"""Most rows and columns of a kernel."""
+"""Most rows and columns of a convolution kernel."""
 MOST_WEIGHT = 1 << 16
 MOST_EVENTS = 4000
 """Most coordinates that the chip's library scans in one call."""
@@ -35,11 +35,10 @@ def make_pictures(
     base: Path,
     problems: Problems,
 ) -> Pictures | None:
-    """The statements of version 3; None where there are none, or after reporting what is wrong.
+    """Return the statements of version 3; None if there are none, or after reporting errors.
 
-    Reports kernels (NS0530), expressions (NS0531 to NS0535), what is read and reported (NS0536),
-    assumptions (NS0537) and what this version of the compiler does not do yet (NS0539).
-    """
+    Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
+    (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
     used = declared.pictures or declared.reports or declared.kernels or declared.assumes
     if not used or target is None:
         return None
@@ -86,9 +85,10 @@ class _Maker:
         limits = self._limits()
         if not (reads or reports) and not self.problems.has_errors():
             self.problems.error(
-                "NS0536", "nothing of this program leaves the chip", self._place(),
-                "computed, and never read",
-                helps=("send it with the frame: `read NAME`", "or say less: `report any PLANE`"),
+                "NS0536", "this program reads out and reports nothing", self._place(),
+                "computed, but not used",
+                helps=("read it out with the frame: `read NAME`",
+                       "or report only whether any bit is 1: `report any PLANE`"),
             )  # fmt: skip
         return Pictures(tuple(known.values()), tuple(items), outside, limits, reads, reports)
 
@@ -99,27 +99,28 @@ class _Maker:
         return first.span if first else declared.assumes[0].span
 
     def _possible(self) -> bool:
-        """Whether the chip has what images take, and the program nothing else beside them."""
+        """Return whether the chip and the other statements of the program allow images; report if
+        not."""
         target = self.target
         lacks = None
         if target.streamed:
             lacks = "have no processor"
         elif not target.sees_neighbours or "NEWS" not in target.analog_registers:
-            lacks = "do not see their neighbours"
+            lacks = "cannot read values of their neighbours"
         if lacks is not None:
             self.problems.error(
                 "NS0538", f"the pixels of {target.name} {lacks}", self._place(),
                 "needs pixels that compute after the exposure",
-                helps=("compile for such a chip: `target scamp5`",),
+                helps=("compile for a chip with such pixels: `target scamp5`",),
             )  # fmt: skip
             return False
         if self.declared.senses or self.declared.states:
             statement = next(iter([*self.declared.senses.values(), *self.declared.states.values()]))
             self.problems.error(
-                "NS0539", "images and planes beside senses and states are not supported yet",
+                "NS0539", "images and planes are not supported together with senses and states yet",
                 statement.span, "declared here",
                 related=(Label(self._place(), "the images"),),
-                helps=("use fixed shutters here, or leave images and planes to the host",),
+                helps=("use fixed shutters, or compute images and planes on the host",),
             )  # fmt: skip
             return False
         return True
@@ -130,7 +131,7 @@ class _Maker:
             return None
         if outside.bit.value not in (0, 1):
             self.problems.error(
-                "NS0534", "bits beyond the array are 0 or 1", outside.bit.span,
+                "NS0534", "`outside` must be 0 or 1", outside.bit.span,
                 f"this is {outside.bit.value}", helps=("write `outside 0` or `outside 1`",),
             )  # fmt: skip
         return outside.bit.value & 1
@@ -184,10 +185,11 @@ class _Maker:
 
     def _bad_kernel(self, name: str, fault: str, span: Span) -> None:
         self.problems.error(
-            "NS0530", f"`{clipped(name)}` is not a kernel: {fault}", span, "this kernel",
-            notes=(f"a kernel has an odd number of rows and of columns, up to {MOST_SIDE} x "
-                   f"{MOST_SIDE}; the centre is the pixel itself",),
-            helps=("fill up with zeros: `[[0, 1, 1], ..]` for a kernel of two columns",),
+            "NS0530", f"`{clipped(name)}` is not a valid convolution kernel: {fault}", span,
+            "this kernel",
+            notes=(f"the numbers of rows and columns must be odd and at most {MOST_SIDE}; the "
+                   "centre is the pixel itself",),
+            helps=("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",),
         )  # fmt: skip
 
     # --- what leaves the chip
@@ -213,11 +215,12 @@ class _Maker:
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         kind, plane = report.kind.text, report.plane.text
         if kind not in _REPORTS:
-            self._bad_report(report.kind.span, f"`{clipped(kind)}` is no kind of report")
+            self._bad_report(report.kind.span, f"unknown kind of report `{clipped(kind)}`")
             return None
         if reader.kinds.get(plane) != "plane":
             if reader.kinds.get(plane) == "image":
-                self._bad_report(report.plane.span, f"`{plane}` is an image: reports are of planes")
+                text = f"`{plane}` is an image, but only planes can be reported"
+                self._bad_report(report.plane.span, text)
             elif plane not in reader.failed:
                 planes = [name for name, kind in reader.kinds.items() if kind == "plane"]
                 self.problems.unknown("a plane", plane, report.plane.span, planes)
@@ -230,7 +233,7 @@ class _Maker:
             most = count
         listed = report.most is not None and report.most.text == "most"
         if (kind == "events") != listed or (listed and not 1 <= most <= MOST_EVENTS):
-            message = f"events are at most 1 to {MOST_EVENTS}, other reports have no limit"
+            message = f"only `report events` has `at most K`, with K from 1 to {MOST_EVENTS}"
             self._bad_report(report.span, message)
             return None
         return PlaneReport(cast(Literal["any", "events", "box"], kind), plane, most)
@@ -240,7 +243,8 @@ class _Maker:
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 
     def _limits(self) -> dict[str, float]:
-        """The exposures that are assumed, by bucket; a full well unless the text says less."""
+        """Return the largest assumed exposure of each bucket, in electrons; by default a
+        full well."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -254,7 +258,7 @@ class _Maker:
             most_e = level_e(float(assumption.level.value), assumption.level.unit, target)
             if assumption.comparison != "<=" or not 0 < most_e <= full_e:
                 self.problems.error(
-                    "NS0537", "an assumption is `<=` a level above 0, up to a full well",
+                    "NS0537", "invalid assumption: use `<=`, and a level up to a full well",
                     assumption.span,
                     f"`{assumption.comparison}`, {most_e:g} e",
                     helps=(f"write `assume exposure <= 50%`; a full well is {full_e:g} e",),
@@ -265,7 +269,8 @@ class _Maker:
 
 
 def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
-    """What is wrong with a kernel's weights, as half a sentence."""
+    """Return the error in the weights of a convolution kernel, as half a sentence; None if
+    valid."""
     widths = {len(row) for row in rows}
     if len(widths) != 1:
         return "its rows have different lengths"
@@ -276,5 +281,5 @@ def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
     if not any(flat):
         return "all its weights are 0"
     if max(map(abs, flat)) > MOST_WEIGHT:
-        return f"a weight is beyond {MOST_WEIGHT}"
+        return f"a weight is larger than {MOST_WEIGHT}"
     return None

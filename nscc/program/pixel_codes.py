@@ -1,4 +1,4 @@
-"""Codes from the field values of all pixels: those in use, or those of a compiled program."""
+"""Codes from the field values of all pixels: the used codes, or codes for a compiled program."""
 
 from __future__ import annotations
 
@@ -26,15 +26,16 @@ from nscc.program.wide import grouped
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
-"""Value ranges up to this are counted in a table; wider ones are sorted."""
+"""Largest value range that is counted in a table; wider ranges are sorted."""
 
 
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
 ) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """The distinct codes of the pixels, and the row of each pixel's code. `planes` holds one array
-    of `shape` (rows, cols) for each field. The codes (codes, fields) are sorted by field values,
-    first field first; without fields there is one code."""
+    """Return the distinct codes of the pixels, and the row of each pixel's code.
+
+    `planes` contains one array of `shape` (rows, cols) for each field. The codes (codes, fields)
+    are sorted by field values, first field first; without fields there is one code."""
     codes = np.zeros((1, 0), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for plane in planes:
@@ -45,7 +46,7 @@ def codes_in_use(
 
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
-    """The distinct values of `plane`, ascending, and the index of each pixel's value."""
+    """Return the distinct values of `plane`, ascending, and the index of each pixel's value."""
     low = int(plane.min())
     span = int(plane.max()) - low + 1
     if span > _DENSE:
@@ -71,18 +72,16 @@ def codes_from_file(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """For a compiled program, read pixel codes from a file and return the row of `table.codes` at
-    each pixel.
+    """Read pixel codes for a compiled program; return the row of `table.codes` at each pixel.
 
-    The file holds one array for each field of `table`, under the field's name: integers (rows,
-    cols), or single bits (see `nscc.program.field_planes.planes_of`). In messages `shown` is the
-    path. `mode` "open" says that `table` holds every legal code. `ranges` returns the ranges of the
-    fields.
+    The file contains one array for each field of `table`, under the field's name: integers (rows,
+    cols), or single bits (see `nscc.program.field_planes.planes_of`). Messages call the file
+    `shown`. `mode` "open" means that `table` contains every legal code. `ranges` returns the ranges
+    of the fields.
 
     Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
     NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
-    about pixels name the first such pixel and their number.
-    """
+    about pixels name the first such pixel and their number."""
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes: list[Stored] = []
     for name, chunk_names in grouped(table.fields).items():
@@ -99,8 +98,10 @@ def codes_from_arrays(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Like `codes_from_file`, from arrays by field name. Raises Rejected: NS0314 for missing,
-    additional or unsuitable arrays, and the errors of `codes_from_file` for values."""
+    """Return the row of `table.codes` at each pixel, from arrays by field name.
+
+    Raises Rejected: NS0314 for missing, additional or unsuitable arrays, and the errors of
+    `codes_from_file` for values."""
     fields = grouped(table.fields)
     for name in {*arrays} - {*fields}:
         raise rejected(
@@ -125,8 +126,9 @@ def _rows_of_table(
     mode: str,
     ranges: Callable[[], Ranges],
 ) -> NDArray[np.int32]:
-    """The row of `table.codes` at each pixel, for planes from `as_plane`; messages name the source
-    as `origin`."""
+    """Return the row of `table.codes` at each pixel, for planes from `as_plane`.
+
+    Messages name the source as `origin`."""
     planes = [plane for plane, _ in checked_planes]
     missing = np.zeros(shape, dtype=bool)
     for _, beyond in checked_planes:
@@ -190,8 +192,10 @@ def _unknown(
 def rows_of(
     codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
 ) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
-    """The row of `codes` (sorted, distinct) with the values of `planes` at each place, and the
-    places without one. `planes` has an array of equal shape for each field, at least one."""
+    """Return the row of `codes` (sorted, distinct) that matches `planes` at each place.
+
+    Also returns the places without a match. `planes` contains at least one array for a field, all
+    of equal shape."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
     # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`

@@ -1,4 +1,4 @@
-"""A checked program as plain text: what `--emit ir` and `--print-after program` show."""
+"""A checked program as plain text, for `--emit ir` and `--print-after program`."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ _MOST_SLOTS = 256
 
 
 def print_program(program: Program) -> str:
-    """Fields, frame, class and decode table of `program` as text. Shutters are rows of 0 and 1,
-    slot 0 first, with the number of their codes; long tables and rows are shortened."""
+    """Return fields, frame, class and decode table of `program` as text.
+
+    Shutters are rows of 0 and 1, slot 0 first, with the number of their codes; long tables and rows
+    are shortened."""
     table = program.table
     data = "no data"
     if program.pixel_codes is not None:

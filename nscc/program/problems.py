@@ -1,4 +1,4 @@
-"""Collects diagnostics about a program and avoids duplicates."""
+"""Collection of diagnostics about a program, without duplicates."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _MOST_SUGGESTIONS = 20
 
 
 class Problems:
-    """Errors, warnings and notes about one source text, in the order found."""
+    """Errors, warnings and notes about one source text, in the order of detection."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -32,7 +32,7 @@ class Problems:
         text: str = "",
         **members: Any,
     ) -> None:
-        """Adds a diagnostic at `span`; `members` are further fields of `Diagnostic`."""
+        """Add a diagnostic at `span`; `members` are further fields of `Diagnostic`."""
         place = Label(span, text)
         self._found.append(Diagnostic(code, message, severity, self.source, place, **members))
 
@@ -41,8 +41,10 @@ class Problems:
     note = partialmethod(add, Severity.NOTE)
 
     def unknown(self, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
-        """Add the error for an unknown name, with the closest of `known`. A name is reported once.
-        Only the first few get a suggestion, because the search is slow."""
+        """Add the error for an unknown name, with the closest of `known`.
+
+        Each name is reported once. Only the first few get a suggestion, because the search is slow.
+        """
         if name in self._unknown:
             return
         self._unknown.add(name)
@@ -66,12 +68,13 @@ class Problems:
             self._found.append(diagnostic)
 
     def has_errors(self) -> bool:
-        """True once an error has been added."""
+        """Return whether an error was added."""
         return any(d.severity is Severity.ERROR for d in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:
-        """All diagnostics by place in the text. Errors beyond MOST_ERRORS are replaced by NS0190
-        with their number."""
+        """Return all diagnostics in the order of the text.
+
+        Errors beyond MOST_ERRORS are replaced by NS0190 with their number."""
         errors = 0
         shown: list[Diagnostic] = []
         for diagnostic in sorted(self._found, key=_place):
@@ -95,7 +98,7 @@ def _place(diagnostic: Diagnostic) -> tuple[int, int]:
 
 
 def clipped(text: object, most: int = 60) -> str:
-    """`text` shortened in the middle to `most` characters."""
+    """Return `text` shortened in the middle to `most` characters."""
     shown = printable(text)
     if len(shown) <= most:
         return shown
@@ -104,7 +107,7 @@ def clipped(text: object, most: int = 60) -> str:
 
 
 def printable(text: object) -> str:
-    """`text` as a string; a description for an integer that is too long to print."""
+    """Return `text` as a string; a description for an integer that is too long to print."""
     if isinstance(text, int) and not isinstance(text, bool) and text.bit_length() > 256:
         sign = "negative " if text < 0 else ""
         return f"a {sign}number of {text.bit_length()} bits"
@@ -112,5 +115,5 @@ def printable(text: object) -> str:
 
 
 def counted(number: int, noun: str, plural: str | None = None) -> str:
-    """A number with its noun: `1 slot`, `2 slots`."""
+    """Return a number with its noun: `1 slot`, `2 slots`."""
     return f"{number} {noun if number == 1 else plural or noun + 's'}"

@@ -1,4 +1,4 @@
-"""A checked program: every name resolved, every value in range, every code decoded."""
+"""A checked program: names are resolved, values are in range, codes are decoded."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from nscc.words.machine import StateMachine
 from nscc.words.pictures import Pictures
 
 Codes = Literal["fixed", "open"]
-"""Specialised to the codes that the pixels use, or compiled for every legal code."""
+"""Whether a program is compiled for the codes that the pixels use, or for every legal code."""
 
 
 @dataclass(frozen=True)
 class Field:
-    """A field of the pixel code: its values are `low`..`high`.
+    """A field of the pixel code, with values `low`..`high`.
 
-    `kind` is how it was declared: a range, free bits (`bits` of them) or a row of `book`.
-    `span` is the declaration's range, bit count or book name: the place a user would change. A part
-    of a long bit field (`nscc.program.wide`) begins with bit number `first_bit` of it.
-    """
+    `kind` is its declaration: a range, free bits (`bits` of them) or a row of the codebook `book`.
+    `span` is the place of the declaration's range, bit count or book name, which a user would
+    change. A chunk of a long bit field (`nscc.program.wide`) starts with bit number `first_bit` of
+    it."""
 
     name: str
     kind: Literal["range", "bits", "row"]
@@ -40,7 +40,7 @@ class Field:
 
 @dataclass(frozen=True)
 class SlotGrid:
-    """The time grid: the length of every slot in microseconds."""
+    """The slots of a frame: the length of every slot in microseconds."""
 
     slot_us: tuple[float, ...]
     equal: bool
@@ -50,7 +50,7 @@ class SlotGrid:
 
 @dataclass(frozen=True)
 class BucketRule:
-    """One frame of the exposure: its name and where its rule stands."""
+    """A bucket: its name and the place of its rule."""
 
     name: str
     span: Span
@@ -58,18 +58,17 @@ class BucketRule:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Program:
-    """What the parts after the front end know about a file.
+    """A checked program, the input of all later passes.
 
-    `table` holds the codes compiled for (`mode`), sorted by field values and distinct; its
+    `table` contains the codes that are compiled (`mode`), sorted by field values and distinct; its
     shutters are distinct and sorted as rows of bits. `pixel_codes` int32 (rows, cols) is the row of
-    `table.codes` at each pixel: None for a file without `pixels`, unless it has no fields and so
-    one code. `class_name` is a, b, c, d, e, codebook or general, `class_reason` a sentence saying
-    how it was recognised. `legal_codes` is the number of codes that fields and `require` allow,
-    None where they are too many to count. `target_span` is where the target statement names the
-    chip, None if there is none. `messages` are warnings and notes. Where shutters depend on the
-    light, `machine` says how; `table` then has its behaviours for shutters, and the shutters that
-    they are in the dark, where no signal is above its level.
-    """
+    `table.codes` at each pixel; None for a file without `pixels`, unless it has no fields and
+    therefore one code. `class_name` is a, b, c, d, e, codebook or general; `class_reason` is a
+    sentence on why. `legal_codes` is the number of codes that fields and `require` allow, None if
+    there are too many to count. `target_span` is the place where the target statement names the
+    chip, None if there is no such statement. `messages` are warnings and notes. If shutters depend
+    on the light, `machine` is the state machine; then `table` has its behaviours instead of
+    shutters, and their shutters in the dark, where no signal is above its level."""
 
     source: Source
     target: Target

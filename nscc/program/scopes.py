@@ -21,7 +21,8 @@ _BOOK = "only rules may use the digits of a codebook"
 
 
 def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For `let`, ranges, counts and tiles: constants; other names have explanations."""
+    """Return the scope of `let`, ranges, counts and tiles: constants; other names have
+    explanations."""
     scope = {
         "n": Meaning("misplaced", note=_SLOT),
         "x": Meaning("misplaced", note=_PLACE),
@@ -37,7 +38,7 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
 
 
 def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For `pixels FIELD = EXPR`: constants, x and y."""
+    """Return the scope of `pixels FIELD = EXPR`: constants, x and y."""
     scope = constants_scope(declared, constants)
     scope.update(x=VARIABLE, y=VARIABLE)
     scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD_IN_PIXELS)))
@@ -45,7 +46,7 @@ def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]
 
 
 def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For `require`: constants and fields."""
+    """Return the scope of `require`: constants and fields."""
     scope = constants_scope(declared, constants)
     scope.update(dict.fromkeys(("x", "y"), Meaning("misplaced", note=_PLACE_IN_RULE)))
     for name, statement in declared.codes.items():
@@ -55,14 +56,14 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
 
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For rules: constants, fields, codebooks, the slot n, states and answers."""
+    """Return the scope of rules: constants, fields, codebooks, the slot n, states and answers."""
     scope = next_scope(declared, constants)
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
     return _without_refused(scope, declared)
 
 
 def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For `next` and `reset when`: constants, fields, the boundary n, senses, states, looks."""
+    """Return the scope of `next` and `reset when`: constants, fields, n, senses, states, looks."""
     scope = require_scope(declared, constants)
     scope["n"] = VARIABLE
     if declared.version > 1:
@@ -75,7 +76,7 @@ def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
 
 
 def at_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For the boundaries of a sense: constants and the boundary n."""
+    """Return the scope of the boundaries of a sense: constants and the boundary n."""
     scope = constants_scope(declared, constants)
     scope["n"] = VARIABLE
     return _without_refused(scope, declared)

@@ -1,4 +1,4 @@
-"""The decode table: rules evaluated for every code and slot, with distinct shutters."""
+"""The decode table: the rules evaluated for every code and slot, with distinct shutters."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from nscc.words.container import DecodeTable
 CodeArray = NDArray[np.int64]
 
 _BLOCK = 2**18
-"""Codes x slots evaluated at once: 2 MB of integers, which fit the cache."""
+"""Number of codes x slots evaluated at once: 2 MB of integers, which fit the cache."""
 
 
 class TooMuch(Exception):
-    """Codes, slots or operations exceed a limit."""
+    """Raised if codes, slots or operations exceed a limit."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
         super().__init__(message)
@@ -51,14 +51,14 @@ class MissingValue:
 
     @property
     def text(self) -> str:
-        """The places, in words."""
+        """The first place without a value and the number of such places, in words."""
         if self.count == 1:
             return self.place
         return f"first {self.place}; {self.count} times in all"
 
 
 class NoValue(Exception):
-    """Expressions without a value, one entry for each."""
+    """Raised for expressions without a value, with one entry for each."""
 
     def __init__(self, findings: Sequence[MissingValue]) -> None:
         super().__init__("; ".join(f.fault.message for f in findings))
@@ -67,8 +67,9 @@ class NoValue(Exception):
 
 @dataclass(eq=False, repr=False)
 class Rules:
-    """The checked rules that define codes and shutters. `rules` has one boolean expression for each
-    bucket; `slots` is N."""
+    """The checked rules that define codes and shutters.
+
+    `rules` has one boolean expression for each bucket; `slots` is N."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -83,9 +84,10 @@ class Rules:
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
-    """Which of `codes` (codes, fields) satisfy every `require`. Conditions are evaluated in order,
-    each for the codes that satisfy the previous ones. Raises NoValue if a condition has no value,
-    TooMuch beyond the work limit."""
+    """Return which of `codes` (codes, fields) satisfy every `require`.
+
+    Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
+    NoValue if a condition has no value, TooMuch beyond the work limit."""
     _limit_work(rules.requires, rules, len(codes), 1)
     satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
@@ -105,8 +107,10 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
 
 
 def legal_codes(rules: Rules) -> CodeArray:
-    """Every code that fields and `require` allow, sorted by field values. Raises TooMuch if limits
-    on combinations or codes are exceeded; NoValue if a condition has no value."""
+    """Return every code that fields and `require` allow, sorted by field values.
+
+    Raises TooMuch if limits on combinations or codes are exceeded; NoValue if a condition has no
+    value."""
     sizes = [field.high - field.low + 1 for field in rules.fields]
     total = rules.combinations
     if not rules.requires:
@@ -132,9 +136,10 @@ def legal_codes(rules: Rules) -> CodeArray:
 
 
 def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
-    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal. Shutters
-    are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises TooMuch
-    beyond the limits, before evaluation; NoValue if a rule has no value."""
+    """Return the decode table of `codes` (codes, fields), which are sorted, distinct and legal.
+
+    Shutters are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises
+    TooMuch beyond the limits, before evaluation; NoValue if a rule has no value."""
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
@@ -163,7 +168,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
 ) -> tuple[NDArray[np.bool_], MissingValue | None]:
-    """Whether open, (codes, slots), and the first missing value."""
+    """Return whether shutters are open (codes, slots), and the first missing value or None."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = array(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
@@ -182,7 +187,7 @@ def _decoded(
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
-    """The fields of `codes` as columns (codes, 1)."""
+    """Return the fields of `codes` as columns (codes, 1)."""
     bindings: dict[str, Value] = {}
     for k, field in enumerate(rules.fields):
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
@@ -200,20 +205,20 @@ def _everywhere(evaluated: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
-    """Format one code (fields,) for messages: `start = 3, stop = 7`."""
+    """Return one code (fields,) for messages: `start = 3, stop = 7`."""
     assignments = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
     return ", ".join(assignments[:6]) + (", ..." if len(assignments) > 6 else "")
 
 
 def _blocks(count: int, width: int) -> Iterator[slice]:
-    """Slices of `count` rows with at most _BLOCK values of `width` a row."""
+    """Yield slices of `count` rows with at most _BLOCK values, with `width` values per row."""
     step = max(1, _BLOCK // max(width, 1))
     for start in range(0, count, step):
         yield slice(start, min(start + step, count))
 
 
 UNCOUNTED = 2**72
-"""More codes than this are printed as a power of two."""
+"""Larger numbers of codes are printed as a power of two."""
 
 
 def _limit_codes(rules: Rules, codes: int) -> None:
@@ -247,7 +252,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
-    """The distinct rows in bit order, and the index of every row among them."""
+    """Return the distinct rows in bit order, and the index of every row among them."""
     width = packed.shape[1]
     if width <= 8:
         wide = np.zeros((len(packed), 8), dtype=np.uint8)

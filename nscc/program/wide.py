@@ -1,7 +1,7 @@
-"""Bit fields of any length: one longer than an integer is stored as several integers, its chunks.
+"""Bit fields of any length, stored as several integers, called chunks, if they do not fit one.
 
-`code bits : bit[100]` has the chunks `bits` (bits 0 to 61) and `bits.62` (the others): columns of
-the decode table, names in frame files. No name of the language has a dot.
+`code bits : bit[100]` has the chunks `bits` (bits 0 to 61) and `bits.62` (the others). Chunks are
+columns of the decode table, and have names in frame files. Names of the language contain no dots.
 """
 
 from __future__ import annotations
@@ -15,23 +15,23 @@ from numpy.typing import NDArray
 from nscc.program.program import Field
 
 CHUNK_BITS = 62
-"""Most bits of a chunk: its value then stays below 2^62 like every other number."""
+"""Most bits of a chunk, so that its value is below 2^62 like every other number."""
 
 Plane = NDArray[np.int64]
 
 
 def chunk_name(field: str, chunk: int) -> str:
-    """The name of a field's chunk number `chunk`."""
+    """Return the name of a field's chunk number `chunk`."""
     return field if chunk == 0 else f"{field}.{chunk * CHUNK_BITS}"
 
 
 def whole_name(column: str) -> str:
-    """The name of the field whose chunk is `column`."""
+    """Return the name of the field to which the chunk `column` belongs."""
     return column.partition(".")[0]
 
 
 def chunks_of(field: Field) -> Iterator[Field]:
-    """The chunks of a field, each as a field: the field itself if it fits one integer."""
+    """Yield the chunks of a field, each as a field; a field that fits one integer yields itself."""
     bits = field.bits or 0
     if bits <= CHUNK_BITS:
         yield field
@@ -45,7 +45,7 @@ def chunks_of(field: Field) -> Iterator[Field]:
 
 
 def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
-    """Pack bits (rows, cols, K), bit 0 first, into the planes of chunks."""
+    """Return bits (rows, cols, K), bit 0 first, packed into the planes of chunks."""
     chunks = []
     for first in range(0, bits.shape[2], CHUNK_BITS):
         chunk_bits = bits[:, :, first : first + CHUNK_BITS].astype(np.int64)
@@ -54,7 +54,7 @@ def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
 
 
 def grouped(names: Sequence[str]) -> dict[str, list[str]]:
-    """Group the columns of a decode table by field name."""
+    """Return the columns of a decode table grouped by field name."""
     columns_of_field: dict[str, list[str]] = {}
     for name in names:
         columns_of_field.setdefault(whole_name(name), []).append(name)

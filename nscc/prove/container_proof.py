@@ -1,4 +1,4 @@
-"""The proof of a container file: its words against its decode table."""
+"""The proof of a container file: its words match its decode table."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from nscc.words.legality import decoded
 
 
 def prove_file(path: Path) -> tuple[Container, Proof]:
-    """The container in `path`, and the proof that its words match its decode table. Raises Rejected
-    if the file cannot be read or has invalid words; with status 1, NS0443 if it has no decode
-    table, and NS0440 if the proof fails."""
+    """Return the container in `path`, and the proof that its words match its decode table.
+
+    Raises Rejected if the file cannot be read or has invalid words; with status 1, NS0443 if it has
+    no decode table, and NS0440 if the proof fails."""
     container = read_container(path)
     kernels = decoded(container)
     if container.target.streamed:

@@ -1,9 +1,8 @@
-"""Decision diagrams over answers of comparisons: numbers, and bits, that depend on them.
+"""Decision diagrams: numbers and bits that depend on the answers of comparisons.
 
-A diagram is the number of a node. A leaf is an exact fraction, bits are 0 and 1; an inner node asks
-one answer. Variables have one order, and equal diagrams are one node: two values are the same for
-all answers just where their numbers are.
-"""
+A diagram is the index of a node. A leaf is an exact fraction; bits are 0 and 1. An inner node
+branches on one answer. Variables have a fixed order, and equal diagrams share one node: two values
+are equal for all answers if and only if their indices are equal."""
 
 from __future__ import annotations
 
@@ -13,11 +12,11 @@ from fractions import Fraction
 Number = Fraction
 _LEAF = -1
 MOST_NODES = 2_000_000
-"""Most nodes of all diagrams of a program: beyond that its proof is given up."""
+"""Most nodes of all diagrams of a program; beyond this number the proof is given up."""
 
 
 class TooLarge(Exception):
-    """The diagrams of a program need more than MOST_NODES nodes."""
+    """Raised if the diagrams of a program need more than MOST_NODES nodes."""
 
 
 class Diagrams:
@@ -33,7 +32,7 @@ class Diagrams:
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
-        """The diagram that is the same number for all answers."""
+        """Return the diagram of a constant number."""
         number = self._number.get(value)
         if number is None:
             number = self._add(value, (_LEAF, 0, 0))
@@ -41,22 +40,21 @@ class Diagrams:
         return number
 
     def new_variable(self, at: tuple[int, int]) -> int:
-        """The bit of an answer that nothing depends on yet, asked at a place of the array.
+        """Return a bit for a new answer, asked at the place `at` (column, row) of the array.
 
-        Answers of places that are near each other stand near each other in the order of variables:
-        what planes make of their neighbours' bits then stays small.
-        """
+        Answers of nearby places are close in the order of variables, so that planes computed from
+        neighbours' bits have small diagrams."""
         x, y = at
         self._order.append((y, x, len(self._order)))
         return self._node(len(self._order) - 1, self.zero, self.one)
 
     def value(self, node: int) -> Fraction | None:
-        """The number of a leaf; None for a node that depends on answers."""
+        """Return the number of a leaf; None for a node that depends on answers."""
         return self._values.get(node)
 
     def first_value(self, node: int) -> Fraction:
-        """A number that is not 0 among a diagram's leaves, the same for equal diagrams; 0 for the
-        diagram that is 0."""
+        """Return a nonzero number among a diagram's leaves, the same for equal diagrams; 0 for the
+        zero diagram."""
         stack = [node]
         visited = set()
         while stack:
@@ -72,7 +70,7 @@ class Diagrams:
         return Fraction(0)
 
     def support(self, node: int) -> frozenset[int]:
-        """The variables that a diagram depends on."""
+        """Return the variables that a diagram depends on."""
         variables = self._support.get(node)
         if variables is None:
             variable, low, high = self._nodes[node]
@@ -83,7 +81,7 @@ class Diagrams:
         return variables
 
     def add(self, a: int, b: int) -> int:
-        """The sum of two numbers."""
+        """Return the sum of two numbers."""
         if a == self.zero:
             return b
         if b == self.zero:
@@ -91,7 +89,7 @@ class Diagrams:
         return self._apply("+", min(a, b), max(a, b), lambda x, y: x + y)
 
     def times(self, a: int, b: int) -> int:
-        """The product of two numbers; of bits, `and`."""
+        """Return the product of two numbers; for bits this is `and`."""
         if self.zero in (a, b):
             return self.zero
         if a == self.one:
@@ -101,23 +99,23 @@ class Diagrams:
         return self._apply("*", min(a, b), max(a, b), lambda x, y: x * y)
 
     def either(self, a: int, b: int) -> int:
-        """`or` of two bits."""
+        """Return `or` of two bits."""
         return self.inverse(self.times(self.inverse(a), self.inverse(b)))
 
     def differs(self, a: int, b: int) -> int:
-        """`xor` of two bits."""
+        """Return `xor` of two bits."""
         return self._apply("^", min(a, b), max(a, b), lambda x, y: Fraction(x != y))
 
     def inverse(self, bit: int) -> int:
-        """`not` of a bit."""
+        """Return `not` of a bit."""
         return self.add(self.one, self.scaled(Fraction(-1), bit))
 
     def scaled(self, factor: Fraction, node: int) -> int:
-        """A number times a fraction."""
+        """Return a number times a fraction."""
         return self.times(self.leaf(factor), node)
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
-        """One number where a bit is 1, another one where it is 0."""
+        """Return `then` where the bit is 1 and `otherwise` where it is 0."""
         return self.add(self.times(bit, then), self.times(self.inverse(bit), otherwise))
 
     def _apply(

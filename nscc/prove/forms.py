@@ -1,9 +1,9 @@
 """Values of pixels as exact linear forms in the exposures, on a small array of pixels.
 
-A form maps unknowns to numbers, which may depend on answers of comparisons (`Diagrams`). Unknowns
-are the exposures of pixels, steps of IN, light beyond the array, and what a register holds that
-nobody wrote. An answer is the sign of a form: forms that differ by a factor share it.
-"""
+A form maps unknowns to factors, which may depend on answers of comparisons (`Diagrams`). Unknowns
+are the exposures of pixels, steps of IN, light outside the array, and the content of registers that
+were never written. An answer is the sign of a form: forms that differ by a factor have the same
+answer."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from fractions import Fraction
 from nscc.prove.diagrams import Diagrams
 
 Unknown = tuple[str, int, int]
-"""A bucket and its pixel, or another kind of unknown with numbers that tell it from others."""
+"""A bucket and its pixel, or another kind of unknown with numbers that distinguish it."""
 Form = Mapping[Unknown, int]
-"""By unknown the diagram of its factor; factors that are 0 are left out."""
+"""The diagram of each unknown's factor; factors that are 0 are left out."""
 
 IN: Unknown = ("IN", 0, 0)
 BEYOND = "beyond the array"
-"""The kind of unknowns that light beyond the array, or a bus there, stands for."""
+"""The kind of unknowns for light or a bus outside the array."""
 
 
 @dataclass
@@ -35,24 +35,24 @@ class Forms:
     _fresh: int = 0
 
     def places(self) -> list[tuple[int, int]]:
-        """All pixels (x, y), row by row."""
+        """Return all pixels (x, y), row by row."""
         return [(x, y) for y in range(self.rows) for x in range(self.cols)]
 
     def inside(self, x: int, y: int) -> bool:
-        """Whether a place is on the array."""
+        """Return whether a place is on the array."""
         return 0 <= x < self.cols and 0 <= y < self.rows
 
     def exposure(self, bucket: str, x: int, y: int) -> Form:
-        """The exposure of a pixel."""
+        """Return the form of a pixel's exposure."""
         return {(bucket, x, y): self.diagrams.one}
 
     def beyond(self) -> Form:
-        """A value beyond the array, unlike any other."""
+        """Return a new unknown value outside the array."""
         self._fresh += 1
         return {(BEYOND, self._fresh, 0): self.diagrams.one}
 
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
-        """The sum of forms times factors."""
+        """Return the sum of factors times forms."""
         diagrams = self.diagrams
         total: dict[Unknown, int] = {}
         for factor, form in terms:
@@ -62,7 +62,7 @@ class Forms:
         return {unknown: number for unknown, number in total.items() if number != diagrams.zero}
 
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
-        """One form where a bit is 1, another one where it is 0."""
+        """Return `then` where the bit is 1 and `otherwise` where it is 0."""
         diagrams = self.diagrams
         if bit == diagrams.one:
             return then
@@ -76,11 +76,10 @@ class Forms:
         return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def positive(self, form: Form, at: tuple[int, int]) -> int:
-        """The bit that says whether a form of the pixel `at` is above 0.
+        """Return the bit that tells whether a form of the pixel `at` is above 0.
 
-        Of a form and its negative one is taken to be positive: comparators do not tell whether two
-        charges are equal.
-        """
+        Either a form or its negative counts as positive, because comparators do not detect equal
+        charges."""
         diagrams = self.diagrams
         unknowns = sorted(form)
         if all(unknown == IN for unknown in unknowns):
@@ -99,11 +98,11 @@ class Forms:
         return answer if first > 0 else diagrams.inverse(answer)
 
     def unknown_bit(self, at: tuple[int, int]) -> int:
-        """A bit of a pixel that nobody wrote."""
+        """Return a bit of a pixel that was never written."""
         return self.diagrams.new_variable(at)
 
     def depends_beyond(self, value: Form | int) -> bool:
-        """Whether a form, or a bit, depends on light beyond the array."""
+        """Return whether a form, or a bit, depends on light outside the array."""
         if isinstance(value, int):
             return bool(self._beyond and self.diagrams.support(value) & self._beyond)
         return any(

@@ -1,18 +1,17 @@
-"""The proof of programs with senses: words against the state machine, for every code, state and
-answer.
+"""The proof of programs with senses: the words implement the state machine, for all codes and
+answers.
 
 All outcomes of all comparisons are followed from every initial node. At each boundary the program's
 comparisons must be made exactly once, by a `where` whose sum is exactly level - signal, or signal -
 level; each lane then splits in two, one for each answer. At the end of the frame, every bucket must
-hold the light of the program's open slots, and code and states must be as the container says. A
-second frame starts from the final registers of the first.
+contain the light of the program's open slots, and code and states must be as the container defines.
+A second frame starts from the final registers of the first.
 
 An analog value is a number for one random light, and its debt: `owes` times the exposure that each
-bucket should hold by now, plus a rest. Lanes with equal node, bits, debts and rests behave equally
-for any gathered exposure, so they are merged; otherwise accumulating programs would have 2^looks
-histories. A merged lane has the numbers of one history, and `exact` says whether all its histories
-had equal exposures.
-"""
+bucket should contain by now, plus a remainder. Lanes with equal node, bits, debts and remainders
+behave equally for any collected exposure, so they are merged; otherwise accumulating programs would
+have 2^looks histories. A merged lane has the numbers of one history, and `exact` tells whether all
+its histories had equal exposures."""
 
 from __future__ import annotations
 
@@ -36,16 +35,18 @@ from nscc.words.container import Container
 from nscc.words.machine import LIGHT, StateMachine
 
 MOST_LANES = 10**7
-"""Most transitions to follow in a frame."""
+"""Most transitions that are followed in a frame."""
 
 _DIGITS = 1e8
-"""Rests that differ by less than this fraction of the frame's light are equal."""
+"""Remainders whose difference is below the frame's light divided by this number are equal."""
 
 
 class Looks(ReplayPixels):
-    """The lanes of a container's machine during the proof. For each lane: `node` and the `outcome`
-    of the current look so far, int64 (lanes,); `due` (lanes, buckets), the program's exposures;
-    `since` (lanes,), its `light`; `exact` bool (lanes,)."""
+    """The lanes of a container's state machine during the proof.
+
+    Arrays with one row per lane: `node` and `outcome`, the answers of the current look as bits, are
+    int64 (lanes,); `due` (lanes, buckets) are the exposures that the program requires; `since`
+    (lanes,) is the signal `light`; `exact` is bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None
@@ -72,8 +73,8 @@ class Looks(ReplayPixels):
         self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
 
     def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
-        """The content of the states' registers in each lane; with `kept_only`, of kept states
-        only."""
+        """Return the content of the states' registers in each lane; with `kept_only`, of kept
+        states only."""
         known_registers: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
@@ -89,7 +90,7 @@ class Looks(ReplayPixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises ReplayError at the first error."""
+        """Run one frame in `light` (N,); raise ReplayError at the first error."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
@@ -114,7 +115,7 @@ class Looks(ReplayPixels):
         self._next_frame()
 
     def _readouts(self) -> dict[str, int]:
-        """The bucket that each analog register is read out as."""
+        """Return the index of the bucket that is read out of each analog register."""
         buckets = self.container.buckets
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
@@ -171,7 +172,7 @@ class Looks(ReplayPixels):
         )
 
     def _is(self, value: Values, signal: int, level_e: float) -> bool:
-        """Whether a value (lanes, parts) is exactly signal - level, for each lane."""
+        """Return whether a value (lanes, parts) is exactly signal - level in every lane."""
         if signal == LIGHT:
             return bool(self._amounts_to(value, None, self.since - level_e).all())
         return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
@@ -179,8 +180,9 @@ class Looks(ReplayPixels):
     def _amounts_to(
         self, value: Values, bucket: int | None, expected_e: Values
     ) -> NDArray[np.bool_]:
-        """Whether, for each lane, a value (lanes, parts) equals `expected_e` in any light: it owes
-        the exposure of `bucket` once and nothing else."""
+        """Return whether a value (lanes, parts) equals `expected_e` in any light, for each lane.
+
+        The value must owe the exposure of `bucket` once, and no other exposure."""
         owes = value[:, 1:].copy()
         if bucket is not None:
             owes[:, bucket] -= 1.0
@@ -190,7 +192,7 @@ class Looks(ReplayPixels):
         )
 
     def _follow_both(self, number: int, above: bool) -> Bits:
-        """Double the lanes; returns FLAG, which is 1 if comparison `number` is `above`."""
+        """Double the lanes; return FLAG, which is 1 if comparison `number` is `above`."""
         count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:
@@ -202,8 +204,10 @@ class Looks(ReplayPixels):
         return (yes, no) if above else (no, yes)
 
     def _merge(self, readouts: Mapping[str, int]) -> None:
-        """Merge equal lanes. If all histories of a lane have equal exposures, the registers in
-        `readouts` are determined by these."""
+        """Merge equal lanes.
+
+        If all histories of a lane have equal exposures, these determine the registers in
+        `readouts`."""
         for register, bucket in readouts.items():
             self.analog[register][self.exact, 1:] = 0.0
             self.analog[register][self.exact, 1 + bucket] = 1.0

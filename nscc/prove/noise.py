@@ -1,5 +1,7 @@
-"""Pseudo-random numbers that are equal on all machines: a counter and the SplitMix64 mixer (Steele,
-Lea, Flood, OOPSLA 2014). Importing numpy.random would take longer than most proofs."""
+"""Pseudo-random numbers that are equal on all machines.
+
+They come from a counter and the SplitMix64 mixer (Steele, Lea, Flood, OOPSLA 2014). Importing
+numpy.random would take longer than most proofs."""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ class Noise:
         self._next = seed << 32
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
-        """Distinct values between 1/4 and 1: (rows, columns)."""
+        """Return distinct values between 1/4 and 1: (rows, columns)."""
         end = self._next + rows * columns
         x = np.arange(self._next, end, dtype=np.uint64)
         self._next = end

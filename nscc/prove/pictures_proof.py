@@ -1,10 +1,10 @@
 """The proof of images and planes: the words after the exposure, replayed on a small array.
 
-Registers hold exact forms in the exposures of pixels (`nscc.prove.forms`), bits are decision
-diagrams over answers of comparisons. The array is just so large that its pixels meet the border in
-every way in which a pixel of a larger one can: the middle one sees all that it depends on. What the
-words leave must be what the text says, for all exposures and answers, in every pixel but those that
-depend on a bus beyond the array, of which nothing is known.
+Registers contain exact forms in the exposures of pixels (`nscc.prove.forms`); bits are decision
+diagrams over answers of comparisons. The array is just large enough that its pixels are affected by
+the border in every way that is possible on a larger array; its middle pixel has all the pixels that
+it depends on. The final register contents must be what the text defines, for all exposures and
+answers, in every pixel except those that depend on a bus outside the array, whose value is unknown.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from nscc.words.pictures import Condition
 
 
 class PictureReplayError(Exception):
-    """A word does what no proof covers."""
+    """Raised for a word that the proof does not support."""
 
 
 Launched = Sequence[tuple[Op, int | None]]
-"""Words in the order in which they run, each with the steps of IN; None: IN is not set."""
+"""Words in execution order, each with the value of IN in steps; None if IN is not set."""
 
 
 def pictures_fault(container: Container) -> str | None:
-    """What of a container's images and planes its words do wrong; None where the proof holds."""
+    """Return the error in the words of a container's images and planes; None if the proof holds."""
     pictures = container.pictures
     if pictures is None:
         return None
@@ -58,7 +58,7 @@ def pictures_fault(container: Container) -> str | None:
 def _difference(
     container: Container, replay: PictureReplay, meaning: PictureMeaning, middle: tuple[int, int]
 ) -> str | None:
-    """Where what registers hold is not what the text says."""
+    """Return the first difference between register contents and the text; None if there is none."""
     pictures, forms = container.pictures, replay.forms
     assert pictures is not None
     for name in pictures.outputs:
@@ -71,16 +71,16 @@ def _difference(
         for at in forms.places():
             if forms.depends_beyond(contents[at]):
                 if at == middle:
-                    return f"`{name}` depends on what is beyond every array"
+                    return f"`{name}` depends on pixels outside the array in every pixel"
             elif contents[at] != meaning.value(name, at):
-                return f"`{name}` is not what the text says"
+                return f"`{name}` differs from its expression in the program"
     written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
-    return f"{min(spoilt)} holds code, and is written" if spoilt else None
+    return f"{min(spoilt)} holds a code bit, but a word overwrites it" if spoilt else None
 
 
 def words_reach(words: Launched, container: Container) -> Reach:
-    """How far around a pixel the registers of the end depend on others, by their words."""
+    """Return how far around a pixel the final registers depend on other pixels, by their words."""
     reach: dict[str, Reach] = {}
 
     def of(name: str) -> Reach:
@@ -147,7 +147,7 @@ class PictureReplay:
         return {(f"what {name} held", x, y): self.forms.diagrams.one}
 
     def run(self, op: Op, level: int | None) -> None:
-        """One word in all pixels, with IN at so many steps."""
+        """Run one word in all pixels, with IN at `level` steps."""
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
@@ -171,10 +171,10 @@ class PictureReplay:
             case WordEffect.DIGITAL:
                 self._digital(op)
             case _:
-                raise PictureReplayError(f"`{op}` has no place after the exposure")
+                raise PictureReplayError(f"`{op}` cannot run after the exposure")
 
     def _totals(self, op: Op, level: int | None) -> Fields:
-        """The sum of a word's analog sources in every pixel."""
+        """Return the sum of a word's analog sources in every pixel."""
         forms = self.forms
         unit_factor = Fraction(1)
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
@@ -197,21 +197,24 @@ class PictureReplay:
         }
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
-        """What the pixels so far away hold."""
+        """Return for each pixel the value of the pixel at an offset (columns to the right, rows
+        down)."""
         return {
             (x, y): fields.get((x + right, y + down)) or self._edge(fields, x + right, y + down)
             for x, y in fields
         }
 
     def _edge(self, fields: Fields, x: int, y: int) -> Form:
-        """A form that is 0, or what lies beyond the array."""
+        """Return a zero form for a pixel of the array, else a new unknown value."""
         return fields[x, y] if (x, y) in fields else self.forms.beyond()
 
     def _bus(self, op: Op, level: int | None) -> None:
         forms, flag = self.forms, self.digital["FLAG"]
         directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
         if directed and any(bit != forms.diagrams.one for bit in flag.values()):
-            raise PictureReplayError(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
+            raise PictureReplayError(
+                f"`{op}` accesses neighbours while FLAG is not 1 in all pixels"
+            )
         factor = Fraction(-1, op.operation.divisor)
         values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
         for name in op.destinations:
@@ -225,7 +228,7 @@ class PictureReplay:
             }
 
     def _or_sources(self, op: Op) -> Bits:
-        """The OR of a word's digital sources."""
+        """Return the OR of a word's digital sources."""
         diagrams = self.forms.diagrams
         bits = dict.fromkeys(self.forms.places(), diagrams.zero)
         for name in op.sources:
@@ -233,7 +236,7 @@ class PictureReplay:
         return bits
 
     def _or_neighbours(self, op: Op) -> Bits:
-        """The OR of a source in those neighbours that a pixel chooses."""
+        """Return the OR of a source in those neighbours that a pixel chooses."""
         diagrams = self.forms.diagrams
         source = self.digital[op.sources[0]]
         beyond = diagrams.one if op.operation.inverted else diagrams.zero

@@ -1,16 +1,16 @@
-"""The symbolic replay: registers of all pixels that a proof tells apart, and what words do to them.
+"""Symbolic replay: the registers of all pixels that a proof distinguishes, and the effects of
+words.
 
-A lane is one such pixel: a code, or a way in which a pixel of a program that looks can have come
-so far. A bit of all lanes is a pair of truth vectors. The value of an analog register is a row of
-parts in each lane: lights that are carried side by side, then the terms of a linear form. Words
-act on every part alike. Meaning comes from `nscc.operations`, as it does for the emulator, but no
-line of code is shared with it.
+Each of these pixels is a lane: a code, or for a program with senses a history of answers. A bit of
+all lanes is a pair of truth vectors. The value of an analog register is a row of parts in each
+lane: lights that are computed in parallel, then the terms of a linear form. Words act on every part
+alike. The meaning of words comes from `nscc.operations`, as in the emulator, but the two share no
+other code.
 
-What a real pixel leaves open stays open. A bit is unknown that nobody wrote, that SELECT reads,
-that has decayed, or that `where` took from analog values. An analog value that nobody wrote is
-noise from a fixed seed, and so is whatever a word leaves where FLAG is unknown. A program whose
-result depends on any of it does not prove.
-"""
+What a real pixel does not determine is unknown. A bit is unknown if it was never written, has
+decayed, is read from SELECT, or is the result of comparing analog values. An analog value that was
+never written is random noise with a fixed seed, and so is the result of a word where FLAG is
+unknown. The proof fails if the result of a program depends on any of these."""
 
 from __future__ import annotations
 
@@ -28,10 +28,11 @@ from nscc.truth import columns, members, rows
 from nscc.words.container import Container
 
 TOLERANCE = 1e-9
-"""Largest error of an exposure, as a share of all the light of the frame."""
+"""Largest error of an exposure, relative to the total light of the frame."""
 
 Bits = tuple[int, int]
-"""A bit of every lane: the lanes where it is known to be 1, and those where it is known to be 0."""
+"""A bit of every lane: the lanes where it is known to be 1, and the lanes where it is known to be
+0."""
 
 UNKNOWN: Bits = (0, 0)
 
@@ -43,7 +44,7 @@ WRONG_CODE = "the code registers do not hold their code at the end of the frame"
 
 
 class ReplayError(Exception):
-    """What the words do wrong: in words, and in which bucket and shutter."""
+    """Raised for an error in the words; it contains the description, the bucket and the shutter."""
 
     def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
         super().__init__(reason)
@@ -53,13 +54,12 @@ class ReplayError(Exception):
 class ReplayPixels:
     """Pixels of a container, and the words that they run, over consecutive frames.
 
-    `kernels` are the container's words, decoded; `encoding` bool (lanes, registers) is what the
-    host loads. An analog value has `lights` parts in electrons and `terms` that start at zero. With
-    `quiet`, analog values that nobody wrote are zero, and what a word leaves where FLAG is unknown
-    is NaN. `transitions` counts the answers of comparisons that were followed. `doubts` collects in
-    words why bits became unknown that once were known, and which analog word first found FLAG
-    unknown.
-    """
+    `kernels` are the decoded words of the container; `encoding` bool (lanes, registers) is loaded
+    by the host. An analog value has `lights` parts in electrons and `terms` that start at zero.
+    With `quiet`, analog values that were never written are zero, and the result of a word where
+    FLAG is unknown is NaN. `transitions` counts the answers of comparisons that were followed.
+    `doubts` describes why known bits became unknown, and which analog word first found FLAG
+    unknown."""
 
     def __init__(
         self, container: Container, kernels: Sequence[Sequence[Op]], encoding: NDArray[np.bool_],
@@ -92,7 +92,7 @@ class ReplayPixels:
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Keeps some of the lanes, some perhaps twice."""
+        """Select lanes by index, possibly repeated."""
         vectors = [vector for bits in self.bits.values() for vector in bits]
         chosen = iter(columns(rows(vectors, self.lanes)[lanes]))
         self.bits = {name: (next(chosen), next(chosen)) for name in self.bits}
@@ -100,11 +100,11 @@ class ReplayPixels:
         self._resize(len(lanes))
 
     def known(self, bits: NDArray[np.bool_]) -> list[Bits]:
-        """Known bits (lanes, registers) as one value a register."""
+        """Return known bits (lanes, registers) as one value for each register."""
         return [(ones, self.everything & ~ones) for ones in columns(bits)]
 
     def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
-        """What the code registers of all lanes hold, of the rows (lanes, registers)."""
+        """Return the contents of the code registers in all lanes, from the rows of `encoding`."""
         registers, names = self.target.digital_registers, self.container.code_registers
         places = [registers.index(name) for name in names]
         return dict(zip(names, self.known(encoding[:, places]), strict=True))
@@ -112,9 +112,9 @@ class ReplayPixels:
     # Frames.
 
     def start_frame(self) -> None:
-        """Begins a frame: nothing is known of analog registers."""
+        """Start a frame, with unknown analog registers."""
         if self._frame:
-            # Frames follow each other for as long as the chip runs: what none of them writes fades.
+            # The chip runs frame after frame: a bit that no frame writes decays.
             self._written_us.update(dict.fromkeys(self._never_written, -inf))
         self._frame += 1
         self._start_us = self._now_us
@@ -123,7 +123,7 @@ class ReplayPixels:
             self.analog[name] = np.full((self.lanes, self.parts), value)
 
     def run_launches(self, boundary: int) -> None:
-        """Runs what is launched at a boundary."""
+        """Run the kernels that are launched at a boundary."""
         self._boundary = boundary
         self._now_us = self._start_us + float(self._boundary_us[boundary])
         for launch in self.launches.get(boundary, ()):
@@ -133,7 +133,8 @@ class ReplayPixels:
                 self.run(word)
 
     def end_frame(self) -> None:
-        """Ends a frame, the readout included; images and planes may use all but code registers."""
+        """End a frame, including its readout; images and planes may overwrite all but code
+        registers."""
         if self.container.pictures is not None:
             for name in self.bits.keys() - {*self.container.code_registers}:
                 self.write(name, UNKNOWN)
@@ -142,12 +143,12 @@ class ReplayPixels:
         self._now_us += self.target.readout_us * len(self.container.readouts)
 
     def set_in(self, level: int) -> None:
-        """Sets IN to `level` steps."""
+        """Set IN to `level` steps."""
         self.analog["IN"][:] = 0.0
         self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
 
     def _noise(self, rows: int) -> Values:
-        """Values that nobody wrote, each the same in every lane (rows, parts)."""
+        """Return values for registers that were never written, equal in all lanes (rows, parts)."""
         values = np.zeros((rows, self.parts))
         if not self.quiet:
             values[:, : self.lights] = self._random.levels(rows, self.lights)
@@ -156,7 +157,7 @@ class ReplayPixels:
     # Words.
 
     def run(self, word: Op) -> None:
-        """Runs a word in every lane."""
+        """Run a word in every lane."""
         match word.operation.effect:
             case WordEffect.RESET_PIX:
                 self._reset()
@@ -193,20 +194,22 @@ class ReplayPixels:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
 
     def total(self, word: Op, lanes: Lanes = slice(None)) -> Values:
-        """The sum of a word's analog sources (lanes, parts)."""
+        """Return the sum of a word's analog sources (lanes, parts)."""
         if not word.sources:
             return np.zeros((1, self.parts))
         first, *further_sources = (self.analog[name][lanes] for name in word.sources)
         return sum(further_sources, first)
 
     def compare(self, word: Op) -> Bits:
-        """What a comparison of analog values leaves in FLAG: it depends on the light."""
+        """Return FLAG after a comparison of analog values: unknown, because it depends on the
+        light."""
         self._doubt(f"`{word}` makes FLAG depend on the light")
-        # Where `where` obeys FLAG, pixels that were masked stay masked.
+        # If `where` obeys FLAG on this target, masked pixels stay masked.
         return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
 
     def _flagged(self, word: str) -> tuple[Lanes, Lanes | None]:
-        """Lanes whose FLAG is 1 and, if there are any, those whose FLAG is unknown."""
+        """Return the lanes whose FLAG is 1, and the lanes whose FLAG is unknown (None if there are
+        none)."""
         flag = self.read("FLAG")
         if flag != self._split[0]:
             known_1, known_0 = flag
@@ -228,23 +231,23 @@ class ReplayPixels:
             if row.phase is Phase.READ:
                 self.write("bus", value)
                 return
-        # The mask decides as it stands before the word: the word may write the mask as well.
+        # The mask's value before the word counts: the word may also write the mask.
         masked, mask = self.target.masked_register, self.target.mask_register
         for name in sorted(word.destinations, key=lambda name: name != masked):
             self.write(name, value, mask if name == masked else None)
 
     def read(self, name: str) -> Bits:
-        """What a register holds; nothing that is known once it has decayed."""
+        """Return the content of a register, unknown if it has decayed."""
         value = self.bits[name]
         if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
             return value
         if value != UNKNOWN:
             never = self._written_us[name] == -inf
-            self._doubt(f"{name} has decayed{': no frame writes it anew' if never else ''}")
+            self._doubt(f"{name} has decayed{': no frame writes it again' if never else ''}")
         return UNKNOWN
 
     def _or_sources(self, word: Op) -> Bits:
-        """The OR of a word's digital sources."""
+        """Return the OR of a word's digital sources."""
         known_1, known_0 = 0, self.everything
         for name in word.sources:
             ones, zeros = self.read(name)
@@ -253,7 +256,7 @@ class ReplayPixels:
         return known_1, known_0
 
     def write(self, name: str, value: Bits, mask: str | None = None) -> None:
-        """Writes a register; where the register `mask` is 0 it keeps its own bit."""
+        """Write a register; where the register `mask` is 0 it keeps its content."""
         on, off = (self.everything, 0) if mask is None else self.read(mask)
         if on == self.everything:
             self.bits[name] = value

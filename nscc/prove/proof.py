@@ -1,14 +1,15 @@
-"""The proof that goes with every build: words against decode table, all codes, two frames.
+"""The proof of every build: the words match the decode table, for all codes and two frames.
 
-For a program that satisfies g(f(S), n) = S[n], equation (7), and E = sum of L[n] S[n], equation
-(3), the exposure of every code is a known linear form in the light of the slots. Random light and
-random values in everything that a program may not rely on tell it from any other linear form with
-certainty for every practical purpose: a wrong coefficient would have to meet a hyperplane of
-measure zero to within 1e-9. Nothing but FLAG could make it other than linear, and a FLAG that hangs
-on analog values counts as unknown. The second frame shows what decays from frame to frame; as the
-first one started from nothing but the code and leaves the code behind, all others are like it. Last
-come the words before readout.
-"""
+In the notation of the paper, a program must satisfy g(f(S), n) = S[n] (equation 7) and E = sum
+over n of L[n] S[n] (equation 3). The exposure of every code is then a known linear form in the
+light of the slots. Random light, and random values in everything on which a program may not rely,
+distinguish it from any other linear form with practical certainty: a wrong coefficient would have
+to match a hyperplane of measure zero to within 1e-9. Only FLAG could make the exposure nonlinear,
+and a FLAG that depends on analog values counts as unknown.
+
+The second frame detects bits that decay from frame to frame. The first frame starts from the code
+only and leaves the code behind, so all further frames are equal. The words before the readout are
+proved last."""
 
 from __future__ import annotations
 
@@ -30,10 +31,9 @@ LIGHT_SEED = 7
 
 @dataclass(frozen=True)
 class Failure:
-    """What a proof found wrong first; `shutter` is None where all codes are concerned.
+    """The first error found by a proof; `shutter` is None if all codes are concerned.
 
-    `doubts` are places where bits became unknown, and so perhaps the cause.
-    """
+    `doubts` are places where bits became unknown, which may be the cause."""
 
     reason: str
     frame: int
@@ -44,11 +44,10 @@ class Failure:
 
 @dataclass(frozen=True)
 class Proof:
-    """What was replayed and whether it holds.
+    """The extent of a proof and its failure, None if it holds.
 
-    `transitions` counts the answers that were followed in all frames, of a program that looks;
-    `pixels` those whose light was followed through planes of bits.
-    """
+    `transitions` is the number of answers that were followed in all frames of a program with
+    senses. `pixels` is the number of pixels whose light was followed through bit planes."""
 
     codes: int
     slots: int
@@ -59,12 +58,12 @@ class Proof:
 
     @property
     def holds(self) -> bool:
-        """Whether the words do what the decode table says."""
+        """Whether the words match the decode table."""
         return self.failure is None
 
 
 def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
-    """Replays `kernels` (the container's words, decoded) against the container's decode table."""
+    """Prove that `kernels`, the decoded words of the container, match its decode table."""
     codes, slots = len(container.table.codes), container.slots
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
@@ -87,7 +86,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
 
 
 def _after_frame(container: Container) -> Failure | None:
-    """What is wrong with the words between frame and readout."""
+    """Return the error in the words between frame and readout, or None."""
     fault = readout_fault(container)
     if fault is not None:
         return Failure(fault[1], FRAMES, fault[0])

@@ -1,4 +1,5 @@
-"""The proof of the words before readout: registers then hold what the codes mean."""
+"""The proof of the words before the readout, which make converter codes mean what the target
+defines."""
 
 from __future__ import annotations
 
@@ -13,8 +14,10 @@ _TOLERANCE = 1e-9
 
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
-    """The first bucket whose register is not read out as the target specifies, and the error; None
-    if all are. Random values suffice, because the words are linear."""
+    """Return the first bucket that is not read out as the target defines, and the error; None if
+    all are.
+
+    Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
     buckets = {readout.register: readout.bucket for readout in container.readouts}
     for word in preparation.words:
@@ -35,7 +38,7 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 def _contents_around_readout(
     container: Container, preparation: Preparation
 ) -> dict[str, tuple[float, float]]:
-    """The content in electrons of each read-out register, before and after the words."""
+    """Return the content in electrons of each register that is read, before and after the words."""
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
     registers = [readout.register for readout in container.readouts]
@@ -47,8 +50,9 @@ def _contents_around_readout(
 
 
 def _converter_input_e(container: Container, exposure_e: float) -> float:
-    """The converter input, in electrons, for which the code means `exposure_e`; the converter's
-    codes are symmetric around an empty register."""
+    """Return the converter input, in electrons, for which the code means `exposure_e`.
+
+    The converter's codes are symmetric around an empty register."""
     target = converter_of(container)
     own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
     middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0

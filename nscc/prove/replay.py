@@ -30,8 +30,9 @@ class Replay(ReplayPixels):
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Run one frame in `light` (N, lights), in electrons a slot. Returns the exposure in
-        electrons (lanes, lights) of each bucket."""
+        """Run one frame in `light` (N, lights), in electrons per slot.
+
+        Returns the exposure of each bucket in electrons (lanes, lights)."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -46,7 +47,7 @@ class Replay(ReplayPixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raises ReplayError if it differs from the decode table."""
+        """Run one frame in `light` (N,); raise ReplayError if it differs from the decode table."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
@@ -61,7 +62,7 @@ class Replay(ReplayPixels):
 
 
 def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:
-    """shutters @ light in blocks of rows, since a whole table as float64 may not fit in memory."""
+    """Return shutters @ light, computed in blocks of rows to limit the memory."""
     rows = max(1, (1 << 20) // max(1, shutters.shape[1]))
     blocks = [shutters[i : i + rows] @ light for i in range(0, len(shutters), rows)]
     return np.concatenate(blocks)
@@ -73,8 +74,10 @@ _SLOTS_A_LIGHT = 24
 
 
 def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
-    """S[n] of every lane, (lanes, buckets, slots), found by replaying the words with light in one
-    slot at a time; None if the weight of a slot is neither 0 nor 1. Lanes are the rows of
+    """Return S[n] of every lane (lanes, buckets, slots); None if a slot's weight is neither 0 nor
+    1.
+
+    The words are replayed with light in one slot at a time. Lanes are the rows of
     `container.encoding`."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)

@@ -1,4 +1,4 @@
-"""The shutters of a container, from a replay of its words instead of its decode table."""
+"""The shutters of a container, found by replaying its words instead of reading its decode table."""
 
 from __future__ import annotations
 
@@ -30,9 +30,10 @@ def refuse_looking(container: Container, name: str = "this program") -> None:
 
 
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
-    """The distinct shutters bool (shutters, buckets, N) that the words open. Raises Rejected
-    (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the container
-    `name`."""
+    """Return the distinct shutters bool (shutters, buckets, N) that the words open.
+
+    Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the
+    container `name`."""
     if container.target.streamed:
         return _sent(container, name)
     refuse_looking(container, name)
@@ -49,7 +50,7 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
 
 
 def _sent(container: Container, name: str) -> NDArray[np.bool_]:
-    """The shutters that bit planes open: those of the decode table, after a proof."""
+    """Return the shutters that bit planes open: those of the decode table, after a proof."""
     proof = prove_stream(container)
     if proof.failure is None:
         return container.table.shutters
@@ -62,9 +63,11 @@ def _sent(container: Container, name: str) -> NDArray[np.bool_]:
 
 
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
-    """The shutters and codes of all pixels: `shutter`, `shutter_shape`, `codes_FIELD`, as in a
-    frame file. A program with one code needs no pixel data. Raises Rejected: NS0441 (status 1) if
-    pixels have no codes, NS0442 as `replayed`."""
+    """Return the shutters and codes of all pixels, named as in a frame file.
+
+    The names are `shutter`, `shutter_shape` and `codes_FIELD`. A program with one code needs no
+    pixel data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 as for
+    `replayed`."""
     pixels, sent = container.pixel_codes, container.stream
     if sent is not None:
         opened = sent.shutters(len(container.buckets), container.target.cols)

@@ -1,4 +1,4 @@
-"""The proof of bit planes: every pixel's light goes to the open bucket in every slot."""
+"""The proof of bit planes: in every slot, each pixel's light goes to its open bucket."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from nscc.words.stream import schedule
 
 
 def prove_stream(container: Container) -> Proof:
-    """Follow the light of every pixel through the planes, and compare with the decode table. Planes
-    must be completely loaded before they act, one at a time. The proof does not use the code that
-    made the planes. Without pixels there are no planes, and only the times are proved."""
+    """Follow the light of every pixel through the planes, and compare it with the decode table.
+
+    Planes must be completely loaded before they act, one at a time. The proof does not use the code
+    that made the planes. Without pixel codes there are no planes, and only the times are proved."""
     table, target = container.table, container.target
     failure = _times(container)
     sent, pixels = container.stream, container.pixel_codes
@@ -35,7 +36,7 @@ def prove_stream(container: Container) -> Proof:
 
 
 def _times(container: Container) -> Failure | None:
-    """The failure of planes that overlap or act too early; None if there is none."""
+    """Return the failure if planes overlap or act too early, else None."""
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

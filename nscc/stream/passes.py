@@ -1,4 +1,4 @@
-"""The passes for chips without logic, as `nscc.pipeline` lists them."""
+"""Compiler passes for chips without logic; `nscc.pipeline` lists all passes."""
 
 from __future__ import annotations
 
@@ -16,9 +16,14 @@ from nscc.words.container import Container, Readout
 Found = Sequence[Diagnostic]
 
 
-def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
-    """The route of the light, or why there is none (NS0509). `word_options` names options that
-    concern words, which such a chip does not have (NS0510)."""
+def plan_of(
+    program: Program, lowering: str, most_words: int | None
+) -> tuple[Sending | NoRoute, Found]:
+    """Return the route of the light, or the reason why there is none (NS0509).
+
+    Options that only apply to words (a lowering, a limit on words) are refused (NS0510)."""
+    word_options = [f"--lowering {lowering}"] * (lowering != "auto")
+    word_options += ["--max-words-per-slot"] * (most_words is not None)
     if word_options:
         return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)
@@ -29,13 +34,13 @@ def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | No
 
 
 def timed(sending: Sending) -> tuple[Sending, Found]:
-    """The same plan if every plane can be loaded in time, else NS0508."""
+    """Return the same plan, and an error (NS0508) if a plane cannot be loaded in time."""
     fault = late_fault(sending)
     return sending, [fault] if fault else []
 
 
 def container_of(sending: Sending) -> Container:
-    """The container: no words, and bit planes if pixels have codes."""
+    """Return the container: no words, and bit planes if the pixels have codes."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
     used = len(names)

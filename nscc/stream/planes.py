@@ -15,7 +15,7 @@ from nscc.words.stream import Stream
 
 
 def laid(container: Container, way: Route) -> Container:
-    """Add the bit planes of the pixel codes on a route; none without pixels."""
+    """Add the bit planes of the pixel codes on a route to a container; none without pixel codes."""
     pixels = container.pixel_codes
     if pixels is None:
         return replace(container, stream=None)
@@ -28,8 +28,9 @@ def laid(container: Container, way: Route) -> Container:
 
 
 def with_planes(container: Container) -> Container:
-    """Add the bit planes of the current pixel codes to a container of a chip without logic. Raises
-    Rejected (NS0509) if there is no route for the light of its shutters."""
+    """Add the bit planes of the current pixel codes to a container of a chip without logic.
+
+    Raises Rejected (NS0509) if there is no route for the light of its shutters."""
     chosen_route = route(container.table.shutters, container.buckets, container.target)
     if isinstance(chosen_route, NoRoute):
         raise Rejected(no_route(chosen_route, container.target.name))
@@ -37,7 +38,7 @@ def with_planes(container: Container) -> Container:
 
 
 def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
-    """NS0509: the chip cannot route the light as the program requires. Certain."""
+    """Return the error (NS0509) that the chip cannot route the light as the program requires."""
     message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
     help_text = (missing_route.help,)
     if program is None:

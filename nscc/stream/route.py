@@ -1,8 +1,7 @@
-"""The route of the light of every pixel and slot on a chip without logic.
+"""The route of light on a chip without logic, for every pixel and slot.
 
-A bit chooses between two destinations, which are the same for all pixels of a slot. A program that
-needs more does not fit, whatever the encoding.
-"""
+A bit chooses between two destinations, which are the same for all pixels in a slot. A program that
+needs more destinations does not fit."""
 
 from __future__ import annotations
 
@@ -17,8 +16,10 @@ from nscc.words.stream import DRAIN
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """The two destinations of each slot, and the bits that choose between them. `ones`, `zeros`
-    int8 (N,): a tap's number, or DRAIN. `bits` bool (shutters, N)."""
+    """The two destinations of each slot, and the bits that choose between them.
+
+    `ones` and `zeros` int8 (N,) are the destinations for bit 1 and 0: the index of a tap, or DRAIN.
+    `bits` bool (shutters, N) are the chosen bits."""
 
     ones: NDArray[np.int8]
     zeros: NDArray[np.int8]
@@ -27,8 +28,9 @@ class Route:
 
 @dataclass(frozen=True)
 class NoRoute:
-    """Why there is no route: `reason` as half a sentence, a help, and the first such `slot`.
-    `bucket` is the number of the bucket to point at."""
+    """The reason why there is no route, as half a sentence, with a help and the first such `slot`.
+
+    `bucket` is the index of the bucket that the message points at."""
 
     reason: str
     help: str
@@ -37,8 +39,9 @@ class NoRoute:
 
 
 def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
-    """The route of the light of `shutters` (shutters, buckets, N): bucket b is tap b. Light that no
-    bucket collects goes to the drain, or to a tap without a bucket."""
+    """Return the route of the light of `shutters` (shutters, buckets, N), with bucket b at tap b.
+
+    Light that no bucket collects goes to the drain, or to a tap without a bucket."""
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"
@@ -64,7 +67,7 @@ _NOWHERE = 127
 def _chosen(
     open_in: NDArray[np.int8], away: int | None, buckets: tuple[str, ...], target: Target
 ) -> Route | NoRoute:
-    """The two destinations of each slot; `open_in` (shutters, N) is the bucket, or _NOWHERE."""
+    """Return the route for `open_in` (shutters, N): the index of the open bucket, or _NOWHERE."""
     slots = open_in.shape[1]
     ones, zeros = np.zeros(slots, np.int8), np.zeros(slots, np.int8)
     for slot in range(slots):

@@ -1,4 +1,4 @@
-"""The schedule of bit planes, and whether there is time to load them."""
+"""The schedule of bit planes, with a check that there is time to load them."""
 
 from __future__ import annotations
 
@@ -14,40 +14,40 @@ from nscc.words.stream import Loading, schedule
 
 @dataclass(frozen=True, eq=False)
 class Sending:
-    """A program's route through a chip without logic, and the times of its planes."""
+    """A program's route on a chip without logic, and the times of its bit planes."""
 
     program: Program
     route: Route
 
     @property
     def loadings(self) -> tuple[Loading, ...]:
-        """When the plane of each slot is sent and when it acts."""
+        """The times at which the plane of each slot is sent and takes effect."""
         return tuple(schedule(self.program.target, self.program.frame.slot_us))
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot that allows loading a plane."""
+        """The shortest slot in microseconds: the time to load a plane."""
         return self.program.target.plane_load_us
 
     @property
     def bits_a_frame(self) -> int:
-        """Bits sent for a frame."""
+        """The number of bits sent for a frame."""
         target = self.program.target
         return len(self.program.frame.slot_us) * target.rows * target.cols
 
     @property
     def bits_per_us(self) -> float:
-        """Data rate while a plane loads, row by row."""
+        """The data rate while a plane loads, in bits per microsecond."""
         return self.program.target.cols / self.program.target.row_load_us
 
     @property
     def frame_us(self) -> float:
-        """Time from the start of the first slot to the end of the last."""
+        """The time from the start of the first slot to the end of the last, in microseconds."""
         return sum(self.program.frame.slot_us)
 
 
 def late_fault(sending: Sending) -> Diagnostic | None:
-    """NS0508: a slot is shorter than the load time of a plane. Certain."""
+    """Return the error (NS0508) if a slot is shorter than the load time of a plane, else None."""
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
     # If light waits for the plane, a slot as short as the load time has no light.
@@ -71,7 +71,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
         related=chip_label(program, f"{takes} a plane"),
         notes=(
             *chip_note(program, f"{takes} a plane"),
-            "certain: every slot needs its own plane, which is sent row by row",
+            "certain: every slot needs its own bit plane, which is sent row by row",
         ),
         helps=(
             f"slots of {at_least(needed_us)} {longer_text} are long enough"
@@ -83,11 +83,11 @@ def late_fault(sending: Sending) -> Diagnostic | None:
 
 
 def _too_short(slot_us: float, needed_us: float, pipelined: bool) -> bool:
-    """Compare decimal times with a tolerance for rounding."""
+    """Return whether a slot is too short, with a tolerance for rounding."""
     return slot_us < needed_us * (1 - 1e-9) or (not pipelined and slot_us <= needed_us)
 
 
 def _fewer_slots(slots_us: tuple[float, ...], needed_us: float) -> str:
-    """A help: the number of equal slots that fits the frame."""
+    """Return a help with the number of equal slots that fit the frame; "" if none fits."""
     count = int(sum(slots_us) / needed_us)
     return f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""

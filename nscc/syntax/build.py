@@ -1,4 +1,5 @@
-"""From lark's tree of a statement to ours, bottom up, so that nothing recurses."""
+"""Conversion of lark's tree of a statement to nscc's tree, from the leaves up, without
+recursion."""
 
 from __future__ import annotations
 
@@ -17,15 +18,17 @@ from nscc.syntax import tree
 from nscc.syntax.lexer import span_of
 
 MOST_DEPTH = 200
-"""Levels of nodes and brackets in a statement. Later passes recurse over the tree: with Python's
-usual limit of a thousand calls each may take four a level."""
+"""Most levels of nodes and brackets in a statement, because later passes recurse over the tree.
+
+Python's limit of a thousand calls then allows each pass four calls per level."""
 
 _MOST_DECIMALS = 18
 _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s": Fraction(10**6)}
 
 
 class _Part(NamedTuple):
-    """A node, its depth, and its first and last token: with the brackets that its span lacks."""
+    """A node, its depth, and its first and last token, including brackets outside the
+    node's span."""
 
     value: Any
     depth: int
@@ -34,17 +37,16 @@ class _Part(NamedTuple):
 
 
 class Builder(Transformer_NonRecursive[Token, _Part]):
-    """Makes the nodes of one statement from lark's tree of it, from the leaves up.
+    """A builder of a statement's node from lark's tree, from the leaves up.
 
-    Raises Rejected for what parses and yet no program may say, without its source: NS0110 for more
-    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero.
-    """
+    Raises Rejected, without a source, for statements that parse but exceed a limit: NS0110 for more
+    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero."""
 
     def __init__(self) -> None:
         super().__init__(visit_tokens=False)
 
     def build(self, statement: Tree[Token]) -> tree.Statement:
-        """The statement's node."""
+        """Return the node of a statement."""
         node: tree.Statement = self.transform(statement).value
         return node
 
@@ -69,7 +71,8 @@ def _compare(span: Span, first: tree.Expr, *operators_and_operands: Any) -> tree
 
 
 def _from_file(make: Callable[..., Any]) -> Callable[..., Any]:
-    """The maker of a statement with a file and its options, in any order."""
+    """Return a function that makes a statement with a file and its options, which come in any
+    order."""
 
     def make_statement(
         span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
@@ -82,7 +85,7 @@ def _from_file(make: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
-    """Rows, and the divisor after them if there is one."""
+    """Make a convolution kernel from its rows and an optional divisor."""
     divided = not isinstance(rows_and_divisor[-1], tree.TileRow)
     rows, divisor = (
         (rows_and_divisor[:-1], rows_and_divisor[-1]) if divided else (rows_and_divisor, None)
@@ -91,14 +94,15 @@ def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
 
 
 def _assume(span: Span, *children: Any) -> tree.Assume:
-    """The texts of tokens: `assume exposure`, a bucket's node or nothing, a comparison, a level."""
+    """Make an `assume` statement from its tokens: the optional bucket, the comparison and the
+    level."""
     bucket = next((child for child in children if isinstance(child, tree.Name)), None)
     comparison, level = children[-2:]
     return tree.Assume(span, bucket, comparison, _amount(level, span))
 
 
 def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
-    """`value in [a, b, ..]` as `value == a or value == b or ..`, no deeper than it must be."""
+    """Convert `value in [a, b, ..]` to `value == a or value == b or ..`, as a balanced tree."""
     tests: list[tree.Expr] = [tree.Compare(span, value, ("==",), (item,)) for item in items]
     while len(tests) > 1:
         pairs = [tests[i : i + 2] for i in range(0, len(tests), 2)]
@@ -107,7 +111,7 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
 
 
 def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
-    """`kept` stands before the name or at the end."""
+    """Make a state; `kept` is before the name or at the end of the statement."""
     name, *values = [child for child in children if child is not True]
     is_kept = len(values) + 1 < len(children)
     if len(values) == 1:
@@ -142,7 +146,7 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
         span, name, signal, sign, level, at
     ),
 }
-"""What each rule makes of its span, its nodes and the texts of its tokens."""
+"""For each grammar rule a function of its span, its nodes and the texts of its tokens."""
 
 _OF_NODES: dict[str, Callable[..., Any]] = {
     "brackets": lambda _span, node: node,
@@ -188,7 +192,7 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
     "pixels_tile": lambda span, field, *rows: tree.PixelsTile(span, field, rows),
     "pixels_from_file": lambda span, path, sha256=None: tree.PixelsFromFile(span, path, sha256),
 }
-"""What the other rules make of their span and their nodes, whatever words stand in between."""
+"""For the other rules a function of the rule's span and nodes."""
 
 
 def _whole_number(text: str, span: Span) -> int:

@@ -1,10 +1,9 @@
-"""A program's text in the one style of the language, for `nscc fmt`.
+"""Formatting of programs in the standard style, for `nscc fmt`.
 
-Tokens and comments stay what they are and where they are in order; blanks, line ends and the
-commas that end lists are the style's. One statement begins a line. Groups of lines stay groups: one
-empty line is kept, more become one. Comments after statements stand in one column within a group. A
-statement with a comment inside keeps its own line ends.
-"""
+Tokens, comments and their order do not change; blanks, line breaks and commas at the ends of lists
+follow the style. Each statement starts a line. Groups of lines are kept: several empty lines become
+one. Comments after statements are aligned within a group. A statement with a comment inside keeps
+its line breaks."""
 
 from __future__ import annotations
 
@@ -20,28 +19,28 @@ from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.parse import parse
 
 WIDTH = 100
-"""No line is longer, unless a token or a comment is."""
+"""Longest line, unless a single token or comment is longer."""
 _INDENT = "    "
 _COMMENTS_AT = 36
-"""The column, from 0, of comments after statements; further right by fours where lines are long."""
+"""The column (from 0) of comments after statements; in groups with long lines, steps of 4
+further."""
 _COMMENT = re.compile(r"#[^\r\n]*")
 _OPERANDS = frozenset(("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]"))
-"""What ends an operand: a minus after anything else is a sign."""
+"""Tokens that end an operand; a minus after any other token is a sign."""
 _OPENING = ("(", "[", "PLACE")
 _LOOSEST_FIRST = (
     ("if", "else"), ("or",), ("xor",), ("and",), ("COMPARISON", "in"), ("<<",), ("+", "-"),
     ("*", "/", "%"),
 )  # fmt: skip
-"""Before what a long line is broken."""
+"""Operators before which a long line is broken, in order of preference."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Token:
     """A token of a statement.
 
-    `line` is that which it is on, from 0 at the statement's first; `comments` are those before it,
-    by their lines. `close`: no blank comes before it. `sign`: a minus that takes one operand.
-    """
+    `line` is its line, from 0 at the statement's first; `comments` are the comments before it, by
+    line. `close` means that no blank comes before it. `sign` marks a minus with one operand."""
 
     kind: str
     text: str
@@ -53,17 +52,16 @@ class _Token:
 
 @dataclass
 class _Line:
-    """A line to be: its text, the comment after it. Without either it parts two groups."""
+    """A line of output: its text, and a comment after it; an empty line separates groups."""
 
     text: str = ""
     comment: str = ""
 
 
 def format_source(source: Source) -> str:
-    """The text of a program in the one style, ending in a line end.
+    """Return a program's text in the standard style, ending in a line break.
 
-    Raises Rejected, with the errors of `parse`, for what is no program.
-    """
+    Raises Rejected with the errors of `parse` for an invalid program."""
     file, errors = parse(source)
     if errors:
         raise Rejected(errors)
@@ -77,14 +75,14 @@ def format_source(source: Source) -> str:
 
 
 def _bare(value: object) -> object:
-    """A tree without its places."""
+    """Return a tree without its places."""
     if isinstance(value, tree.Node):
         return (type(value), *(_bare(getattr(value, name)) for name in value.fields[1:]))
     return tuple(map(_bare, value)) if isinstance(value, tuple) else value
 
 
 def _comments(source: Source) -> list[str]:
-    """The comments of a text, in order."""
+    """Return the comments of a text, in order."""
     tokens = lex(source)
     spans = [tokens.span(k) for k in range(len(tokens.kinds))]
     gaps = zip(
@@ -96,7 +94,7 @@ def _comments(source: Source) -> list[str]:
 
 @dataclass
 class _Writer:
-    """Writes the statements of a tree, with the comments that its source has between tokens."""
+    """A writer of the statements of a tree, with the comments of its source."""
 
     source: Source
     file: tree.File
@@ -117,13 +115,13 @@ class _Writer:
         return "".join(f"{line}\n" for line in _with_comments(self.lines))
 
     def _between(self, begin: int, end: int) -> None:
-        """The comments and empty lines between two statements."""
+        """Add the comments and empty lines between two statements."""
         gap = self.source.text[begin:end]
         at = 0
         for comment in _COMMENT.finditer(gap):
             line_ends = _line_ends(gap[at : comment.start()])
             text = comment.group().rstrip()
-            # The end of a tile takes in the comment of its last row.
+            # The end of a tile includes the comment of its last row.
             if line_ends == 0 and self.lines and not self.lines[-1].comment:
                 self.lines[-1].comment = text
             else:
@@ -142,7 +140,7 @@ def _line_ends(blank: str) -> int:
 
 
 def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
-    """The tokens of one statement."""
+    """Yield the tokens of one statement."""
     text, kinds = tokens.source.text, tokens.kinds
     line, end, sign = 0, tokens.span(begin).start, False
     for k in range(begin, last):
@@ -160,7 +158,7 @@ def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
 
 
 def _close(statement: str, before: str, kind: str, place: int) -> bool:
-    """Whether there is no blank between two tokens, the second being the statement's `place`th."""
+    """Return whether there is no blank before token number `place` of a statement."""
     if kind in (",", ")", "]", "..") or before in ("(", "[", "PLACE", ".."):
         return True
     if kind == "(":
@@ -172,7 +170,7 @@ def _close(statement: str, before: str, kind: str, place: int) -> bool:
 
 
 def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
-    """The text of lines, those comments of a group that follow something in one column."""
+    """Yield the text of lines, with the comments of each group aligned."""
     for empty, group in groupby(lines, key=_Line().__eq__):
         run = list(group)
         if empty:
@@ -204,7 +202,7 @@ def _statement_lines(tokens: list[_Token]) -> list[_Line]:
 
 
 def _as_it_stands(tokens: Sequence[_Token]) -> list[_Line]:
-    """The lines of a statement that has comments inside, each with its blanks put right."""
+    """Return the lines of a statement with comments inside, with corrected blanks."""
     runs: dict[int, list[_Token]] = {}
     comments: dict[int, str] = {}
     for token in tokens:
@@ -223,11 +221,10 @@ def _as_it_stands(tokens: Sequence[_Token]) -> list[_Line]:
 
 @dataclass
 class _Rows:
-    """A codebook or a tile: what comes before its rows, `[` included; the rows; comments.
+    """A codebook or a tile: the text before its rows (with `[`), the rows, and comments.
 
-    `after[k]` is the comment after row k - 1, or after `head` for k = 0; `above[k]` are those on
-    lines of their own above row k, the last ones above the `]` at the end.
-    """
+    `after[k]` is the comment after row k - 1, or after `head` for k = 0. `above[k]` are the comment
+    lines above row k; the last are those above the closing `]`."""
 
     head: str
     rows: list[list[_Token]]
@@ -237,14 +234,15 @@ class _Rows:
 
     @classmethod
     def of(cls, tokens: list[_Token]) -> _Rows | None:
-        """None for other statements, and where comments are inside of rows."""
+        """Return the rows of a statement; None for other statements, and for comments
+        inside a row."""
         kinds = [token.kind for token in tokens]
         is_book = kinds[0] == "shutters" and "[" in kinds
         if not is_book and not (kinds[0] == "pixels" and "tile" in kinds):
             return None
         opening = kinds.index("[")
         rows = _split_at_commas(tokens[opening + 1 : -1])
-        if not all(rows):  # a comma at the end stayed, for the comment before it
+        if not all(rows):  # the final comma was kept because of the comment before it
             return None
         above: list[list[str]] = []
         after: list[str] = []
@@ -259,7 +257,7 @@ class _Rows:
         return cls(_joined(tokens[: opening + 1]), rows, above, after, is_book)
 
     def book(self) -> list[_Line] | None:
-        """A row a line; None for a single one."""
+        """Return a codebook with one row per line; None if it has a single row."""
         if len(self.rows) == 1:
             return None
         lines = [_Line(self.head, self.after[0])]
@@ -269,7 +267,7 @@ class _Rows:
         return [*lines, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
 
     def tile(self) -> list[_Line] | None:
-        """A row a line, each value under that above it; None where that does not fit."""
+        """Return a tile with one row per line and aligned values; None if that does not fit."""
         if self.above[0] or self.above[-1] or self.after[0]:
             return None
         values = [[_joined(value) for value in _split_at_commas(row[1:-1])] for row in self.rows]
@@ -288,7 +286,7 @@ class _Rows:
 
 
 def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
-    """What stands between the commas outside of all brackets."""
+    """Return the groups of tokens between the commas outside of all brackets."""
     groups: list[list[_Token]] = [[]]
     depth = 0
     for token in tokens:
@@ -301,7 +299,7 @@ def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
-    """A statement, or a part of one, in lines that fit; those after the first are further in."""
+    """Return a statement, or a part of one, in lines that fit; continuation lines are indented."""
     single_line = indent + _joined(tokens)
     if len(single_line) <= WIDTH:
         return [single_line]
@@ -321,7 +319,7 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
 
 
 def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_Token]]:
-    """Pieces that fit into a line in one."""
+    """Join consecutive pieces that fit into one line."""
     merged: list[list[_Token]] = []
     for piece in pieces:
         if merged and indent_length + len(_joined([*merged[-1], *piece])) <= WIDTH:
@@ -340,7 +338,7 @@ def _depth(tokens: Sequence[_Token]) -> int:
 
 
 def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[list[_Token]]:
-    """Tokens parted before operators, or after commas, of these kinds within so many brackets."""
+    """Split tokens before operators, or after commas, of these kinds at bracket depth `depth`."""
     pieces: list[list[_Token]] = [[]]
     now = 0
     for token in tokens:
@@ -355,7 +353,7 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
 
 
 def _joined(tokens: Sequence[_Token]) -> str:
-    """Tokens in one line."""
+    """Return the tokens as one line."""
     first, *later_tokens = tokens
     return first.text + "".join(
         f"{'' if token.close else ' '}{token.text}" for token in later_tokens

@@ -1,5 +1,4 @@
-"""Hints for syntax of other languages and common units: the likely meaning of a statement, in this
-language."""
+"""Hints for syntax of other languages and for common units: what the user probably meant."""
 
 from __future__ import annotations
 
@@ -20,17 +19,19 @@ _UNITS = {
     **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds"), "ms"),
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "s"),
 }
-"""Common spellings of time units, in lower case, and the language's unit (the micro sign and the
-Greek letter are different characters)."""
+"""Common spellings of time units, in lower case, with the language's unit.
+
+The micro sign and the Greek letter mu are different characters."""
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
 _MOST_PARTS = 1000
-"""Decimals are replaced by fractions with at most this denominator."""
+"""Largest denominator of a fraction that replaces a decimal number."""
 _CHOICE = "a choice is written `A if CONDITION else B`"
 _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 
 
 def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
-    """Sure fixes for the token at which a statement, which ends at token `last`, got stuck."""
+    """Yield safe fixes for the token at which the parser stopped; the statement ends at token
+    `last`."""
     at = stuck.token
     text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
     if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
@@ -48,7 +49,7 @@ def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
 
 
 def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
-    """Further hints for the statement of tokens `first` to `last` that got stuck."""
+    """Yield hints for the statement of tokens `first` to `last` in which the parser stopped."""
     at, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
         yield from _range_hints(tokens, first, at)
@@ -84,7 +85,7 @@ def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
 
 
 def number_hints(tokens: Tokens, at: int) -> Iterator[str]:
-    """Hints for token `at`, which starts like a number but is not one."""
+    """Yield hints for token `at`, which starts like a number but is invalid."""
     text = tokens.text(at)
     if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
         yield "numbers are integers; only times have decimals, with a unit: 1.6ms"
@@ -100,7 +101,7 @@ def number_hints(tokens: Tokens, at: int) -> Iterator[str]:
 
 
 def file_hint(tokens: Tokens, at: int) -> str | None:
-    """The hint for a dot at token `at` inside a file name."""
+    """Return a hint for a dot at token `at` inside a file name, or None."""
     beside = tokens.text(at - 1) if at else "", _text(tokens, at + 1, len(tokens.kinds))
     touching = at and tokens.span(at - 1).end == tokens.span(at).start
     if touching and beside[1] in ("npz", "npy", "toml", "mat"):
@@ -113,7 +114,7 @@ def _text(tokens: Tokens, at: int, last: int) -> str:
 
 
 def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """The hint for a field whose range lacks its two dots."""
+    """Yield a hint for a field whose range lacks its two dots."""
     kind = _text(tokens, first + 3, at)
     nearest = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
     if nearest is not None and kind != nearest:
@@ -123,7 +124,7 @@ def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
 
 
 def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
-    """The hint for multiplying or dividing by a decimal number in integer arithmetic."""
+    """Yield a hint for multiplying or dividing by a decimal number in integer arithmetic."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
     fraction = Fraction(number)
@@ -144,7 +145,8 @@ def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
 
 
 def _time(number: str, unit: str) -> str | None:
-    """A time in the language's form, from a number and a common unit; None for other units."""
+    """Return a time in the language's form, from a number and a common unit; None for other
+    units."""
     match = _NUMBER_AND_UNIT.fullmatch(number + unit)
     meant = _UNITS.get(match[2].lower()) if match else None
     return f"{match[1]}{meant}" if match and meant else None

@@ -1,4 +1,5 @@
-"""Text to tokens: every character of a text ends up in one, so that nothing stops the lexer."""
+"""The lexer: converts text to tokens; every character belongs to a token, so it accepts any
+text."""
 
 from __future__ import annotations
 
@@ -14,11 +15,10 @@ from nscc.syntax.words import names_in, statement_words
 
 @dataclass(frozen=True, slots=True)
 class Tokens:
-    """The tokens of a text, blanks and comments left out.
+    """The tokens of a text, without blanks and comments.
 
-    The kind of a token is its terminal in the grammar; a word or sign stands for itself. No
-    statement takes MALFORMED, UNCLOSED and STRAY.
-    """
+    The kind of a token is its terminal in the grammar; the kind of a keyword or sign is its text.
+    The kinds MALFORMED, UNCLOSED and STRAY are invalid in every statement."""
 
     source: Source
     lark_tokens: list[Token]
@@ -26,36 +26,36 @@ class Tokens:
 
     @property
     def version(self) -> int:
-        """The version that the text begins with; 1 where it does not say one."""
+        """The language version at the start of the text, 1 if there is none."""
         states_version = self.kinds[:2] == ["nsl", "INTEGER"]
         number = self.text(1).lstrip("0") if states_version else ""
         return int(number) if number in ("2", "3") else 1
 
     def text(self, index: int) -> str:
-        """The text of a token, as it stands in the source."""
+        """Return the text of a token in the source."""
         span = self.span(index)
         return self.source.text[span.start : span.end]
 
     def span(self, index: int) -> Span:
-        """The place of a token."""
+        """Return the place of a token."""
         return span_of(self.lark_tokens[index])
 
     def read_as(self, index: int, word: str) -> None:
-        """Takes a token for the word that it was meant to be."""
+        """Replace a token by the keyword that was meant."""
         terminal = next(name for name, spelt in spellings().items() if spelt == word)
         self.lark_tokens[index] = self.lark_tokens[index].update(type=terminal)
         self.kinds[index] = word
 
 
 def span_of(token: Token) -> Span:
-    """The place of a token that the lexer found."""
+    """Return the place of a token of the lexer."""
     assert token.start_pos is not None
     assert token.end_pos is not None
     return Span(token.start_pos, token.end_pos)
 
 
 def lex(source: Source) -> Tokens:
-    """All tokens of a text, in order; takes any text."""
+    """Return all tokens of a text, in order."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
     level = re.compile(parser().get_terminal("LEVEL").pattern.value)
@@ -91,13 +91,13 @@ def lex(source: Source) -> Tokens:
 
 
 _PICTURES = ("image", "plane", "assume")
-"""The statements of version 3 that have levels among their operands."""
+"""The statements of version 3 whose operands may be levels."""
 
 
 def _of_picture(
     tokens: Tokens, token: Token, statement: str, level: re.Pattern[str]
 ) -> Token | None:
-    """The token of such a statement where other statements have another one."""
+    """Return the token as statements of version 3 read it, or None if it is the same."""
     start, text = span_of(token).start, tokens.source.text
     if amount := level.match(text, start):
         return Token("AMOUNT", amount.group(), start, end_pos=amount.end())
@@ -113,7 +113,7 @@ def _of_picture(
 
 
 def _awaits_level(tokens: Tokens) -> bool:
-    """Whether a sense's level may come next: after its comparison, or in a list there."""
+    """Return whether a sense's level may come next: after its comparison, or in a list there."""
     if tokens.kinds[-1:] not in (["COMPARISON"], ["["], [","]):
         return False
     if tokens.version == 1:

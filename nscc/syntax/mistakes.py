@@ -1,5 +1,4 @@
-"""Mistakes in a statement's text, in plain words: what was expected, what was found, and where the
-mistake is a common one, what was probably meant."""
+"""Messages for syntax errors: what was expected, what was found, and what was probably meant."""
 
 from __future__ import annotations
 
@@ -43,11 +42,12 @@ _SIGNS = {
     "{": ("the language has no braces", None),
     "}": ("the language has no braces", None),
 }
-"""Signs that other languages have: what to do, and what to write instead where that is sure."""
+"""Signs of other languages: a hint, and the replacement if it is certain."""
 
 
 def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
-    """The error for a statement of the tokens `first` up to `last` that got stuck."""
+    """Return the error for a statement of the tokens `first` up to `last` in which the parser
+    stopped."""
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
@@ -66,12 +66,11 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
 def misspelt_statement(
     tokens: Tokens, first: int, last: int, stuck: Stuck
 ) -> tuple[int, str] | None:
-    """The name, and the statement's word that it was meant to be, that likely begins a statement of
-    its own where the one from `first` got stuck.
+    """Return the token that is probably a misspelt keyword of a new statement, and that keyword.
 
-    It stands where a statement may begin, or first on its line; the statement before may have taken
-    it for an operand, and have got stuck on what follows.
-    """
+    The parser stopped in the statement from `first`. The token is where a statement may begin, or
+    first on its line; the parser may have read it as an operand and stopped at the next token. None
+    if there is no such token."""
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
@@ -88,7 +87,7 @@ def _first_on_line(tokens: Tokens, index: int) -> bool:
 
 
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
-    """NS0109: a word stands where a statement should begin."""
+    """Return the error (NS0109) for an unknown word at the start of a statement."""
     word = tokens.text(token)
     words = statement_words(tokens.version)
     spelling = closest(word, words)
@@ -178,7 +177,7 @@ def _forms(statement: str) -> tuple[str, ...]:
 
 
 def _left_open(tokens: Tokens, first: int, stuck: Stuck) -> tuple[Label, ...]:
-    """The innermost bracket that is open where the statement got stuck, if closing it would do."""
+    """Return the innermost open bracket where the parser stopped, if closing it would be valid."""
     opened = _open_brackets(tokens, first, stuck)
     if not opened or not stuck.expected & {"]", ")"}:
         return ()
@@ -196,7 +195,7 @@ def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
 
 
 def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
-    """What a statement that got stuck like this usually lacks."""
+    """Yield hints on what such a statement usually lacks."""
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
@@ -221,7 +220,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
 
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
-    """Changes that would surely put right what the statement got stuck on."""
+    """Yield safe changes that correct the token at which the parser stopped."""
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)

@@ -1,5 +1,7 @@
-"""From text to tree. All errors of a file are found in one go: its tokens are split at the words
-that begin statements, and each statement is parsed by itself."""
+"""The parser: converts text to a tree, and finds all errors of a file at once.
+
+The tokens are split at the keywords that begin statements, and each statement is parsed separately.
+"""
 
 from __future__ import annotations
 
@@ -38,11 +40,10 @@ _AFTER_A_NAME = ("=", ":", "[", "from", "open")
 
 
 def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
-    """The tree of the statements that could be read, and every error in the text, in its order.
+    """Return the tree of the valid statements, and every error in the order of the text.
 
-    Of a statement with an error the part before is kept if it is whole. After MOST_ERRORS errors
-    one more, NS0190, counts the rest. Never raises for bad text.
-    """
+    If a statement has an error, the part before the error is kept if it is a valid statement. After
+    MOST_ERRORS errors, NS0190 counts the others. Never raises for invalid text."""
     span = Span(0, len(source.text))
     if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
         return tree.File(span, ()), (too_large(source.name),)
@@ -64,7 +65,7 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
 
 
 class _Errors:
-    """The errors of a text: the first MOST_ERRORS of them and the number of the rest."""
+    """The errors of a text: the first MOST_ERRORS, and the number of the others."""
 
     def __init__(self, source: Source) -> None:
         self._source = source
@@ -73,7 +74,7 @@ class _Errors:
 
     @property
     def are_many(self) -> bool:
-        """Whether further errors are only counted."""
+        """Return whether further errors are only counted."""
         return len(self._first) >= MOST_ERRORS
 
     def add(self, make: Callable[[], Diagnostic]) -> None:
@@ -90,11 +91,10 @@ class _Errors:
 
 
 def statement_starts(tokens: Tokens) -> list[int]:
-    """The tokens that begin statements.
+    """Return the indices of the tokens that begin statements.
 
-    `open` belongs to the `bucket` before it, and a statement's word that stands where a name
-    should (`let open = 1`) to the statement that it is in.
-    """
+    `open` belongs to the `bucket` before it, and a keyword at the place of a name (`let open = 1`)
+    belongs to its statement."""
     words = frozenset(statement_words(tokens.version))
     kinds = tokens.kinds
     starts: list[int] = []
@@ -141,7 +141,7 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
 
 
 def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Errors) -> int | None:
-    """The token from which to go on, as the word that it was meant to be, or None."""
+    """Report a misspelt keyword; return its token, where parsing continues, or None."""
     if (misspelt := misspelt_statement(tokens, first, last, stuck)) is None:
         return None
     index, word = misspelt
@@ -151,7 +151,7 @@ def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Erro
 
 
 def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
-    """NS0104, at the first token, which is not `nsl`."""
+    """Return the error (NS0104) at the first token, which is not `nsl`."""
     source = tokens.source
     if not tokens.kinds:
         message = "this file is empty; a shutter program begins with `nsl 1`"

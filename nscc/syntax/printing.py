@@ -1,4 +1,4 @@
-"""The syntax tree as text, one node a line, for `--emit ast` and `--print-after parse`."""
+"""The syntax tree as text, one node per line, for `--emit ast` and `--print-after parse`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _LONGEST = 20
 
 
 def print_tree(file: File, source: Source) -> str:
-    """Every node with its place, row:column, indented below its parent; long lists are
+    """Return every node with its place, row:column, indented below its parent; long lists are
     shortened."""
     lines: list[str] = []
     for statement in file.statements:

@@ -1,4 +1,4 @@
-"""Read and decode program files."""
+"""Reading and decoding of program files."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ MOST_BYTES = 256 * 1024
 
 
 def read_source(path: Path) -> Source:
-    """Read a program file and remove a byte order mark. Raises Rejected: NS0101 (status 2) if the
-    file cannot be read, else as `source_of`. Reads at most 256 KiB."""
+    """Read a program file and remove a byte order mark.
+
+    Raises Rejected: NS0101 (status 2) if the file cannot be read, otherwise as `source_of` does.
+    Reads at most 256 KiB."""
     name = path.as_posix()
     try:
         with open(path, "rb") as file:
@@ -26,9 +28,10 @@ def read_source(path: Path) -> Source:
 
 
 def source_of(path: Path, data: bytes) -> Source:
-    """Decode the bytes of a program file and remove a byte order mark. Raises Rejected (status 1):
-    NS0103 if it exceeds 256 KiB, NS0102 if it is not UTF-8; the diagnostic has the file's name but
-    no text."""
+    """Decode the bytes of a program file and remove a byte order mark.
+
+    Raises Rejected (status 1): NS0103 if it exceeds 256 KiB, NS0102 if it is not UTF-8. The
+    diagnostic has the file's name but no text."""
     name = path.as_posix()
     if len(data) > MOST_BYTES:
         raise (
@@ -47,7 +50,7 @@ def source_of(path: Path, data: bytes) -> Source:
 
 
 def too_large(name: str) -> Diagnostic:
-    """NS0103: a program text exceeds the size limit."""
+    """Return the error (NS0103) that a program text exceeds the size limit."""
     return Diagnostic(
         "NS0103",
         f"this program is larger than {MOST_BYTES // 1024} KiB, the largest size of a program",

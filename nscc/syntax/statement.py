@@ -1,4 +1,4 @@
-"""Parse the tokens of one statement by lark's LALR parser."""
+"""Parsing of the tokens of one statement by lark's LALR parser."""
 
 from __future__ import annotations
 
@@ -14,17 +14,20 @@ from nscc.syntax.lexer import Tokens
 
 @dataclass(frozen=True)
 class Stuck:
-    """The token at which no statement can continue. `token` is its index, one past the last token
-    if the statement ends too early; `before` are the statement's tokens before it."""
+    """The token at which the parser stopped because no statement can continue with it.
+
+    `token` is its index, one past the last token if the statement ends too early. `before` are the
+    statement's tokens before it."""
 
     token: int
     before: tuple[Token, ...]
 
     @cached_property
     def expected(self) -> frozenset[str]:
-        """The kinds of token that could follow instead; END if the statement could end. Computed
-        from `before` alone, because the failed token may already have reduced the parser's stack,
-        after which fewer kinds appear possible."""
+        """The kinds of token that could follow instead; END if the statement could end.
+
+        They are computed from `before`, because the failed token may already have reduced the
+        parser's stack, after which fewer kinds appear possible."""
         machine = _machine()
         for token in self.before:
             machine.feed_token(token)
@@ -34,9 +37,10 @@ class Stuck:
 
 
 def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stuck | None]:
-    """Parse the tokens `first` up to but not including `last` as one statement. Returns lark's tree
-    and None. If parsing fails, returns a Stuck, with the tree of the tokens before it if they are a
-    complete statement."""
+    """Parse the tokens from `first` up to, but not including, `last` as one statement.
+
+    Returns lark's tree and None. If parsing fails, returns a Stuck, with the tree of the tokens
+    before it if they are a complete statement."""
     machine = _machine()
     stuck = None
     for index in range(first, last):

@@ -1,7 +1,6 @@
-"""The tree of a shutter program: what was written, where, and nothing else.
+"""The syntax tree of a program: nodes with the places of their text.
 
-Every node carries the span of its text. Nodes are frozen values; equality ignores nothing.
-"""
+Nodes are frozen values; equality compares all fields."""
 
 from __future__ import annotations
 
@@ -13,15 +12,14 @@ from nscc.source import Span
 
 @dataclass_transform(frozen_default=True)
 class Record:
-    """A subclass lists its fields as a frozen dataclass does, and behaves like one.
+    """A base class that behaves like a frozen dataclass with the listed `fields`.
 
-    Making thirty real ones would take a tenth of the time that `nscc check` may take.
-    """
+    Thirty real dataclasses would take a tenth of the time of `nscc check`."""
 
     fields: ClassVar[tuple[str, ...]] = ()
 
     def __init_subclass__(cls) -> None:
-        cls.fields = (*cls.fields, *cls.__annotations__)
+        cls.fields = (*cls.fields, *vars(cls).get("__annotations__", ()))
         type.__setattr__(cls, "__match_args__", cls.fields)
 
     def __init__(self, *values: Any) -> None:
@@ -44,20 +42,17 @@ class Record:
 
 
 class Node(Record):
-    """Anything with a place in the source."""
+    """A node with a place in the source."""
 
     span: Span
 
 
-# --- expressions --------------------------------------------------------------------------------
-
-
 MOST_INTEGER = 2**62 - 1
-"""Largest magnitude of a literal, and of any value: the sum of two of them still fits 64 bits."""
+"""Largest magnitude of a literal and of any value, so that the sum of two values fits 64 bits."""
 
 
 class Int(Node):
-    """A whole number, 0 to MOST_INTEGER."""
+    """A whole number from 0 to MOST_INTEGER."""
 
     value: int
 
@@ -71,14 +66,14 @@ class Name(Node):
 
 
 class Unary(Node):
-    """`op` is "-" or "not"."""
+    """A negation: `op` is "-" or "not"."""
 
     op: str
     operand: Expr
 
 
 class Binary(Node):
-    """`op` is one of * / % + - << and xor or."""
+    """An operation on two operands: `op` is one of * / % + - << and xor or."""
 
     op: str
     left: Expr
@@ -94,7 +89,7 @@ class Compare(Node):
 
 
 class IfElse(Node):
-    """`then if condition else otherwise`."""
+    """The expression `then if condition else otherwise`."""
 
     then: Expr
     condition: Expr
@@ -102,21 +97,23 @@ class IfElse(Node):
 
 
 class Index(Node):
-    """`base[index]`: bit of a bit field, or digit n of a codebook's row."""
+    """The expression `base[index]`: a bit of a bit field, or digit n of a codebook's row."""
 
     base: Name
     index: Expr
 
 
 class Call(Node):
-    """`min(...)` or `max(...)`; in version 3 also a kernel or a function of images and planes."""
+    """The expression `min(...)` or `max(...)`; in version 3 also a convolution kernel or a function
+    of images and planes."""
 
     function: Name
     arguments: tuple[Expr, ...]
 
 
 class Place(Node):
-    """`plane[right, down]`: the bit of a pixel so many columns and rows away."""
+    """The expression `plane[right, down]`: the bit of the pixel at an offset of columns and
+    rows."""
 
     base: Name
     right: Expr
@@ -124,7 +121,7 @@ class Place(Node):
 
 
 class Amount(Node):
-    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (codes of the ADC)."""
+    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (converter codes)."""
 
     value: Fraction
     unit: str
@@ -137,7 +134,7 @@ Expr = Int | Bool | Name | Unary | Binary | Compare | IfElse | Index | Call | Pl
 
 
 class Time(Node):
-    """A length of time, exact, in microseconds."""
+    """A length of time in microseconds, exact."""
 
     us: Fraction
 
@@ -149,7 +146,7 @@ class Text(Node):
 
 
 class BookRow(Node):
-    """The digits of a codebook's row with the underscores taken out, first digit slot 0."""
+    """The digits of a codebook's row without underscores; the first digit is slot 0."""
 
     digits: str
 
@@ -159,17 +156,18 @@ class TileRow(Node):
 
 
 class Light(Node):
-    """`light`: the charge since the frame's start or the pixel's last reset, open or not."""
+    """The expression `light`: the charge since the frame's start or the pixel's last reset, with
+    shutter open or closed."""
 
 
 class Exposure(Node):
-    """`exposure [BUCKET]`: the light of the completed open slots."""
+    """The expression `exposure [BUCKET]`: the light of the completed open slots."""
 
     bucket: Name | None
 
 
 class Levels(Node):
-    """`[LEVEL, ...]`: one for each look of a sense, in order."""
+    """The expression `[LEVEL, ...]`: a level for each look of a sense, in order."""
 
     items: tuple[Amount | Expr, ...]
 
@@ -178,7 +176,7 @@ class Levels(Node):
 
 
 class Version(Node):
-    """`nsl 1`."""
+    """The statement `nsl 1`."""
 
     number: Int
 
@@ -192,14 +190,14 @@ class TargetFromFile(Node):
 
 
 class EqualSlots(Node):
-    """`frame COUNT slots of LENGTH`."""
+    """The statement `frame COUNT slots of LENGTH`."""
 
     count: Expr
     length: Time
 
 
 class ListedSlots(Node):
-    """`frame slots [TIME, ...]`."""
+    """The statement `frame slots [TIME, ...]`."""
 
     lengths: tuple[Time, ...]
 
@@ -210,7 +208,7 @@ class Let(Node):
 
 
 class CodeRange(Node):
-    """`code NAME : LO..HI`, both included."""
+    """The statement `code NAME : LO..HI`, both included."""
 
     name: Name
     low: Expr
@@ -218,14 +216,14 @@ class CodeRange(Node):
 
 
 class CodeBits(Node):
-    """`code NAME : bit[COUNT]`."""
+    """The statement `code NAME : bit[COUNT]`."""
 
     name: Name
     count: Expr
 
 
 class CodeRow(Node):
-    """`code NAME : row of BOOK`."""
+    """The statement `code NAME : row of BOOK`."""
 
     name: Name
     book: Name
@@ -236,14 +234,14 @@ class Require(Node):
 
 
 class BookInline(Node):
-    """`shutters NAME [ROW, ...]`."""
+    """The statement `shutters NAME [ROW, ...]`."""
 
     name: Name
     rows: tuple[BookRow, ...]
 
 
-class BookFromFile(Node):
-    """`shutters NAME from "FILE" [key KEY] [sha256 "..."]`."""
+class FromFile(Node):
+    """A statement `KEYWORD NAME from "FILE" [key KEY] [sha256 "..."]`."""
 
     name: Name
     path: Text
@@ -251,21 +249,26 @@ class BookFromFile(Node):
     sha256: Text | None
 
 
+class BookFromFile(FromFile):
+    """The statement `shutters NAME from ..`."""
+
+
 class Open(Node):
-    """`open when RULE`."""
+    """The statement `open when RULE`."""
 
     rule: Expr
 
 
 class Bucket(Node):
-    """`bucket NAME open when RULE`."""
+    """The statement `bucket NAME open when RULE`."""
 
     name: Name
     rule: Expr
 
 
 class Sense(Node):
-    """`sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as written."""
+    """The statement `sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as
+    written."""
 
     name: Name
     signal: Light | Exposure
@@ -275,7 +278,7 @@ class Sense(Node):
 
 
 class StateRange(Node):
-    """`state NAME : LO..HI = START [kept]`."""
+    """The statement `state NAME : LO..HI = START [kept]`."""
 
     name: Name
     low: Expr
@@ -285,7 +288,7 @@ class StateRange(Node):
 
 
 class StateBit(Node):
-    """`state NAME : bit = START [kept]`."""
+    """The statement `state NAME : bit = START [kept]`."""
 
     name: Name
     start: Expr
@@ -293,7 +296,7 @@ class StateBit(Node):
 
 
 class Next(Node):
-    """`next NAME = EXPR [when CONDITION]`."""
+    """The statement `next NAME = EXPR [when CONDITION]`."""
 
     name: Name
     value: Expr
@@ -301,56 +304,51 @@ class Next(Node):
 
 
 class Reset(Node):
-    """`reset when EXPR`."""
+    """The statement `reset when EXPR`."""
 
     condition: Expr
 
 
 class Read(Node):
-    """`read NAME, ...`."""
+    """The statement `read NAME, ...`."""
 
     names: tuple[Name, ...]
 
 
 class Kernel(Node):
-    """`kernel NAME = [[..], ..] / DIVISOR`."""
+    """The statement `kernel NAME = [[..], ..] / DIVISOR`."""
 
     name: Name
     rows: tuple[TileRow, ...]
     divisor: Expr | None
 
 
-class KernelFromFile(Node):
-    """`kernel NAME from "FILE" [key KEY] [sha256 "..."]`."""
-
-    name: Name
-    path: Text
-    key: Name | None
-    sha256: Text | None
+class KernelFromFile(FromFile):
+    """The statement `kernel NAME from ..`."""
 
 
 class Image(Node):
-    """`image NAME = EXPR`."""
+    """The statement `image NAME = EXPR`."""
 
     name: Name
     value: Expr
 
 
 class Plane(Node):
-    """`plane NAME = CONDITION`."""
+    """The statement `plane NAME = CONDITION`."""
 
     name: Name
     condition: Expr
 
 
 class Outside(Node):
-    """`outside 0` or `outside 1`."""
+    """The statement `outside 0` or `outside 1`."""
 
     bit: Int
 
 
 class Assume(Node):
-    """`assume exposure [BUCKET] <= LEVEL`; `comparison` is the sign as written."""
+    """The statement `assume exposure [BUCKET] <= LEVEL`; `comparison` is the sign as written."""
 
     bucket: Name | None
     comparison: str
@@ -358,7 +356,7 @@ class Assume(Node):
 
 
 class Report(Node):
-    """`report KIND PLANE [at most COUNT]`; `most` is the word before COUNT."""
+    """The statement `report KIND PLANE [at most COUNT]`; `most` is the word before COUNT."""
 
     kind: Name
     plane: Name
@@ -367,61 +365,35 @@ class Report(Node):
 
 
 class PixelsExpr(Node):
-    """`pixels FIELD = EXPR`."""
+    """The statement `pixels FIELD = EXPR`."""
 
     field: Name
     value: Expr
 
 
 class PixelsTile(Node):
-    """`pixels FIELD = tile [[..], ..]`."""
+    """The statement `pixels FIELD = tile [[..], ..]`."""
 
     field: Name
     rows: tuple[TileRow, ...]
 
 
 class PixelsFromFile(Node):
-    """`pixels from "FILE" [sha256 "..."]`."""
+    """The statement `pixels from "FILE" [sha256 "..."]`."""
 
     path: Text
     sha256: Text | None
 
 
 Statement = (
-    Version
-    | TargetByName
-    | TargetFromFile
-    | EqualSlots
-    | ListedSlots
-    | Let
-    | CodeRange
-    | CodeBits
-    | CodeRow
-    | Require
-    | BookInline
-    | BookFromFile
-    | Open
-    | Bucket
-    | Sense
-    | StateRange
-    | StateBit
-    | Next
-    | Reset
-    | Read
-    | Kernel
-    | KernelFromFile
-    | Image
-    | Plane
-    | Outside
-    | Assume
-    | Report
-    | PixelsExpr
-    | PixelsTile
-    | PixelsFromFile
-)
+    Version | TargetByName | TargetFromFile | EqualSlots | ListedSlots | Let | CodeRange
+    | CodeBits | CodeRow | Require | BookInline | BookFromFile | Open | Bucket | Sense
+    | StateRange | StateBit | Next | Reset | Read | Kernel | KernelFromFile | Image | Plane
+    | Outside | Assume | Report | PixelsExpr | PixelsTile | PixelsFromFile
+)  # fmt: skip
 
 
 class File(Node):
-    """A whole program, its statements in the order written."""
+    """A program: its statements in the order of the text."""
 
     statements: tuple[Statement, ...]

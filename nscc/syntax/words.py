@@ -1,4 +1,4 @@
-"""The words of the language, and how messages speak of the pieces of a statement."""
+"""The keywords of the language, and names for the parts of statements in messages."""
 
 from __future__ import annotations
 
@@ -11,30 +11,30 @@ STATEMENT_WORDS = (
 )  # fmt: skip
 
 LOOKING_WORDS = ("sense", "state", "next", "reset", "read")
-"""Those that version 2 adds: its pixels look at the light."""
+"""Keywords added in version 2, for pixels that look at their light."""
 
 PICTURE_WORDS = ("kernel", "image", "plane", "outside", "report", "assume")
-"""Those that version 3 adds: its pixels see their neighbours."""
+"""Keywords added in version 3, for pixels that see their neighbours."""
 
 _ADDED = {2: frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"}),
           3: frozenset(PICTURE_WORDS)}  # fmt: skip
-"""The words that each version adds: in files of earlier versions they are names."""
+"""The keywords that each version adds; in files of earlier versions they are names."""
 
 
 def names_in(version: int) -> frozenset[str]:
-    """The words of later versions, which are names in a file of this one."""
+    """Return the keywords of later versions, which are names in a file of this version."""
     return frozenset().union(*(words for added, words in _ADDED.items() if added > version))
 
 
 def statement_words(version: int) -> tuple[str, ...]:
-    """The words that begin statements in a version of the language."""
+    """Return the keywords that begin statements in a version of the language."""
     words: tuple[str, ...] = STATEMENT_WORDS
     words += LOOKING_WORDS if version > 1 else ()
     return words + (PICTURE_WORDS if version > 2 else ())
 
 
 def reserved(version: int) -> frozenset[str]:
-    """The words and signs of a version of the language: what no name may be."""
+    """Return the keywords and signs of a version, which cannot be names."""
     return frozenset(spellings().values()) - names_in(version)
 
 
@@ -74,7 +74,7 @@ FORMS = {
     "report": ("report any PLANE", "report events PLANE at most K", "report box PLANE"),
     "assume": ("assume exposure <= LEVEL", "assume exposure BUCKET <= LEVEL"),
 }
-"""How each statement is written."""
+"""The forms of each statement."""
 
 _OPERATORS = {"or", "xor", "and", "in", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if", "PLACE"}
 _OPERANDS = {
@@ -94,10 +94,9 @@ _PIECES = {
 
 
 def expected_words(terminals: Set[str]) -> str:
-    """What could come next, in plain words: "`slots`", "a number or a name".
+    """Return what could come next, in plain words: "`slots`", "a number or a name".
 
-    Operators go without saying where something else has to come; a comma does where a list may
-    end.
+    Operators are left out if something else can come next; a comma is left out if a list may end.
     """
     remaining = set(terminals)
     choices: list[str] = []
@@ -119,6 +118,6 @@ def expected_words(terminals: Set[str]) -> str:
 
 
 def shown(text: str) -> str:
-    """A piece of the user's text, quoted, cut short and with nothing that does not print."""
+    """Return a piece of the user's text in quotes, shortened, without unprintable characters."""
     cut = text if len(text) <= 40 else text[:37] + "..."
     return "`" + "".join(ch if ch.isprintable() else "?" for ch in cut) + "`"

@@ -1,7 +1,6 @@
-"""Kinds of values in a TOML file: small frozen classes.
+"""Kinds of values in a TOML file.
 
-A kind reads a value from a file, describes the allowed values, and returns the form in a file.
-"""
+A kind reads a value from a file, describes the allowed values, and converts a value for writing."""
 
 from __future__ import annotations
 
@@ -14,8 +13,10 @@ from typing import Any, Protocol
 from nscc.toml.toml_text import shown
 
 LEAST = 1e-9
-"""The smallest value of "above 0". Quotients and squares of smaller values exceed the range of
-floats, and no time, charge or current in nscc is as small."""
+"""The smallest value if a kind requires a value above 0.
+
+Quotients and squares of smaller values exceed the range of floats, and no time, charge or current
+in nscc is as small."""
 
 
 class Kind(Protocol):
@@ -23,21 +24,22 @@ class Kind(Protocol):
 
     @property
     def allowed(self) -> str:
-        """The end of the sentence "the key must be .."."""
+        """Return the end of the sentence "the key must be .."."""
 
     def read(self, value: Any) -> Any:
-        """The value in Python; raises ValueError if it is not allowed."""
+        """Return the Python value of a file's value; raise ValueError if it is not allowed."""
 
     def plain(self, value: Any) -> Any:
-        """The inverse of `read`: the value in a file."""
+        """Return the value that a file contains for a Python value, the inverse of `read`."""
         return value
 
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite number in `low`..`high`, with bounds that may be excluded. Its value is an int if
-    `is_whole`, else a float. None is written as "any" if `unlimited`, as "auto" if `automatic`. If
-    0 is an excluded bound, the range ends at LEAST instead."""
+    """A finite number in `low`..`high`; either bound may be excluded.
+
+    It is an int if `is_whole`, else a float. A file writes None as "any" if `unlimited`, as "auto"
+    if `automatic`. If 0 is an excluded lower bound, the range starts at LEAST."""
 
     low: float
     high: float
@@ -50,7 +52,7 @@ class Number(Kind):
 
     @property
     def _word(self) -> str:
-        """The word that a file has for None: "any", "auto" or ""."""
+        """Return the word for None in a file: "any", "auto" or ""."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
@@ -109,8 +111,9 @@ class Flag(Kind):
 
 @dataclass(frozen=True, slots=True)
 class TextKind(Kind):
-    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes. `optional` ones
-    may be "none", which is None."""
+    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes.
+
+    If `optional`, a file may contain "none", which is None in Python."""
 
     choices: tuple[str, ...] = ()
     pattern: str = ""
@@ -139,7 +142,7 @@ class TextKind(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Several(Kind):
-    """A list of values of one kind, `count` of them if given; `text` describes the list."""
+    """A list of values of one kind, with `count` values if given; `text` describes the list."""
 
     element: Kind
     count: int | None = None
@@ -160,8 +163,9 @@ class Several(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Axis(Kind):
-    """One value of a kind, or a list of distinct values; always a tuple in Python. If the values of
-    the kind are lists, a list of lists is several values."""
+    """One value of a kind, or a list of distinct values; in Python always a tuple.
+
+    If the values of the kind are lists, a list of lists is several values."""
 
     element: Kind
 

@@ -14,21 +14,20 @@ from nscc.toml.kinds import Kind, TextKind
 from nscc.toml.toml_text import shown, span_of, spelled_value
 
 _FEW = 10
-"""Up to this many keys are listed for an unknown one without a similar name."""
+"""Most keys of a table that a message about an unknown key lists."""
 
 KeyValues = dict[str, Any]
-"""Values in Python, keyed by the paths of their keys."""
+"""Python values by the paths of their keys."""
 
 
 @dataclass(frozen=True, slots=True)
 class Key:
     """The key `name` of the table `section` ("" for the top of the file).
 
-    `meaning` is half a sentence; `source` is the origin of the default (empty if it is public). A
-    file lists the key under `heading`, by default its section. Python calls it `attribute`, by
-    default its name. A `required` key must be in the file. A `later` key was added after the first
-    containers: it is omitted from them at its default.
-    """
+    `meaning` is half a sentence. `source` is the origin of the default, empty if it is published. A
+    file lists the key under `heading`, by default its section. `attribute` is the name in Python,
+    by default the key's name. A `required` key must be in the file. A `later` key was added after
+    the first containers and is left out of containers if it has its default."""
 
     section: str
     name: str
@@ -53,7 +52,7 @@ class Key:
 
 @dataclass(frozen=True, slots=True)
 class FileCodes:
-    """Diagnostic codes of a file's errors; `change` is for a change that is not KEY=VALUE."""
+    """Codes of a file's errors; `change` is the code for a change that is not KEY=VALUE."""
 
     unreadable: str
     not_toml: str
@@ -69,8 +68,9 @@ def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
-    """The keys that a dataclass's fields declare, in their order; keys without a table go to
-    `section`."""
+    """Return the keys that the fields of a dataclass declare, in order.
+
+    Keys without their own section are in `section`."""
     return tuple(
         Key(**{"section": section, "name": member.name, "attribute": member.name,
                "default": member.default, **member.metadata})
@@ -83,12 +83,12 @@ Row = TypeVar("Row", bound=Key)
 
 @dataclass(frozen=True)
 class Schema(Generic[Row]):
-    """A kind of file, called `file_kind` in messages.
+    """The schema of a kind of file, which messages call `file_kind`.
 
-    It has `keys` in the order of a file, `headings` with a remark each, and a help to `start` a
-    file. `noun` is the word for a key, `option` the option that changes one, `example` a change.
-    Raises ValueError if two keys have one path, or a key has an unknown heading.
-    """
+    `keys` are in the order of a file, `headings` have a comment each, and `start` is a help for
+    starting a file. Messages call a key `noun`; `option` is the option that changes a key,
+    `example` an example of a change. Raises ValueError if two keys have the same path, or a key has
+    an unknown heading."""
 
     file_kind: str
     keys: tuple[Row, ...]
@@ -113,7 +113,7 @@ class Schema(Generic[Row]):
 
     @cached_property
     def sections(self) -> dict[str, tuple[str, ...]]:
-        """The names of the keys in each table; those of the top include the tables."""
+        """Return the names of the keys in each table; the names at the top include the tables."""
         names_of_table: dict[str, list[str]] = {"": []}
         for key in self.keys:
             names_of_table.setdefault(key.section, []).append(key.name)
@@ -128,9 +128,11 @@ class Schema(Generic[Row]):
     def read(
         self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
     ) -> tuple[KeyValues, list[Diagnostic]]:
-        """The valid values of a parsed file, and the errors of the others. `source` is its text,
-        for places. Keys may be missing unless required. With `complete` all must be present except
-        `later` keys and lists that are empty by default."""
+        """Return the valid values of a parsed file, and the errors of the others.
+
+        `source` is the file's text, for places in messages. Keys may be missing unless required.
+        With `complete` all keys must be present, except `later` keys and lists that are empty by
+        default."""
         key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
@@ -148,7 +150,9 @@ class Schema(Generic[Row]):
         return key_values, [item for item in problems if item]
 
     def changed(self, changes: Sequence[str]) -> tuple[KeyValues, list[Diagnostic]]:
-        """The values of changes KEY=VALUE, the last of each key, and the errors of invalid ones.
+        """Return the values of changes KEY=VALUE, the last for each key, and the errors of invalid
+        changes.
+
         VALUE is written as in a file; quotes of a text are optional."""
         key_values: KeyValues = {}
         problems: list[Diagnostic] = []
@@ -166,8 +170,10 @@ class Schema(Generic[Row]):
         return key_values, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """The tables of keys in the order of a file. All keys are present, except lists that are
-        empty by default and `later` keys at their default."""
+        """Return values as tables of keys, in the order of a file.
+
+        All keys are present, except lists that are empty by default and `later` keys at their
+        default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
@@ -179,7 +185,7 @@ class Schema(Generic[Row]):
     def _take(
         self, key_values: KeyValues, section: str, name: str, value: Any, source: Source | None
     ) -> Diagnostic | None:
-        """Adds a valid value to `key_values`; returns the error of an invalid one."""
+        """Add a valid value to `key_values`; return the error of an invalid value, else None."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
             return self._unknown(section, name, value, source)
@@ -208,7 +214,7 @@ class Schema(Generic[Row]):
         return self.problem(self.codes.unknown, message, section, name, source, help_text)
 
     def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
-        """The help for an unknown name in the table `section`, whose names are `known`."""
+        """Return the help for an unknown name in the table `section`, whose names are `known`."""
         homes = {key.name: key.section for key in reversed(self.keys)}
         nearest, elsewhere = closest(name, known), closest(name, homes)
         places = {table: f"under [{table}]" if table else "at the top" for table in self.sections}
@@ -224,7 +230,7 @@ class Schema(Generic[Row]):
         self, code: str, message: str, section: str, name: str, source: Source | None,
         help_text: str = "", note: str = "",
     ) -> Diagnostic:  # fmt: skip
-        """An error at a key of a file (or at a table, if `section` is "" and `name` the table)."""
+        """Return an error at a key of a file; if `section` is "", `name` may also be a table."""
         return Diagnostic(
             code,
             message,

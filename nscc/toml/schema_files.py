@@ -1,4 +1,4 @@
-"""Read files of a schema with all errors at once, and write complete files."""
+"""Reading of files with a schema, with all errors at once, and writing of complete files."""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ _REMARK_COLUMN = 42
 
 
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
-    """Read a user's file for `file_values`; raises Rejected (status 2) if that fails. Messages call
-    the file `name`, by default its path."""
+    """Read the bytes of a user's file; raise Rejected (status 2) if that fails.
+
+    Messages call the file `name`, by default its path."""
     reads(path)
     try:
         with open(path, "rb") as file:
@@ -38,9 +39,10 @@ def file_values(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
 ) -> tuple[KeyValues, list[Diagnostic], Source]:  # fmt: skip
-    """The valid values in a file's bytes, the errors of the others, and the text. Messages call the
-    file `name`. `choose` selects one of several schemas by the file's values. Raises Rejected
-    (`status`) for text that is not TOML."""
+    """Return the valid values in a file's bytes, the errors of the others, and the text.
+
+    Messages call the file `name`. `choose` selects one of several schemas by the file's values.
+    Raises Rejected (`status`) for text that is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -49,7 +51,7 @@ def file_values(
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
 ) -> tuple[dict[str, Any], Source]:
-    """The raw TOML values of a file, and its text."""
+    """Return the unchecked TOML values of a file, and its text."""
     try:
         text, values = parsed(data)
     except NotToml as reason:
@@ -70,8 +72,10 @@ def file_text(
     *,
     beside: bool = False,
 ) -> str:
-    """A complete file with these values, which are keyed by path. `head` are leading comments.
-    `remark` returns the comment of a key, written above its line, or after it with `beside`."""
+    """Return a complete file with the given values, which are keyed by path.
+
+    `head` are comments at the start. `remark` returns the comment of a key, which is written above
+    its line, or with `beside` at its end."""
     lines = [f"# {line}" for line in head]
     for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]

@@ -14,11 +14,11 @@ _LONGEST_LINE = 1000
 
 
 class NotToml(Exception):
-    """The bytes are not a TOML file, for a reason in half a sentence."""
+    """Raised for bytes that are not a TOML file; the text is the reason, as half a sentence."""
 
 
 def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
-    """Decode and parse the bytes of a file; raises NotToml."""
+    """Decode and parse the bytes of a file; raise NotToml."""
     try:
         if len(data) > LARGEST_FILE:
             raise NotToml(f"it is larger than {LARGEST_FILE // 1024} KiB")
@@ -38,7 +38,8 @@ def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
 
 
 def span_of(text: str, section: str, name: str) -> Span:
-    """The place of a key in a TOML text, else of its section's header, else of the first line."""
+    """Return the place of a key in a TOML text, else of its section's header, else of the first
+    line."""
     current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
     for line in text.split("\n"):
         stripped = line.strip()
@@ -71,7 +72,7 @@ def shown(value: Any) -> str:
 
 
 def spelled_value(text: str) -> Any:
-    """The value of a TOML expression; the text itself if it is not TOML."""
+    """Return the value of a TOML expression, or the text itself if it is not TOML."""
     try:
         document = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):
@@ -80,7 +81,7 @@ def spelled_value(text: str) -> Any:
 
 
 def written(value: Any) -> str:
-    """The TOML spelling of a text, number, boolean, or list of these."""
+    """Return the TOML spelling of a text, number, boolean, or list of these."""
     if isinstance(value, str):
         return '"' + "".join(map(_character, value)) + '"'
     if isinstance(value, bool):

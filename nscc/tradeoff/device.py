@@ -1,4 +1,4 @@
-"""The device of tradeoff measurements."""
+"""The name of the processor on which tradeoffs are measured."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _CPUINFO = Path("/proc/cpuinfo")
 
 
 def processor_name() -> str:
-    """The processor's own name, else its architecture."""
+    """Return the processor's name, or its architecture if the name is unknown."""
     try:
         lines = _CPUINFO.read_text(errors="replace").splitlines()
     except OSError:

@@ -1,4 +1,4 @@
-"""Measured points of a tradeoff: which are dominated, as a CSV file and as a table."""
+"""Measured points of a tradeoff, as a CSV file and as a text table."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ STAGES = ("compile", "lowering", "slots", "effects", "decoder")
 class Point:
     """One method at one setting, measured several times on one problem.
 
-    Points are comparable within their `case` and `error_unit`. Smaller `error` is better unless
+    Points with the same `case` and `error_unit` are comparable. A smaller `error` is better unless
     `more_is_better`, as for PSNR. `bound` is a lower bound for all settings of the method, None if
-    unknown. `times_ms` are all measured times, on `device` if it differs from that of most points.
-    """
+    unknown. `times_ms` are all measured times. `device` is their device if it differs from that of
+    most points."""
 
     case: str
     method: str
@@ -39,23 +39,23 @@ class Point:
 
     @property
     def badness(self) -> float:
-        """The error, negated if larger is better."""
+        """The error, negated if a larger value is better."""
         return -self.error if self.more_is_better else self.error
 
     @property
     def time_ms(self) -> float:
-        """The median time."""
+        """The median time in milliseconds."""
         return median(self.times_ms)
 
     @property
     def spread_ms(self) -> float:
-        """The difference between the longest and the shortest time."""
+        """The difference between the longest and the shortest time in milliseconds."""
         return max(self.times_ms) - min(self.times_ms)
 
 
 @dataclass(frozen=True)
 class Refused:
-    """A setting that cannot be measured: the error's code and message."""
+    """A setting that cannot be measured, with the error's code and message."""
 
     case: str
     method: str
@@ -65,8 +65,9 @@ class Refused:
 
 
 def dominated(points: Sequence[Point]) -> list[bool]:
-    """For each point, whether another point of its case and unit is no worse in error and time, and
-    better in one of them."""
+    """Return for each point whether another point of its case and unit dominates it.
+
+    A dominating point is no worse in error and time, and better in one of them."""
     flags = []
     for point in points:
         mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
@@ -76,9 +77,10 @@ def dominated(points: Sequence[Point]) -> list[bool]:
 
 
 def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = ()) -> str:
-    """The points as CSV with COLUMNS, measured on `device`. `method` combines case and method;
-    `spread_ms` is the longest minus the shortest time. The `refused` settings follow without
-    numbers, with their code as unit."""
+    """Return the points, measured on `device`, as CSV with COLUMNS.
+
+    The column `method` combines case and method; `spread_ms` is the longest minus the shortest
+    time. The `refused` settings follow without numbers, with their code as unit."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -96,9 +98,11 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
 def table_text(
     points: Sequence[Point], names: tuple[str, str, str], time: tuple[str, float] = ("ms", 1.0)
 ) -> str:
-    """The points as a table; `names` are the titles of the columns of method, setting and error.
-    `time` is the unit of times and its number in a millisecond. Repeated cases and methods are
-    blank. There is a column for bounds if there are any. Dominated points are marked."""
+    """Return the points as a text table.
+
+    `names` are the titles of the columns for method, setting and error. `time` is the unit of times
+    and its number per millisecond. Repeated cases and methods are left blank. A column of bounds is
+    added if there are any. Dominated points are marked."""
     head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")
@@ -123,10 +127,10 @@ def table_text(
 
 
 def _three_digits(time: float) -> str:
-    """Format a time with three significant digits, more if it has more before the point."""
+    """Format a time with three significant digits, or as a whole number from 100 on."""
     return f"{time:.0f}" if time >= 100 else f"{time:.3g}"
 
 
 def _csv_ms(time_ms: float) -> str:
-    """Format a time with microseconds, or nanoseconds for short times."""
+    """Format a time in milliseconds with three decimals, six for times below 0.1 ms."""
     return f"{time_ms:.6f}" if 0 < time_ms < 0.1 else f"{time_ms:.3f}"

@@ -1,4 +1,4 @@
-"""Measurements of one tradeoff, stored while it runs, so that it can be interrupted and resumed."""
+"""Stored measurements of a tradeoff, so that an interrupted measurement can be resumed."""
 
 from __future__ import annotations
 
@@ -11,23 +11,22 @@ from nscc.experiment_store import ExperimentStore
 
 
 class Rows:
-    """Measurements by name, in an experiment store in `file`; not stored without a file.
+    """Measurements by name, in an experiment store in `file`; without a file nothing is stored.
 
-    `of` is the digest of everything that affects the measurements; others are ignored. Several
-    processes can share a file and its work. After an interrupt, the user is told where the
-    measurements are. Raises Rejected as `ExperimentStore`.
-    """
+    `of` is the digest of everything that affects the measurements; measurements with another digest
+    are ignored. Several processes can share a file and its work. After an interrupt, the user is
+    told where the measurements are. Raises Rejected as `ExperimentStore` does."""
 
     def __init__(self, file: Path | None = None, of: str = "") -> None:
         self._path, self._of = file, of
         self._store = None if file is None else ExperimentStore(file)
 
     def once(self, name: str, measure: Callable[[], Any]) -> Any:
-        """Return a stored result, or call `measure`; results pass through JSON."""
+        """Return the stored result, or call `measure` and store its result as JSON."""
         return measure() if self._store is None else self._store.once(self._of, name, measure)
 
     def remove(self) -> None:
-        """Delete the file once the products have its values; the next run measures again."""
+        """Delete the file, after its values were written to the products."""
         if self._store is not None:
             self._store.remove()
             self._store = None
@@ -45,5 +44,5 @@ class Rows:
         self._store.close()
         if isinstance(value, KeyboardInterrupt) and known:
             raise KeyboardInterrupt(
-                f"what was measured is kept in '{self._path}', and the same command goes on"
+                f"completed measurements are stored in '{self._path}'; the same command continues"
             ) from value

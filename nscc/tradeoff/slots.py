@@ -1,4 +1,4 @@
-"""The same program with other slot lengths, or with fewer, longer slots."""
+"""Variants of a program with other slot lengths, or with fewer, longer slots."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc.words.container import Container
 
 
 def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
-    """The program with these slot lengths; ValueError if its text has no frame."""
+    """Return the program with these slot lengths; raise ValueError if its text has no frame."""
     tree, _ = parse(source)
     spans = [s.span for s in tree.statements if isinstance(s, EqualSlots | ListedSlots)]
     if not spans:
@@ -30,13 +30,15 @@ def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
 
 
 class NotJoined(ValueError):
-    """Why a program has no version with fewer slots."""
+    """Raised if a program has no version with fewer slots; the text is the reason."""
 
 
 def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
-    """A program with `join` slots of this one in each slot, and its pixel codes `id` (rows, cols):
-    a slot is open if the pixel is open for at least half of its time. Raises NotJoined if there is
-    none: slots that cannot be joined, pixels without codes, or too many shutters for a codebook."""
+    """Return a program in which each slot joins `join` slots of the original, and its pixel codes.
+
+    The codes `id` are (rows, cols). A joined slot is open if the pixel is open for at least half of
+    its time. Raises NotJoined if the slots cannot be joined, pixels have no codes, or there are too
+    many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
     if container.machine is not None or codes is None:
         raise NotJoined("programs with pixels that look keep their own slots")

@@ -1,4 +1,4 @@
-"""Run times without the overhead of the first run in a process."""
+"""Measurement of run times without the overhead of the first run in a process."""
 
 from __future__ import annotations
 
@@ -9,20 +9,21 @@ from typing import Any, TypeVar
 T = TypeVar("T")
 
 SHORT_MS = 500.0
-"""A first run shorter than this is repeated: it may consist mostly of filling caches."""
+"""First runs shorter than this are repeated, because they may mainly consist of filling caches."""
 
 
 class Stopwatch:
-    """Times runs by kind and setting; first runs compile, load and allocate, and are not timed.
-    Runs of one `kind` share this overhead, for example one method on data of one shape; `setting`
-    distinguishes them. `clock` returns seconds."""
+    """A stopwatch that leaves out first runs, in which code is compiled and data is loaded.
+
+    Runs of one `kind`, such as one method on data of one shape, share this overhead. `setting`
+    distinguishes the runs of a kind. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         self._clock = clock
         self._seen: set[Hashable] = set()
 
     def ran(self, kind: Hashable, *settings: Hashable) -> None:
-        """Record that these ran already."""
+        """Record that a kind and its settings have already run."""
         self._seen.update((kind, *((kind, setting) for setting in settings)))
 
     def ms(
@@ -32,9 +33,11 @@ class Stopwatch:
         run: Callable[[], T],
         first: Callable[[], Any] | None = None,
     ) -> tuple[T, float]:
-        """Run and time; returns the result and its milliseconds. Before the first run of a kind,
-        `first` is run (by default `run`). A short first run of a setting is repeated. So a long run
-        is repeated at most once for its kind, and not at all if `first` is shorter."""
+        """Call `run` and return its result and its time in milliseconds.
+
+        Before the first run of a kind, `first` is called (by default `run`). A short first run of a
+        setting is repeated. So a long run is repeated at most once for its kind, and not at all if
+        `first` is shorter."""
         if kind not in self._seen:
             if first is None:
                 run()
@@ -52,14 +55,14 @@ class Stopwatch:
     def made_and_ms(
         self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], T]
     ) -> tuple[T, list[float]]:
-        """The last result of `repeats` runs, and the milliseconds of each."""
+        """Return the last result of `repeats` runs, and the time of each in milliseconds."""
         timed_runs = [self.ms(kind, setting, run) for _ in range(repeats)]
         return timed_runs[-1][0], [taken_ms for _, taken_ms in timed_runs]
 
     def times_ms(
         self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], Any]
     ) -> list[float]:
-        """The milliseconds of `repeats` runs."""
+        """Return the times of `repeats` runs in milliseconds."""
         return self.made_and_ms(repeats, kind, setting, run)[1]
 
     def _timed(self, run: Callable[[], T]) -> tuple[T, float]:

@@ -1,4 +1,4 @@
-"""The compile-time tradeoff: words a frame against time, for each level, lowering and program."""
+"""The compile-time tradeoff: words per frame against time, for each level, lowering and program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 
 Count = Literal["all", "logic"]
-"""All words of a frame, or only those that decode codes."""
+"""Which words to count: all words of a frame, or only those that decode codes."""
 
 UNITS: dict[Count, str] = {"all": "words_per_frame", "logic": "logic_words_per_frame"}
 
@@ -33,8 +33,9 @@ DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 
 @dataclass(frozen=True)
 class SynthesisCase:
-    """A program to compile in all variants; its paths are relative to `base`, `target` replaces its
-    own target."""
+    """A program to compile in all variants.
+
+    Paths in it are relative to `base`; `target` replaces its own target."""
 
     name: str
     source: Source
@@ -45,7 +46,7 @@ class SynthesisCase:
 
 @dataclass(frozen=True)
 class CompileVariant:
-    """A case with a lowering and a level."""
+    """A program with a lowering and an optimisation level."""
 
     case: SynthesisCase
     lowering: Lowering
@@ -56,19 +57,20 @@ class CompileVariant:
 
 
 Progress = Callable[[Sequence[CompileVariant]], Iterable[CompileVariant]]
-"""Yields the variants one by one, and may show progress."""
+"""A function that yields the variants one by one and may show progress."""
 
 
 @dataclass(frozen=True)
 class SynthesisMeasurements:
-    """Points by case, lowering and level, and the variants that do not fit, with reasons."""
+    """Points by program, lowering and level, and the variants that do not fit, with reasons."""
 
     points: tuple[Point, ...]
     refused: tuple[tuple[CompileVariant, str], ...]
 
 
 def builtin_cases() -> tuple[SynthesisCase, ...]:
-    """Classes b to e and a random codebook, in sizes for a chip with 13 registers."""
+    """Return programs of classes b to e and a random codebook, in sizes for a chip with 13
+    registers."""
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
     rules = {
         **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
@@ -84,7 +86,7 @@ def builtin_cases() -> tuple[SynthesisCase, ...]:
 
 
 def cases_of(files: Sequence[Path]) -> tuple[SynthesisCase, ...]:
-    """The programs in these files, by their shortest distinct names."""
+    """Return the programs in these files, with their shortest distinct names."""
     paths = list(dict.fromkeys(files))
     short = len({path.stem for path in paths}) == len(paths)
     return tuple(
@@ -102,9 +104,11 @@ def measure(
     progress: Progress = iter,
     rows: Rows | None = None,
 ) -> SynthesisMeasurements:
-    """Compile each variant `repeats` times, from text to proof, without the cache. Repeats are
-    interleaved over all variants, to spread disturbances. Results in `rows` are not measured again.
-    Raises Rejected for an invalid program; variants that do not fit are listed as refused."""
+    """Compile each variant `repeats` times, from text to proof, without the cache.
+
+    Each repeat compiles all variants in turn, to spread disturbances. Results in `rows` are not
+    measured again. Raises Rejected for an invalid program; variants that do not fit are listed as
+    refused."""
     rows = rows or Rows()
     watch = Stopwatch()
     times_ms: dict[CompileVariant, list[float]] = {way: [] for way in ways}
@@ -140,7 +144,8 @@ def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any
 
 
 def refusals_text(refused: Sequence[tuple[CompileVariant, str]]) -> list[str]:
-    """Why a case has no point in a lowering, one line for all levels with the same reason."""
+    """Return why programs have no point in a lowering, one line for all levels with the same
+    reason."""
     levels: dict[tuple[str, str, str], list[str]] = {}
     for way, reason in refused:
         key = (way.case.name, way.lowering, reason)
@@ -154,12 +159,13 @@ def refusals_text(refused: Sequence[tuple[CompileVariant, str]]) -> list[str]:
 def every_way(
     cases: Sequence[SynthesisCase], lowerings: Sequence[Lowering], levels: Sequence[int]
 ) -> Iterator[CompileVariant]:
-    """Each case in each lowering at each level."""
+    """Return all combinations of program, lowering and level."""
     return (CompileVariant(*way) for way in product(cases, lowerings, levels))
 
 
 def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
-    """The compiled program, or the error if it does not fit; raises Rejected for other errors."""
+    """Return the compiled program, or the error if it does not fit; raise Rejected for other
+    errors."""
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
@@ -175,8 +181,9 @@ def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
 
 
 def _words(compiled: Compiled, count: Count) -> tuple[int, int | None]:
-    """The words and their lower bound: the bound of the logic, plus the analog words of the plan if
-    all words count."""
+    """Return the number of words and its lower bound, None if unknown.
+
+    The bound is that of the logic, plus the analog words of the plan if all words count."""
     choice, proof = compiled.choice, compiled.proof
     assert choice is not None
     assert proof is not None

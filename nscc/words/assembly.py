@@ -52,15 +52,17 @@ _MOST_PIECES = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
-    """Assemble a text to a container; its files are relative to the folder `base`. Raises Rejected
-    (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
+    """Assemble a text to a container; its files are relative to the folder `base`.
+
+    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     return link(draft, base, faults)
 
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
-    """The words of all kernels of a text in order; the text may consist of instructions only."""
+    """Return the words of all kernels of a text in order; the text may consist of instructions
+    only."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
@@ -71,7 +73,7 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
 
 
 def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
-    """The `[[words]]` of the text's target; errors are reported later."""
+    """Return the `[[words]]` of the text's target; errors are reported later."""
     target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):
@@ -127,7 +129,7 @@ def _block_line(text: str, begin: int, block: TextBlock | None, faults: Faults) 
 
 
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
-    """Whether a line starts with a directive or instruction; reports an error if not."""
+    """Return whether a line starts with a directive or instruction; report an error if not."""
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
@@ -148,14 +150,15 @@ def _grammar() -> Lark:
 
 @lru_cache(1 << 12)
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
-    """The pieces of a line after the first one, with their places; memoized because kernels repeat
-    lines."""
+    """Return the pieces of a line after the first piece, with their places.
+
+    Results are memoized, because kernels repeat lines."""
     tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
     return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in tokens)
 
 
 def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
-    """The pieces of a line after `head`; None after reporting a syntax error."""
+    """Return the pieces of a line after `head`; None after reporting a syntax error."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
     code = _CODE.split(text, 1)[0] if is_instruction else text

@@ -1,8 +1,7 @@
-"""Elements of assembly text: names, numbers, times and ranges, written and read.
+"""Elements of assembly text (names, numbers, times, ranges): writing and reading.
 
 Each `read_*` function reads exactly what its `*_text` partner writes, and returns None for
-malformed text.
-"""
+malformed text."""
 
 from __future__ import annotations
 
@@ -22,12 +21,12 @@ _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 
 def name_text(name: str) -> str:
-    """A name as one token: bare if possible, else a JSON string."""
+    """Return a name as one token: bare if possible, else as a JSON string."""
     return name if _PLAIN.fullmatch(name) else json.dumps(name)
 
 
 def number_text(value: float) -> str:
-    """The shortest decimal number that reads back as `value`."""
+    """Return the shortest decimal number that reads back as `value`."""
     return repr(float(value)).removesuffix(".0")
 
 
@@ -56,8 +55,8 @@ def read_time_us(text: str) -> float | None:
 
 
 def ranges_text(values: Sequence[int]) -> str:
-    """Format ascending integers as ranges joined by commas: `0..15`, `1..63/2` (every second),
-    `4`."""
+    """Return ascending integers as ranges joined by commas: `0..15`, `1..63/2` (every
+    second), `4`."""
     texts: list[str] = []
     at = 0
     while at < len(values):
@@ -76,7 +75,9 @@ def ranges_text(values: Sequence[int]) -> str:
 
 
 def read_ranges(text: str, most: int) -> list[range] | None:
-    """The inverse of `ranges_text`; None for malformed or empty ranges and values beyond `most`."""
+    """Return the ranges in a text of `ranges_text`.
+
+    None for malformed or empty ranges and for values beyond `most`."""
     ranges: list[range] = []
     for range_text in text.split(","):
         match = _RANGE.fullmatch(range_text)
@@ -92,8 +93,9 @@ def read_ranges(text: str, most: int) -> list[range] | None:
 
 
 def slots_text(slots: NDArray[np.bool_]) -> str:
-    """Format open slots, bool (slots,): ranges, `never`, or `x` and hexadecimal. The hexadecimal
-    form, used if shorter, has slot 8 k + i in bit i of byte k."""
+    """Return open slots, bool (slots,), as text: ranges, `never`, or `x` and hexadecimal digits.
+
+    The hexadecimal form, used if shorter, has slot 8 k + i in bit i of byte k."""
     if not slots.any():
         return "never"
     turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
@@ -110,7 +112,7 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
 
 
 def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
-    """The inverse of `slots_text`: bool (slots,)."""
+    """Return the open slots, bool (slots,), in a text of `slots_text`; None if malformed."""
     opened = np.zeros(slots, dtype=np.bool_)
     if text == "never":
         return opened
@@ -129,8 +131,9 @@ def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
 
 
 def block_text(lines: Sequence[str]) -> list[str]:
-    """Lines of free text, each after a bar; unprintable ones and those with trailing blanks as
-    JSON."""
+    """Return lines of free text, each after a bar.
+
+    Unprintable lines and lines with trailing blanks are written as JSON."""
     return [
         f"| {line}" if line.isprintable() and not line.endswith(" ") and line
         else "|" if not line
@@ -140,7 +143,7 @@ def block_text(lines: Sequence[str]) -> list[str]:
 
 
 def read_block_line(text: str) -> str | None:
-    """Read one line of `block_text`, starting at its bar."""
+    """Read one line of `block_text`, starting at its bar; None if malformed."""
     if text == "|":
         return ""
     if text.startswith("| "):
@@ -151,7 +154,7 @@ def read_block_line(text: str) -> str | None:
 
 
 def read_string(text: str) -> str | None:
-    """Read a JSON string."""
+    """Read a JSON string; None if malformed."""
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):

@@ -1,4 +1,4 @@
-"""The compiled program: everything that a device, the emulator or the proof needs, as one value."""
+"""The container: a compiled program with everything that device, emulator and proof need."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from nscc.words.pictures import Pictures
 from nscc.words.stream import Stream
 
 Word = tuple[int, int, int, int, int]
-"""One ICW: five 32-bit words as the chip takes them."""
+"""One instruction word (ICW): five 32-bit integers in the chip's format."""
 
 
 @dataclass(frozen=True)
 class StoredKernel:
-    """A recorded list of words, stored once and launched as often as the schedule says."""
+    """A list of words that is stored once on the controller and launched at boundaries."""
 
     name: str
     words: tuple[Word, ...]
@@ -28,10 +28,10 @@ class StoredKernel:
 
 @dataclass(frozen=True)
 class Launch:
-    """Kernel number `kernel` runs at boundary `instant` (0..N: before slot `instant`'s light).
+    """The start of kernel number `kernel` at boundary `instant` (0..N; before the light of that
+    slot).
 
-    `level` are the steps to which IN is set before; None leaves it as it is.
-    """
+    `level` is the number of steps to which IN is set before; None leaves IN unchanged."""
 
     instant: int
     kernel: int
@@ -40,10 +40,9 @@ class Launch:
 
 @dataclass(frozen=True)
 class Readout:
-    """After the frame, the exposure of `bucket` in electrons is `register` times `gain`.
+    """A bucket's readout: after the frame, its exposure in electrons is `register` times `gain`.
 
-    Of a chip without logic `register` is a tap, and the electrons are those at the converter.
-    """
+    For a chip without logic `register` is a tap, and the exposure is measured at the converter."""
 
     register: str
     bucket: str
@@ -52,13 +51,11 @@ class Readout:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class DecodeTable:
-    """What each code means.
+    """The shutters of all codes of a program.
 
-    `codes` int64 (codes, fields): the field values of every code that the program knows.
-    `shutter_of_code` int32 (codes,): which of the distinct shutters each one opens.
-    `shutters` bool (shutters, buckets, slots): S[n] of every distinct shutter, in each bucket.
-    A program without fields has one code of no fields.
-    """
+    `codes` int64 (codes, fields) are the field values of every code. `shutter_of_code` int32
+    (codes,) is the index of each code's shutter. `shutters` bool (shutters, buckets, slots) are the
+    distinct shutters in each bucket. A program without fields has one code without fields."""
 
     fields: tuple[str, ...]
     codes: NDArray[np.int64]
@@ -77,23 +74,22 @@ class DecodeTable:
 class Container:
     """A compiled shutter program (`.icw`).
 
-    `encoding` bool (shutters, registers of the target): what each digital register of a pixel with
-    that shutter holds when a frame starts. `pixel_codes` int32 (rows, cols): row of
-    `table.codes` at each pixel, None for a program without data. `code_registers` names the digital
-    registers that carry code, in the order in which a device must load them (R12 before R0).
-    `source_lines` is the program's text for listings; `notes` holds what the compiler wants to
-    remember (lowering, class, open or fixed codes), strings only.
+    `encoding` bool (shutters, registers of the target) contains, for each shutter, the digital
+    registers of a pixel at the start of a frame. `pixel_codes` int32 (rows, cols) is the row of
+    `table.codes` at each pixel, None for a program without data. `code_registers` are the digital
+    registers that contain code, in the order in which a device must load them (R12 before R0).
+    `source_lines` is the program's text for listings. `notes` are texts that the compiler stores
+    (lowering, class, open or fixed codes).
 
-    Where shutters depend on the light, `machine` says how, and the rows of `encoding` and of the
-    table's shutters are its behaviours: those are the shutters in the dark. `state_planes` says by
-    name how registers hold the states that are read or kept.
+    If shutters depend on the light, `machine` is the state machine. Then the rows of `encoding` and
+    the shutters of the table belong to its behaviours, and the table has their shutters in the
+    dark. `state_planes` are the registers of the states that are read or kept, by name.
 
-    A chip without logic has no words: `stream` is what it is sent. It follows from table and
-    pixels (`nscc.stream.lay`), and is None without pixels.
+    A chip without logic has no words: `stream` is the data that it receives. It follows from table
+    and pixel codes (`nscc.stream.lay`), and is None without pixel codes.
 
-    `pictures` are images and planes that are computed after the last slot; their words follow all
-    `launches`. `readouts` then say where the exposures are held before that.
-    """
+    `pictures` are images and planes that are computed after the last slot; their words run after
+    all `launches`. `readouts` then name the registers of the exposures before these words."""
 
     target: Target
     slot_us: tuple[float, ...]
@@ -113,7 +109,7 @@ class Container:
     pictures: Pictures | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """What copies and pickles take: the fields, without what others have analysed."""
+        """Return the fields for copies and pickles, without cached analyses."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @property
@@ -123,25 +119,25 @@ class Container:
 
     @property
     def slots(self) -> int:
-        """Number of slots in the frame."""
+        """The number of slots in the frame."""
         return len(self.slot_us)
 
     @property
     def buckets_read(self) -> tuple[str, ...]:
-        """The buckets that come with a frame, in its order."""
+        """The buckets that are read out with a frame, in order."""
         if self.pictures is None:
             return self.buckets
         return tuple(name for name in self.pictures.reads if name in self.buckets)
 
     @property
     def words_stored(self) -> int:
-        """How many words the chip's store holds."""
+        """The number of words in the chip's store."""
         after = self.pictures.kernels if self.pictures else ()
         return sum(len(kernel.words) for kernel in self.kernels) + sum(map(len, after))
 
     @property
     def words_per_frame(self) -> int:
-        """How many words a frame executes."""
+        """The number of words that a frame executes."""
         after = self.pictures.words if self.pictures else 0
         return sum(len(self.kernels[launch.kernel].words) for launch in self.launches) + after
 
@@ -157,11 +153,12 @@ class Container:
 
     @property
     def has_table(self) -> bool:
-        """Whether the decode table says what codes mean; hand-written words may come without."""
+        """Whether there is a decode table; hand-written words may have none."""
         return self.notes.get("table") != "none"
 
     def planes(self) -> dict[str, NDArray[np.bool_]]:
-        """The code planes (rows, cols) by register; empty without `pixel_codes`."""
+        """Return the bit planes of the code (rows, cols), by register; empty without
+        `pixel_codes`."""
         if self.pixel_codes is None:
             return {}
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
@@ -170,7 +167,7 @@ class Container:
 
 
 def state_registers(container: Container) -> tuple[str, ...]:
-    """The digital registers of which a host makes the states that are read, in their order."""
+    """Return the digital registers of the states that are read out, in order."""
     machine = container.machine
     read = [state.name for state in machine.states if state.read] if machine else []
     registers = (r for name in read for r in container.state_planes[name].registers)
@@ -180,12 +177,12 @@ def state_registers(container: Container) -> tuple[str, ...]:
 def packed_shutters(
     container: Container, shutters: NDArray[np.bool_]
 ) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
-    """`shutter` and `shutter_shape` of a container with pixels, as in a frame file.
+    """Return `shutter` and `shutter_shape` of a container with pixel codes, as in a frame file.
 
-    `shutters` bool (distinct shutters, buckets, N), the order of the decode table. The first is
-    uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest bit,
-    the second (buckets, rows, cols, N). ValueError for a container without pixels.
-    """
+    `shutters` is bool (distinct shutters, buckets, N), in the order of the decode table. The first
+    result is uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the
+    lowest bit. The second is (buckets, rows, cols, N). Raises ValueError for a container without
+    pixel codes."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no shutters on the array")
     packed = np.packbits(shutters, axis=-1, bitorder="little")
@@ -196,7 +193,7 @@ def packed_shutters(
 
 
 def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
-    """`codes_FIELD` (rows, cols) for each field of the code; empty without `pixel_codes`."""
+    """Return `codes_FIELD` (rows, cols) for each field of the code; empty without `pixel_codes`."""
     table, pixels = container.table, container.pixel_codes
     if pixels is None:
         return {}

@@ -16,7 +16,7 @@ _CLOCK_CLASS = 7 << 19
 
 @dataclass(frozen=True, slots=True)
 class WordsCost:
-    """A number of words and their time, including launches."""
+    """A number of words, and their time in microseconds, including launches."""
 
     words: int
     us: float
@@ -24,9 +24,11 @@ class WordsCost:
 
 @dataclass(frozen=True, slots=True)
 class FrameCost:
-    """The costs of one frame of a container. `stored_words` are in the instruction store; `words`
-    are executed in a frame in `busy_us`, with `launches` kernel launches; `frame_us` is the sum of
-    all slots, `busiest_us` the longest time of words at one instant."""
+    """The costs of one frame of a container.
+
+    `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with
+    `launches` kernel launches. `frame_us` is the sum of all slots, `busiest_us` the longest time of
+    words at one boundary."""
 
     stored_words: int
     words: int
@@ -37,7 +39,7 @@ class FrameCost:
 
 
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
-    """The cost of words without a launch."""
+    """Return the cost of words without a launch."""
     analog = digital = 0
     own_us = []
     for word in words:
@@ -53,20 +55,22 @@ def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
 
 
 def word_us(word: Op, target: Target) -> float:
-    """Time of one word."""
+    """Return the time of one word in microseconds."""
     if word.operation.us is not None:
         return word.operation.us
     return target.analog_word_us if word.analog else target.digital_word_us
 
 
 def words_us(analog: int, digital: int, target: Target) -> float:
-    """Time of these numbers of analog and digital words, without a launch."""
+    """Return the time in microseconds of numbers of analog and digital words, without a launch."""
     return analog * target.analog_word_us + digital * target.digital_word_us
 
 
 def refresh_count(words: Sequence[Op]) -> int:
-    """The number of `words` that only refresh registers: REFRESH pairs, and the words that allow
-    refreshing the masked register (SET of its mask, whose code is saved in FLAG)."""
+    """Return the number of `words` that only refresh registers.
+
+    These are REFRESH pairs, and the words that allow refreshing the masked register (SET of its
+    mask, whose code is saved in FLAG)."""
     count = 0
     for i, word in enumerate(words):
         if not word.operation.name.startswith("REFRESH"):
@@ -81,13 +85,13 @@ def refresh_count(words: Sequence[Op]) -> int:
 
 
 def kernel_cost(kernel: StoredKernel, target: Target) -> WordsCost:
-    """The cost of one launch of a kernel."""
+    """Return the cost of one launch of a kernel."""
     cost = words_cost(kernel.words, target)
     return WordsCost(cost.words, cost.us + target.launch_us)
 
 
 def frame_cost(container: Container) -> FrameCost:
-    """The cost of one frame of a container."""
+    """Return the cost of one frame of a container."""
     costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]
     at_instant = [0.0] * (container.slots + 1)
     words = 0

@@ -1,7 +1,6 @@
-"""The directives of assembly text: functions that add the pieces of a line to the draft.
+"""The directives of assembly text: functions that add the tokens of a line to the draft.
 
-The grammar, `assembly.lark`, has checked the number and form of the pieces.
-"""
+The grammar, `assembly.lark`, has checked the number and form of the tokens."""
 
 from __future__ import annotations
 
@@ -29,9 +28,10 @@ Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 @dataclass(frozen=True)
 class Directive:
-    """A directive of assembly text. `read` takes its name, the pieces after it, the draft and the
-    faults, and returns the block for the lines with bars below. `needs` and `usage` describe the
-    pieces in messages."""
+    """A directive of assembly text.
+
+    `read` takes its name, the tokens after it, the draft and the errors, and returns the block for
+    the following lines with bars, or None. `needs` and `usage` describe the tokens in messages."""
 
     read: Read
     needs: str
@@ -63,9 +63,7 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     for token in tokens:
-        if token.text.startswith(
-            "x"
-        ):  # the number of slots, of which the previous one is the first
+        if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
             if len(draft.slot_us) + repeats >= MOST_SLOTS:
                 message = f"a frame has 1 to {MOST_SLOTS} slots"
@@ -122,7 +120,7 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
 
 
 def _names(attribute: str) -> Read:
-    """A directive that adds its pieces to a list of the draft."""
+    """Return the reader of a directive that adds its tokens to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).extend(tokens)
@@ -131,7 +129,7 @@ def _names(attribute: str) -> Read:
 
 
 def _row(attribute: str) -> Read:
-    """A directive that adds its pieces as one row to a list of the draft."""
+    """Return the reader of a directive that adds its tokens as one row to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).append(tuple(tokens))
@@ -174,4 +172,4 @@ DIRECTIVES: dict[str, Directive] = {
         "`.pixels tile ROWS COLS` or `.pixels plane ROWS COLS`",
     ),
 }  # fmt: skip
-"""By name."""
+"""The directives by name."""

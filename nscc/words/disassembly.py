@@ -1,8 +1,7 @@
-"""A container as assembly text; `nscc.words.assembly` converts it back to the same container.
+"""Conversion of a container to assembly text; `nscc.words.assembly` gives the same container again.
 
-First the parts for readers (source, kernels, schedule), then the data: decode table, encoding,
-pixel codes.
-"""
+First come the parts for readers (source, kernels, schedule), then the data: decode table, encoding,
+pixel codes."""
 
 from __future__ import annotations
 
@@ -32,31 +31,39 @@ _TIMES_A_LINE = 8
 
 
 def disassemble(container: Container) -> str:
-    """The complete container as text. Raises Rejected (NS0510) if it has no words."""
+    """Return the complete container as text; raise Rejected (NS0510) if it has no words."""
     refuse_planes(
         container.target,
         "this container has no words to disassemble",
-        "`nscc build --emit planes,schedule` writes its planes and their times",
+        "`nscc build --emit planes,schedule` writes its bit planes and their times",
     )
-    sections = (
-        _head(container),
-        _source(container.source_lines),
-        _times(container.slot_us),
-        *(_kernel(container, number) for number in range(len(container.kernels))),
-        _schedule(container),
-        _readouts(container),
-        _table(container),
-        _machine(container),
-        _pictures(container),
-        _pixels(container),
-    )
-    return "\n\n".join("\n".join(lines) for lines in map(list, sections) if lines) + "\n"
+    parts = sections(container).values()
+    return "\n\n".join("\n".join(lines) for lines in parts if lines) + "\n"
+
+
+def sections(container: Container) -> dict[str, list[str]]:
+    """The lines of the text, in their order, under a title for each part."""
+    kernels = enumerate(container.kernels)
+    parts = {
+        "target": _head(container),
+        "source": _source(container.source_lines),
+        "slots": _times(container.slot_us),
+        **{f"kernel {kernel.name}": _kernel(container, number) for number, kernel in kernels},
+        "schedule": _schedule(container),
+        "readouts": _readouts(container),
+        "codes": _table(container),
+        "machine": _machine(container),
+        "pictures": _pictures(container),
+        "pixels": _pixels(container),
+    }
+    return {title: list(lines) for title, lines in parts.items()}
 
 
 def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
-    """The lines of a kernel: (number of the first word, instruction, comment). An in-place pair is
-    one line. A word without an instruction on this target is a `.word`, with the reason as
-    comment."""
+    """Return the lines of a kernel: (index of the first word, instruction, comment).
+
+    An in-place pair is one line. A word without an instruction on this target is a `.word`, with
+    the reason as comment."""
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
@@ -81,7 +88,7 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
 
 
 def _pair(first: Op, second: Op | None) -> str | None:
-    """The in-place instruction of two half-words; None if there is none."""
+    """Return the in-place instruction of two half-words; None if there is none."""
     kind = pair_kind(first, second) if second is not None else None
     if kind is None or second is None:
         return None
@@ -159,7 +166,7 @@ def _shortened(text: str) -> str:
 
 
 def _schedule(container: Container) -> Iterator[str]:
-    """One line for each distinct list of kernels, with all its instants."""
+    """Yield one line for each distinct list of kernels, with all its boundaries."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)
@@ -196,7 +203,7 @@ def _table(container: Container) -> Iterator[str]:
 
 
 def _machine(container: Container) -> Iterator[str]:
-    """The comparisons as comments, then the machine and the levels of IN as data."""
+    """Yield the comparisons as comments, then the state machine and the levels of IN as data."""
     machine, step_e = container.machine, container.target.electrons_per_step
     if machine is None:
         return
@@ -213,7 +220,7 @@ def _machine(container: Container) -> Iterator[str]:
 
 
 def _pictures(container: Container) -> Iterator[str]:
-    """The words of images and planes, for a reader; then all of them, as data."""
+    """Yield the words of images and planes as comments, then all of them as data."""
     pictures, target = container.pictures, container.target
     if pictures is None:
         return
@@ -247,15 +254,16 @@ def _pixels(container: Container) -> Iterator[str]:
 
 
 def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
-    """The smallest tile whose repetition, cut at the edges, is `plane` (rows, cols); None if it is
-    large."""
+    """Return the smallest tile whose repetition, cut at the edges, is `plane` (rows, cols).
+
+    None if the tile is too large."""
     rows = _period(plane)
     cols = _period(plane[:rows].T)
     return plane[:rows, :cols] if rows * cols <= _LARGEST_TILE else None
 
 
 def _period(plane: NDArray[Any]) -> int:
-    """The number of rows after which the plane repeats."""
+    """Return the number of rows after which the plane repeats."""
     for period in range(1, len(plane)):
         # One row excludes most periods; the whole plane is compared only for the others.
         same = np.array_equal(plane[period], plane[0])

@@ -15,7 +15,7 @@ _IMPLIED_KERNEL = "main"
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A piece of a line; for one in quotation marks, `text` is the content."""
+    """A token of a line; for a token in quotation marks, `text` is its content."""
 
     text: str
     span: Span
@@ -40,7 +40,7 @@ class KernelDraft:
 
 @dataclass(frozen=True, slots=True)
 class SlotDraft:
-    """A `.slot` line: the kernels that run, in order, at each of the instants."""
+    """A `.slot` line: the kernels that run, in order, at each of the boundaries `instants`."""
 
     instants: tuple[range, ...]
     place: Token
@@ -75,7 +75,7 @@ class TextBlock:
 
 
 class Faults:
-    """Collects the errors of a text, and stops after too many."""
+    """The errors of a text; collection stops after too many."""
 
     _MOST = 50
 
@@ -86,7 +86,7 @@ class Faults:
     def add(
         self, code: str, message: str, span: Span, *, label: str = "", helps: tuple[str, ...] = ()
     ) -> None:
-        """Add an error at `span`. Raises Rejected if the limit is reached."""
+        """Add an error at `span`; raise Rejected if the limit is reached."""
         place = Label(span, label)
         self.found.append(Diagnostic(code, message, source=self.source, label=place, helps=helps))
         if len(self.found) >= self._MOST:
@@ -126,8 +126,9 @@ class Draft:
     words: int = 0
 
     def add(self, line: Instruction, faults: Faults) -> None:
-        """Add a line to the current kernel; without `.kernel` this is `main`. Raises Rejected
-        (NS0718) with all errors if there are too many words."""
+        """Add a line to the current kernel; without `.kernel` this is `main`.
+
+        Raises Rejected (NS0718) with all errors if there are too many words."""
         if not self.kernels:
             self.kernels.append(KernelDraft(Token(_IMPLIED_KERNEL, line.span)))
         self.kernels[-1].lines.append(line)

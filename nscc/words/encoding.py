@@ -1,12 +1,12 @@
-"""The 160-bit instruction code word (ICW): `encode` an operation, `decode` a word, both exact.
+"""Encoding of operations as 160-bit instruction words (ICW), and decoding; both are exact.
 
-A word is five 32-bit integers. Bits 0-15 of each carry control lines (line k in word k // 16, bit
+A word is five 32-bit integers. Bits 0-15 of each contain control lines (line k in word k // 16, bit
 k % 16), bits 16-18 the integer's index 0..4, and bits 19-21 of the first the clock class. Lines 80
-and up belong to registers R13.. of chips whose word is not public: they are laid into the bits
-19..31 that the integers 1..4 leave unused, line 80 + k in integer 1 + k // 13, bit 19 + k % 13.
+and up belong to registers R13.. of chips whose word format is not published: they are placed in the
+bits 19..31 that the integers 1..4 leave unused, line 80 + k in integer 1 + k // 13, bit 19 + k %
+13.
 
-Inside this module a word is one 160-bit integer, the first 32-bit integer lowest.
-"""
+Inside this module a word is one 160-bit integer, with the first 32-bit integer lowest."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ _EXTRAS_A_WORD = 13
 
 
 def _bit(line: int) -> int:
-    """The 160-bit integer in which only control line `line` is raised."""
+    """Return the 160-bit integer in which only control line `line` is raised."""
     if line < FIRST_EXTRA_LINE:
         return 1 << (32 * (line // 16) + line % 16)
     extra = line - FIRST_EXTRA_LINE
@@ -74,15 +74,15 @@ _WRITE |= {name: _bit(line) for name, line in DIGITAL_WRITE.items()}
 _WRITE |= {name: _READ[name] | _bit(ANALOG_WRITE["NEWS"]) for name in NEIGHBOURS}
 _ALL_LINES = {_bit(line): line for line in range(FIRST_EXTRA_LINE + EXTRA_LINES)}
 
-# The lines that tell operations apart; the others only name operands. selpix and s_in are both, so
-# that what an analog word's operands cannot settle is settled by encoding the answer again.
+# The lines that distinguish operations; all others only name operands. selpix and s_in do both, so
+# an ambiguous analog word is decided by encoding each candidate again.
 _KIND_ANALOG = _raised((RSTPIX, WRF, SETF, PLRB, RID))
 _KIND_DIGITAL = _raised((S_IN, WRF, PLWB, PLRB, NBIT, BIT, BITMODE, RID))
 
 
 @cache
 def _fixed(row: Operation) -> int:
-    """What every word of an operation raises."""
+    """Return the bits that every word of an operation sets."""
     return _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines)
 
 
@@ -121,16 +121,15 @@ def _encoded(operation: Op) -> int:
 
 @lru_cache(maxsize=1 << 14)
 def encode(operation: Op) -> Word:
-    """The five 32-bit integers of an operation made by `nscc.operations`."""
+    """Return the five 32-bit integers of an operation."""
     return _split(_encoded(operation))
 
 
 @lru_cache(maxsize=1 << 14)
 def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | None:
-    """The operation whose word this is, bit for bit, or None if there is none.
+    """Return the operation that encodes to exactly this word, or None if there is none.
 
-    `target_operations` are the words that a target has beside the table's.
-    """
+    `target_operations` are a target's own words, in addition to the table's."""
     if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
         return None
     bits = _joined(word)
@@ -162,10 +161,9 @@ def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
 
 
 def decode(word: Word, place: str = "") -> Op:
-    """The operation of the table whose word this is; messages name its `place`.
+    """Return the operation of the table that encodes to this word; messages name its `place`.
 
-    Raises Rejected (NS0701) for a word that no operation of the table encodes to.
-    """
+    Raises Rejected (NS0701) if no operation encodes to it."""
     operation = matching(word)
     if operation is None:
         raise Rejected(no_operation(word, place))
@@ -173,7 +171,7 @@ def decode(word: Word, place: str = "") -> Op:
 
 
 def no_operation(word: Word, place: str = "") -> Diagnostic:
-    """The diagnostic NS0701 of a word that matches no operation."""
+    """Return the error (NS0701) for a word that matches no operation."""
     notes = []
     bits = _joined(word)
     wrong_indices = [i for i in range(5) if word[i] >> 16 & 7 != i]
@@ -195,20 +193,24 @@ def no_operation(word: Word, place: str = "") -> Diagnostic:
 
 
 def word_lines(word: Word) -> tuple[int, ...]:
-    """The numbers of the control lines that a word raises, in rising order."""
+    """Return the numbers of the control lines that a word raises, ascending."""
     bits = _joined(word)
     return tuple(line for mask, line in _ALL_LINES.items() if bits & mask)
 
 
 def word_text(word: Word) -> str:
-    """The five integers in the usual notation: `0x` and lower-case hexadecimal, five digits."""
+    """Return the five integers in the usual notation: `0x` and lower-case hexadecimal, five
+    digits."""
     return " ".join(f"0x{integer:05x}" for integer in word)
 
 
 class Masks(NamedTuple):
-    """The layout of words as masks, by operation or register: `fixed` is raised by every word of
-    an operation, `read` by a source, `written` by a destination, which `write` alone gives away.
-    The kinds are the lines that tell operations apart, of analog and of digital words."""
+    """The layout of words as masks, by operation or register.
+
+    `fixed` are the lines that every word of an operation raises, `read` those of a source,
+    `written` those of a destination; `write` is the line that identifies a destination.
+    `kind_analog` and `kind_digital` are the lines that distinguish operations of analog and of
+    digital words."""
 
     fixed: dict[str, Word]
     read: dict[str, Word]
@@ -219,7 +221,7 @@ class Masks(NamedTuple):
 
 
 def masks() -> Masks:
-    """The masks, for those who decode words somewhere else."""
+    """Return the masks, for decoding words elsewhere."""
     lines = {**ANALOG_WRITE, **DIGITAL_WRITE}
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},

@@ -1,8 +1,9 @@
-"""The container's bytes (`.icw`): `to_bytes` and `from_bytes`, each other's exact inverse.
+"""Container files (`.icw`): `to_bytes` and `from_bytes` are exact inverses.
 
-All integers are little endian. Nothing is compressed, so the bytes depend on no library's version.
+All integers are little endian. Nothing is compressed, so the bytes do not depend on a library's
+version.
 
-    8   magic 89 49 43 57 0d 0a 1a 0a (like PNG's: a text transfer or a cut spoils it)
+    8   magic 89 49 43 57 0d 0a 1a 0a (as in PNG, it detects text conversion and truncation)
     4   version
     4   length of the header
     8   length of the whole file
@@ -10,18 +11,16 @@ All integers are little endian. Nothing is compressed, so the bytes depend on no
     ..  arrays, without gaps, in the order of `_layout`
     32  SHA-256 of everything before it
 
-A container has one spelling: `from_bytes` refuses bytes that `to_bytes` would not write, so that a
-file that was read and written again is the same file.
-"""
+A container has exactly one form: `from_bytes` refuses bytes that `to_bytes` would not write, so
+that reading and writing a file does not change it."""
 
 from __future__ import annotations
 
 import json
 from hashlib import sha256
-from math import prod
 from pathlib import Path
 from struct import Struct
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,37 +32,20 @@ from nscc.words import machine_file, pictures_file
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.soundness import faults
+from nscc.words.stored_arrays import StoredArray, packed, unpacked
 from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
 VERSIONS = (1, 2, 3, 4)
-"""The second one is that of programs that look: a machine, and launches with levels. The third is
-that of chips without logic: planes of bits. The fourth is that of programs with images."""
+"""File versions: fixed shutters, pixels that look, chips without logic, and programs with
+images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
-_LARGEST_COUNT = 1 << 31
 _CHUNK = 1 << 20
 
 
-class _Array(NamedTuple):
-    """An array of the file: `bits` says that booleans are packed, eight a byte, lowest first."""
-
-    name: str
-    dtype: str
-    shape: tuple[int, ...]
-    bits: bool = False
-
-    @property
-    def items(self) -> int:
-        return prod(self.shape)
-
-    @property
-    def nbytes(self) -> int:
-        return (self.items + 7) // 8 if self.bits else self.items * np.dtype(self.dtype).itemsize
-
-
-def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
+def _layout(header: dict[str, Any]) -> tuple[StoredArray, ...]:
     """The arrays that a header announces, in file order."""
     counts, target = header["counts"], header["target"]
     registers = len(target["registers"]["digital"]) if "registers" in target else 0
@@ -71,37 +53,36 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
     pixels = (target["array"]["rows"], target["array"]["cols"]) if counts["pixels"] else (0, 0)
     words = sum(count for _, count in header["kernels"])
     arrays = (
-        _Array("slot_us", "<f8", (counts["slots"],)),
-        _Array("codes", "<i8", (counts["codes"], fields)),
-        _Array("shutter_of_code", "<i4", (counts["codes"],)),
-        _Array("shutters", "?", (counts["shutters"], buckets, counts["slots"]), bits=True),
-        _Array("encoding", "?", (counts["shutters"], registers), bits=True),
-        _Array("words", "<u4", (words, 5)),
-        _Array("launches", "<i4", (counts["launches"], 2)),
-        _Array("pixel_codes", "<i4", pixels),
+        StoredArray("slot_us", "<f8", (counts["slots"],)),
+        StoredArray("codes", "<i8", (counts["codes"], fields)),
+        StoredArray("shutter_of_code", "<i4", (counts["codes"],)),
+        StoredArray("shutters", "?", (counts["shutters"], buckets, counts["slots"])),
+        StoredArray("encoding", "?", (counts["shutters"], registers)),
+        StoredArray("words", "<u4", (words, 5)),
+        StoredArray("launches", "<i4", (counts["launches"], 2)),
+        StoredArray("pixel_codes", "<i4", pixels),
     )
     if target.get("kind") == "stream":
         planes = (counts["slots"], pixels[0], -(-pixels[1] // 8))
-        places = (_Array(name, "|i1", (counts["slots"],)) for name in ("ones", "zeros"))
-        return (*arrays, _Array("planes", "|u1", planes), *places) if counts["pixels"] else arrays
+        places = (StoredArray(name, "|i1", (counts["slots"],)) for name in ("ones", "zeros"))
+        return (
+            (*arrays, StoredArray("planes", "|u1", planes), *places) if counts["pixels"] else arrays
+        )
     if "machine" not in header:
         return arrays
-    machine_arrays = machine_file.layout_of(header["machine"], buckets, counts["slots"])
-    of_machine = (
-        _Array(name, dtype, shape, bits=dtype == "?") for name, dtype, shape in machine_arrays
-    )
-    return (*arrays, _Array("levels", "<i4", (counts["launches"],)), *of_machine)
+    of_machine = machine_file.layout_of(header["machine"], buckets, counts["slots"])
+    return (*arrays, StoredArray("levels", "<i4", (counts["launches"],)), *of_machine)
 
 
 def to_bytes(container: Container) -> bytes:
-    """The container as a file. Raises ValueError where it is not sound (a fault of its maker)."""
+    """Return the container as a file; raise ValueError for an inconsistent container (a bug of its
+    maker)."""
     problems = faults(container)
     if problems:
         raise ValueError(f"unsound container: {problems[0]}")
     header, arrays = _header(container), _arrays(container)
     text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
-    sections = [text.encode("ascii")]
-    sections += [_packed(array, arrays[array.name]) for array in _layout(header)]
+    sections = [text.encode("ascii"), *packed(_layout(header), arrays)]
     length = _PREAMBLE.size + sum(map(len, sections)) + _DIGEST
     version = _version(container)
     body = b"".join([_PREAMBLE.pack(MAGIC, version, len(sections[0]), length), *sections])
@@ -171,21 +152,15 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
     }
 
 
-def _packed(array: _Array, values: NDArray[Any]) -> bytes:
-    if array.bits:
-        return np.packbits(values, axis=None, bitorder="little").tobytes()
-    return values.astype(array.dtype, copy=False).tobytes()
-
-
 def read_container(path: Path) -> Container:
-    """The container in a file.
+    """Read the container in a file.
 
-    Raises Rejected: NS0709 (status 2) where the file cannot be read, else as `from_bytes`.
+    Raises Rejected: NS0709 (status 2) if the file cannot be read, otherwise as `from_bytes` does.
     """
     try:
         with open(path, "rb") as file:
             data = file.read(_CHUNK)
-            # Whatever the path leads to, no more is read than a container may have.
+            # Read no more bytes than the largest container has, whatever the path refers to.
             while data.startswith(MAGIC) and len(data) <= LARGEST_FILE:
                 chunk = file.read(max(_CHUNK, len(data)))
                 if not chunk:
@@ -198,27 +173,26 @@ def read_container(path: Path) -> Container:
 
 
 def from_bytes(data: bytes, name: str) -> Container:
-    """The container that `to_bytes` wrote; `name` is the file's name for messages.
+    """Return the container that `to_bytes` wrote; `name` is the file's name in messages.
 
-    Everything is checked before it is believed, sizes before anything is allocated. Raises
-    Rejected: NS0702 for what is no container, NS0704 for another version, NS0705 for a file
-    cut short or with something behind its end, NS0706 for a wrong checksum, NS0707 for contents
-    that make no sense. Words are not looked at: `nscc.words.legality.decoded` does that.
-    """
+    Everything is checked, and sizes before memory is allocated. Raises Rejected: NS0702 for data
+    that is not a container, NS0704 for another version, NS0705 for a truncated file or data after
+    its end, NS0706 for a wrong checksum, NS0707 for inconsistent contents. Words are not checked;
+    `nscc.words.legality.decoded` checks them."""
     header_length = _check_frame(data, name)
     try:
         header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])
-        _check_header(header, data[len(MAGIC)])
         container = _assembled(header, data, _PREAMBLE.size + header_length)
         problems = faults(container)
         if problems:
             raise ValueError(problems[0])
         if to_bytes(container) != data:
             raise ValueError("its encoding differs from the one that nscc writes")
-    except RecursionError:
-        raise _rejected("NS0707", name, "its header is nested too deeply") from None
-    except (ValueError, UnicodeDecodeError) as error:
+    except ValueError as error:
         raise _rejected("NS0707", name, f"its contents are inconsistent: {error}") from None
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError):
+        reason = "its contents are inconsistent: its header is malformed"
+        raise _rejected("NS0707", name, reason) from None
     return container
 
 
@@ -238,7 +212,7 @@ def _rejected(code: str, name: str, reason: str) -> Rejected:
 
 
 def _check_frame(data: bytes, name: str) -> int:
-    """Check magic, version, length and checksum; the header's length."""
+    """Check magic, version, length and checksum; return the header's length."""
     if not data.startswith(MAGIC):
         reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, reason)
@@ -262,101 +236,47 @@ def _check_frame(data: bytes, name: str) -> int:
     return int(header_length)
 
 
-def _check_header(header: Any, version: int) -> None:
-    """Check the shape of a header; ValueError names what is wrong."""
-    _need(isinstance(header, dict), "the header is not a table")
-    names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
-    names |= {"source_lines", "notes", "counts"} | (
-        {"machine"} if version == VERSIONS[1] else {"pictures"} if version == VERSIONS[3] else set()
-    )
-    _need(header.keys() == names, "the keys of the header differ from those of a container")
-    for name in ("buckets", "fields", "code_registers", "source_lines"):
-        values = header[name]
-        _need(isinstance(values, list) and all(isinstance(v, str) for v in values), name)
-    _need(isinstance(header["target"], dict), "target")
-    notes = header["notes"]
-    _need(isinstance(notes, dict) and all(isinstance(v, str) for v in notes.values()), "notes")
-    for entry in _rows(header["kernels"], 2, "kernels"):
-        _need(isinstance(entry[0], str) and _is_count(entry[1]), "kernels")
-    for entry in _rows(header["readouts"], 3, "readouts"):
-        texts = isinstance(entry[0], str) and isinstance(entry[1], str)
-        _need(texts and isinstance(entry[2], float), "readouts")
-    if "machine" in header:
-        machine_file.check_header(header["machine"])
-    counts = header["counts"]
-    _need(isinstance(counts, dict), "counts")
-    _need(counts.keys() == {"slots", "codes", "shutters", "launches", "pixels"}, "counts")
-    _need(isinstance(counts["pixels"], bool), "counts")
-    _need(all(_is_count(value) for key, value in counts.items() if key != "pixels"), "counts")
-
-
-def _need(holds: bool, subject: str) -> None:
-    if not holds:
-        raise ValueError(subject if " " in subject else f"the header's {subject} are malformed")
-
-
-def _rows(values: Any, width: int, subject: str) -> list[list[Any]]:
-    _need(isinstance(values, list), subject)
-    _need(all(isinstance(row, list) and len(row) == width for row in values), subject)
-    return list(values)
-
-
-def _is_count(value: Any) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= _LARGEST_COUNT
-
-
 def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
-    """The container of a checked header; ValueError where the arrays do not fit the file."""
-    target = target_from_dict(header["target"])
-    layout = _layout(header)
-    need = start + sum(array.nbytes for array in layout) + _DIGEST
-    if need != len(data):
-        raise ValueError(f"its arrays need {need} bytes and it has {len(data)}")
-    arrays: dict[str, NDArray[Any]] = {}
-    for array in layout:
-        arrays[array.name] = _unpacked(array, data, start)
-        start += array.nbytes
+    """Return the container of a header and its arrays.
+
+    If a value has another type than `_header` gives it, the container is written differently,
+    or this raises an exception.
+    """
+    arrays = unpacked(_layout(header), data[:-_DIGEST], start)
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0
     for name, count in header["kernels"]:
-        kernels.append(StoredKernel(name, tuple(words[first : first + count])))
+        kernels.append(StoredKernel(str(name), tuple(words[first : first + count])))
         first += count
-    fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
-    sent = ("planes", "ones", "zeros")
     machine: StateMachine | None = None
     planes: dict[str, StatePlanes] = {}
-    launches = [(instant, kernel, None) for instant, kernel in arrays["launches"].tolist()]
+    levels: list[int | None] = [None] * len(arrays["launches"])
     if "machine" in header:
         machine, planes = machine_file.machine_from(header["machine"], arrays)
-        levels = arrays["levels"].tolist()
-        launches = [
-            (instant, kernel, None if level == machine_file.NO_LEVEL else level)
-            for (instant, kernel, _), level in zip(launches, levels, strict=True)
-        ]
+        none = machine_file.NO_LEVEL
+        levels = [None if level == none else level for level in arrays["levels"].tolist()]
+    sent = ("planes", "ones", "zeros")
     return Container(
-        target=target,
+        target=target_from_dict(header["target"]),
         slot_us=tuple(arrays["slot_us"].tolist()),
-        buckets=tuple(header["buckets"]),
-        table=DecodeTable(fields, *(arrays[name] for name in meaning)),
+        buckets=tuple(map(str, header["buckets"])),
+        table=DecodeTable(
+            tuple(map(str, header["fields"])),
+            *(arrays[name] for name in ("codes", "shutter_of_code", "shutters")),
+        ),
         kernels=tuple(kernels),
-        launches=tuple(Launch(*launch) for launch in launches),
-        code_registers=tuple(header["code_registers"]),
+        launches=tuple(
+            Launch(instant, kernel, level)
+            for (instant, kernel), level in zip(arrays["launches"].tolist(), levels, strict=True)
+        ),
+        code_registers=tuple(map(str, header["code_registers"])),
         encoding=arrays["encoding"],
         pixel_codes=arrays["pixel_codes"] if header["counts"]["pixels"] else None,
-        readouts=tuple(Readout(*entry) for entry in header["readouts"]),
-        source_lines=tuple(header["source_lines"]),
-        notes=header["notes"],
+        readouts=tuple(Readout(str(r), str(b), float(gain)) for r, b, gain in header["readouts"]),
+        source_lines=tuple(map(str, header["source_lines"])),
+        notes={key: str(note) for key, note in header["notes"].items()},
         machine=machine,
         state_planes=planes,
         stream=Stream(*(arrays[name] for name in sent)) if sent[0] in arrays else None,
         pictures=pictures_file.pictures_from(header["pictures"]) if "pictures" in header else None,
     )
-
-
-def _unpacked(array: _Array, data: bytes, start: int) -> NDArray[Any]:
-    raw = np.frombuffer(data, dtype=np.uint8, count=array.nbytes, offset=start)
-    if array.bits:
-        bits = np.unpackbits(raw, count=array.items, bitorder="little")
-        return bits.view(np.bool_).reshape(array.shape)
-    native = np.dtype(array.dtype).newbyteorder("=")
-    return raw.view(array.dtype).astype(native).reshape(array.shape)

@@ -1,9 +1,8 @@
-"""Whether words mean something on a target: what every user of a container's words goes through.
+"""Checks that the words of a container are valid on its target; all users of words go through them.
 
-A container's bytes may hold any five integers as a word. `decoded` turns them into operations and
-refuses a word that is none (NS0701), half-words that do not stand together (NS0703) and words that
-the container's target does not take (NS0708).
-"""
+A container file may contain any five integers as a word. `decoded` converts words to operations and
+refuses a word without operation (NS0701), half-words without their partner (NS0703) and words that
+the container's target does not support (NS0708)."""
 
 from __future__ import annotations
 
@@ -20,7 +19,8 @@ _MOST_SHOWN = 10
 
 
 def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
-    """NS0510 (status 1) with `refusal` (half a sentence): a chip without logic has no words."""
+    """Raise NS0510 (status 1) for a chip without logic, which has no words; `refusal` is half a
+    sentence."""
     if target.streamed:
         raise rejected(
             "NS0510",
@@ -32,7 +32,7 @@ def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
 
 
 def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
-    """NS0542 (status 1) with `refusal` (half a sentence) for a program with images or planes."""
+    """Raise NS0542 (status 1) for a program with images or planes; `refusal` is half a sentence."""
     if container.pictures is not None:
         raise rejected(
             "NS0542",
@@ -44,10 +44,9 @@ def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
 
 
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
-    """The operations of every kernel, in order.
+    """Return the operations of every kernel, in order.
 
-    Raises Rejected with all faults found (of the first ten words at fault).
-    """
+    Raises Rejected with the errors of the first ten invalid words."""
     diagnostics: list[Diagnostic] = []
     kernels: list[tuple[Op, ...]] = []
     faults: dict[Op, str | None] = {}
@@ -76,11 +75,9 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
 
 
 def picture_words(container: Container) -> list[tuple[Op, int | None]]:
-    """The words of a container's images and planes in the order in which they run, each with the
-    steps of IN; None: IN is not set.
+    """Return the words of images and planes in execution order, each with the value of IN in steps.
 
-    Raises Rejected as `decoded`.
-    """
+    The value is None if IN is not set. Raises Rejected as `decoded` does."""
     pictures, target = container.pictures, container.target
     diagnostics: list[Diagnostic] = []
     kernels: list[list[Op]] = []
@@ -106,10 +103,10 @@ def picture_words(container: Container) -> list[tuple[Op, int | None]]:
 
 
 def target_fault(operation: Op, target: Target) -> str | None:
-    """Why `target` does not take this word while it exposes, as half a sentence; None if it does.
+    """Return why `target` does not support this word during the exposure, as half a sentence, or
+    None.
 
-    Words that reach neighbours follow an exposure: see `picture_fault`.
-    """
+    Words that reach neighbours run after the exposure: see `picture_fault`."""
     digital = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
     if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
         return "only the words of images and planes reach neighbours, after the last slot"
@@ -117,8 +114,8 @@ def target_fault(operation: Op, target: Target) -> str | None:
 
 
 def picture_fault(operation: Op, target: Target) -> str | None:
-    """Why `target` does not take this word after an exposure, as half a sentence; None if it
-    does."""
+    """Return why `target` does not support this word after the exposure, as half a sentence, or
+    None."""
     known = (
         *target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT",
         *(NEIGHBOURS if "NEWS" in target.analog_registers else ()),
@@ -146,7 +143,7 @@ def picture_fault(operation: Op, target: Target) -> str | None:
 
 
 def _neighbour_fault(operation: Op, target: Target) -> str | None:
-    """Why `target` does not take a word that reaches neighbours; None if it does."""
+    """Return why `target` does not support a word that reaches neighbours; None if it does."""
     row = operation.operation
     digital = row.effect is WordEffect.DIGITAL_NEIGHBOURS
     written = NEIGHBOURS.keys() & operation.destinations
@@ -166,13 +163,13 @@ def _neighbour_fault(operation: Op, target: Target) -> str | None:
 
 
 def pair_kind(first: Op, second: Op) -> str | None:
-    """OR, NOR or REFRESH where these are the two words of one in-place form, else None."""
+    """Return OR, NOR or REFRESH if these are the two words of an in-place form, else None."""
     kind, _, half = first.name.partition(".")
     return kind if half == "read" and second.name == f"{kind}.write" else None
 
 
 def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
-    """A diagnostic NS0703 for every half-word whose other half is not beside it."""
+    """Return an error (NS0703) for every half-word without its partner beside it."""
     diagnostics = []
     for index, operation in enumerate(ops):
         before, phase = ops[index - 1] if index else None, operation.operation.phase

@@ -1,4 +1,4 @@
-"""Link a draft to a container: resolve names, check indices and sizes."""
+"""Linking of a draft to a container: resolves names, checks indices and sizes."""
 
 from __future__ import annotations
 
@@ -26,16 +26,17 @@ from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
 
 MOST_TABLE_CELLS = 1 << 28
-"""Most shutters times buckets times slots of one text (a byte each)."""
+"""Most shutters x buckets x slots of one text (a byte each)."""
 
 _DEFAULT_BUCKET = "frame"
 _START = Span(0, 0)
 NO_TABLE = {"table": "none"}
-"""The note of a container with pixel contents but without a decode table."""
+"""The note of a container with register contents of pixels but without a decode table."""
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
-    """The container of a draft. Raises Rejected with all errors, including those in `faults`."""
+    """Return the container of a draft; raise Rejected with all errors, including those in
+    `faults`."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -46,7 +47,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
     load = _load(draft, target, faults)
-    faults.stop()  # the rest needs valid sizes
+    faults.stop()  # the following steps need valid sizes
 
     notes = dict(draft.notes)
     if draft.shutters or draft.codes:
@@ -83,7 +84,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     if draft.pictures is not None:
         pictures = pictures_file.from_text("".join(line for line, _ in draft.pictures.lines))
         if pictures is None:
-            message = "the lines below are no images and planes"
+            message = "the lines below do not describe images and planes"
             faults.add("NS0714", message, draft.pictures.directive.span)
     faults.stop()
     container = Container(
@@ -115,7 +116,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
-    """The target that the text names, by default scamp5; None after reporting an error."""
+    """Return the target that the text names, by default scamp5; None after reporting an error."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -169,7 +170,7 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
 
 
 def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
-    """The index of a name; reports an unknown name and returns 0."""
+    """Return the index of a name; report an unknown name and return 0."""
     index = names.get(token.text)
     if index is not None:
         return index
@@ -188,7 +189,7 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
-    """The buckets in `.bucket`, else those of the readouts, else `frame`."""
+    """Return the buckets in `.bucket`, else those of the readouts, else `frame`."""
     if draft.buckets:
         return tuple(_indexed(draft.buckets, "bucket", faults))
     named = [readout.bucket.text for readout in draft.readouts if readout.bucket]
@@ -196,7 +197,7 @@ def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """All launches, by instant, in the order of the text."""
+    """Return all launches, by boundary, in the order of the text."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -256,7 +257,8 @@ def _loading_order(
     target: Target,
     faults: Faults,
 ) -> tuple[str, ...]:
-    """The order in `.load`; by default the masked register first, while its mask is 1."""
+    """Return the order in `.load`; by default the masked register comes first, while its
+    mask is 1."""
     if stated and set(stated) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
@@ -264,8 +266,9 @@ def _loading_order(
 
 
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
-    """A table without open slots, for pixels with known register contents only. Without planes all
-    codes share one shutter, else each has its own."""
+    """Return a table without open slots, for pixels of which only register contents are known.
+
+    Without planes all codes share one shutter, else each code has its own."""
     return DecodeTable(
         ("code",) if planes else (),
         np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),
@@ -277,7 +280,7 @@ def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTa
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """The decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
+    """Return the decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):

@@ -1,10 +1,9 @@
-"""The finite state machine of each code of a program with senses, as plain tables.
+"""The finite state machine of each code of a program with senses, as arrays.
 
 Boundaries are 0..N; boundary n is before slot n. A look is a boundary at which signals are compared
 with levels. Between two looks a pixel is in a node; the answers of a look lead to a node of the
 next stage. A node defines in which slots the shutter is open and PIX is reset, until the next look.
-The tables define the program: proof, emulator and host use them instead of the program's text.
-"""
+The arrays define the program: proof, emulator and host use them instead of the program's text."""
 
 from __future__ import annotations
 
@@ -17,14 +16,16 @@ from numpy.typing import NDArray
 Values = NDArray[np.int64]
 
 LIGHT = -1
-"""The signal `light`; other signals are numbers of buckets."""
+"""The signal `light`; other signals are indices of buckets."""
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Whether `signal` is above `level` steps of IN at `boundary`. `signal` is LIGHT, the charge of
-    PIX since the start of the frame or its last reset, or the number of a bucket: the light of its
-    completed open slots."""
+    """A comparison of `signal` with `level` steps of IN at `boundary`: is the signal above the
+    level?
+
+    `signal` is LIGHT, the charge of PIX since the start of the frame or its last reset, or the
+    index of a bucket, the light of its completed open slots."""
 
     boundary: int
     signal: int
@@ -33,9 +34,11 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A state of the program: its values are `low`..`high`, and START is `start`. `is_kept`: it
-    survives the frame. `read`: it is read out with the frame. `boolean`: declared as bit. `sense`:
-    not declared, but the latest answer of a sense that outlasts its look."""
+    """A state of the program, with values `low`..`high` and initial value `start`.
+
+    `is_kept` states survive the frame; `read` states are read out with the frame. `boolean` means
+    that it was declared as bit. `sense` marks the latest answer of a sense, which was not declared
+    as a state but is needed after its look."""
 
     name: str
     low: int
@@ -49,18 +52,21 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class StateMachine:
-    """The state machines of all behaviours; codes that behave equally share one.
+    """The state machines of all behaviours; codes that behave equally share a behaviour.
 
-    Stage k begins after look k (stage 0 at boundary 0) and has the nodes
-    first[k] .. first[k + 1] - 1. By node: `behaviour` int32 (nodes,); `values` int64 (nodes,
-    states), the states' values; `opens` bool (nodes, buckets, N) and `resets` bool (nodes, N),
-    whether PIX is reset at the boundary before a slot, both False outside the node's stage;
-    `steps` int32 (nodes, outcomes), the node that the next look leads to: bit c of an outcome is
-    the answer of the look's comparison number c, and -1 stands behind its last outcome and in the
-    last stage. `comparisons` stand in the order of their boundaries. `open_us` float64 (nodes,
-    buckets) and `open_slots` int32 (nodes, buckets): how long a pixel that ends the frame in a node
-    was open; -1 in earlier stages.
-    """
+    Stage k begins after look k (stage 0 at boundary 0) and has the nodes first[k] .. first[k + 1] -
+    1. Arrays by node are:
+
+    * `behaviour` int32 (nodes,)
+    * `values` int64 (nodes, states), the states' values
+    * `opens` bool (nodes, buckets, N), False outside the node's stage
+    * `resets` bool (nodes, N), whether PIX is reset at the boundary before a slot
+    * `steps` int32 (nodes, outcomes), the node after the next look: bit c of an outcome is the
+      answer of the look's comparison c; -1 after the last outcome and in the last stage
+    * `open_us` float64 and `open_slots` int32 (nodes, buckets), the open time of a pixel that ends
+      the frame in a node; -1 in earlier stages
+
+    `comparisons` are in the order of their boundaries."""
 
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]
@@ -92,28 +98,29 @@ class StateMachine:
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
-        """The comparisons at a boundary."""
+        """Return the comparisons at a boundary."""
         return tuple(
             comparison for comparison in self.comparisons if comparison.boundary == boundary
         )
 
     def order(self, boundary: int) -> list[int]:
-        """The numbers of a boundary's comparisons in the order of the words. If two signals are the
-        same light, such as PIX and a bucket still open, only this order tells which of them a word
-        compares."""
+        """Return the indices of a boundary's comparisons in the order of the words.
+
+        If two signals are the same light, such as PIX and a bucket that is still open, only this
+        order determines which of them a word compares."""
         comparisons = self.at(boundary)
         return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
     def starts(self, stage: int) -> int:
-        """The first boundary of a stage."""
+        """Return the first boundary of a stage."""
         return 0 if stage == 0 else self.looks[stage - 1]
 
     def ends(self, stage: int) -> int:
-        """The boundary of the look at the end of a stage; N for the last stage."""
+        """Return the boundary of the look at the end of a stage; N for the last stage."""
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
     def start_nodes(self) -> NDArray[np.int64]:
-        """For each behaviour the node with the start values of all states (behaviours,)."""
+        """Return for each behaviour the node with the start values of all states (behaviours,)."""
         nodes = np.arange(self.first[1])
         starts = np.array([state.start for state in self.states], np.int64)
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]
@@ -123,7 +130,7 @@ class StateMachine:
 
 @dataclass(frozen=True, eq=False)
 class StatePlanes:
-    """The registers of a state: `bits` bool (values, registers) encodes each of its possible
+    """The registers of a state: `bits` bool (values, registers) encode each of its possible
     `values`."""
 
     registers: tuple[str, ...]
@@ -131,7 +138,7 @@ class StatePlanes:
     bits: NDArray[np.bool_]
 
     def read(self, planes: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> Values:
-        """The value at every pixel of `shape`; the first value for unknown bits."""
+        """Return the value at every pixel of `shape`; the first value for unknown bits."""
         pixel_values = np.full(shape, self.values[0], np.int64)
         for value, row in zip(self.values, self.bits.tolist(), strict=True):
             matches = np.ones(shape, np.bool_)

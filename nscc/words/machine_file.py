@@ -1,17 +1,17 @@
-"""Storage of a machine in a container file: header, arrays and checks."""
+"""Storage of a state machine in a container file: header, arrays and checks."""
 
 from __future__ import annotations
 
 import json
 from base64 import b64decode, b64encode
 from collections.abc import Iterator, Mapping
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.machine import LIGHT, Comparison, State, StateMachine, StatePlanes
+from nscc.words.stored_arrays import StoredArray, packed, unpacked
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -20,13 +20,13 @@ _STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[StateMachine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
-"""The level of a launch without one."""
+"""The stored level of a launch that does not set IN."""
 _LARGEST = 2**62
 _WIDTH = 96
 
 
 def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
-    """The JSON header of a machine."""
+    """Return the JSON header of a machine."""
     return {
         "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
         "comparisons": [[c.boundary, c.signal, c.level] for c in machine.comparisons],
@@ -45,83 +45,43 @@ def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[
     }
 
 
-def layout_of(
-    header: Mapping[str, Any], buckets: int, slots: int
-) -> list[tuple[str, str, tuple[int, ...]]]:
-    """The machine's arrays in order: name, type and shape; "?" is bit-packed."""
+def layout_of(header: Mapping[str, Any], buckets: int, slots: int) -> list[StoredArray]:
+    """The machine's arrays in order."""
     nodes, states = header["first"][-1], len(header["states"])
     return [
-        ("behaviour", "<i4", (nodes,)),
-        ("values", "<i8", (nodes, states)),
-        ("opens", "?", (nodes, buckets, slots)),
-        ("resets", "?", (nodes, slots)),
-        ("steps", "<i4", (nodes, header["outcomes"])),
-        ("open_slots", "<i4", (nodes, buckets)),
-        ("open_us", "<f8", (nodes, buckets)),
+        StoredArray("behaviour", "<i4", (nodes,)),
+        StoredArray("values", "<i8", (nodes, states)),
+        StoredArray("opens", "?", (nodes, buckets, slots)),
+        StoredArray("resets", "?", (nodes, slots)),
+        StoredArray("steps", "<i4", (nodes, header["outcomes"])),
+        StoredArray("open_slots", "<i4", (nodes, buckets)),
+        StoredArray("open_us", "<f8", (nodes, buckets)),
     ]
-
-
-def check_header(header: Any) -> None:
-    """Check the structure of a machine's header; raises ValueError."""
-    complete = isinstance(header, dict) and header.keys() == {
-        "states", "comparisons", "first", "looks", "outcomes", "planes",
-    }  # fmt: skip
-    if not complete or not all(isinstance(header[k], list) for k in header if k != "outcomes"):
-        raise ValueError("the header's machine is malformed")
-    kinds = (str, int, int, int, bool, bool, bool, bool)
-    sound = all(_typed(state, kinds) for state in header["states"])
-    sound &= all(_typed(entry, (int, int, int)) for entry in header["comparisons"])
-    numbers = [*header["first"], *header["looks"], header["outcomes"]]
-    sound &= all(_is_count(entry) for entry in numbers) and bool(header["first"])
-    for plane in header["planes"]:
-        sound &= _typed(plane, (str, list, list, list))
-        sound &= sound and all(isinstance(r, str) for r in plane[1])
-        sound &= sound and all(_is_whole(v) for v in plane[2])
-        sound &= sound and all(
-            isinstance(row, list)
-            and len(row) == len(plane[1])
-            and all(type(bit) is int and bit in (0, 1) for bit in row)
-            for row in plane[3]
-        )
-        sound &= sound and len(plane[2]) == len(plane[3]) > 0
-    if not sound:
-        raise ValueError("the header's machine is malformed")
-
-
-def _typed(values: Any, kinds: tuple[type, ...]) -> bool:
-    return (
-        isinstance(values, list)
-        and len(values) == len(kinds)
-        and all(
-            type(v) is kind and (kind is not int or _is_whole(v))
-            for v, kind in zip(values, kinds, strict=True)
-        )
-    )
-
-
-def _is_whole(value: Any) -> bool:
-    return type(value) is int and abs(value) < _LARGEST
-
-
-def _is_count(value: Any) -> bool:
-    return type(value) is int and 0 <= value < 2**31
 
 
 def machine_from(
     header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
 ) -> tuple[StateMachine, dict[str, StatePlanes]]:
-    """The machine and the encodings of its states, from a checked header and its arrays."""
+    """The machine and the encodings of its states, from a header and its arrays: values have the
+    types that `header_of` gives them, or this raises."""
     machine = StateMachine(
-        states=tuple(State(*state) for state in header["states"]),
-        comparisons=tuple(Comparison(*entry) for entry in header["comparisons"]),
-        looks=tuple(header["looks"]),
+        states=tuple(
+            State(
+                str(name),
+                *np.array(numbers, np.int64).tolist(),
+                *map(bool, (is_kept, read, boolean, sense)),
+            )
+            for name, *numbers, is_kept, read, boolean, sense in header["states"]
+        ),
+        comparisons=tuple(Comparison(*map(int, entry)) for entry in header["comparisons"]),
+        looks=tuple(map(int, header["looks"])),
         first=np.array(header["first"], np.int32),
         **{name: arrays[name] for name, _, _ in layout_of(header, 0, 0)},
     )
     planes = {
-        name: StatePlanes(
-            tuple(registers),
-            tuple(values),
+        str(name): StatePlanes(
+            tuple(map(str, registers)),
+            tuple(np.array(values, np.int64).tolist()),
             np.array(bits, np.bool_).reshape(len(values), len(registers)),
         )
         for name, registers, values, bits in header["planes"]
@@ -130,57 +90,37 @@ def machine_from(
 
 
 def to_text(container: Container) -> Iterator[str]:
-    """The `.machine` lines of assembly text: base64 of the header and the arrays."""
+    """Yield the `.machine` lines of assembly text: base64 of the header and the arrays."""
     machine = container.machine
     assert machine is not None
-    header = {**header_of(machine, container.state_planes), "levels": _levels(container)}
+    header = header_of(machine, container.state_planes)
+    header["levels"] = [launch.level for launch in container.launches]
     data = json.dumps(header, sort_keys=True, separators=(",", ":")).encode("ascii")
-    buckets, slots = len(container.buckets), container.slots
-    blocks = [len(data).to_bytes(4, "little"), data]
-    for name, dtype, _ in layout_of(header, buckets, slots):
-        array = getattr(machine, name)
-        packed = np.packbits(array, axis=None, bitorder="little") if dtype == "?" else array
-        blocks.append(packed.astype(packed.dtype.newbyteorder("<")).tobytes())
+    layout = layout_of(header, len(container.buckets), container.slots)
+    blocks = [len(data).to_bytes(4, "little"), data, *packed(layout, vars(machine))]
     text = b64encode(b"".join(blocks)).decode("ascii")
     for start in range(0, len(text), _WIDTH):
         yield text[start : start + _WIDTH]
 
 
-def _levels(container: Container) -> list[int | None]:
-    return [launch.level for launch in container.launches]
-
-
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
-    """The inverse of `to_text`: machine, state encodings and levels of launches; None if
+    """Return machine, state encodings and levels of launches from `.machine` lines; None if
     invalid."""
     try:
         data = b64decode(text, validate=True)
         size = int.from_bytes(data[:4], "little")
         header = json.loads(data[4 : 4 + size])
-        levels = header.pop("levels")
-        check_header(header)
-        if not isinstance(levels, list) or len(levels) != launches:
-            return None
-        if not all(level is None or _is_whole(level) for level in levels):
-            return None
-        arrays, at = {}, 4 + size
-        for name, dtype, shape in layout_of(header, buckets, slots):
-            items = prod(shape)
-            count = (items + 7) // 8 if dtype == "?" else items * np.dtype(dtype).itemsize
-            raw = np.frombuffer(data, np.uint8, count, at)
-            at += count
-            if dtype == "?":
-                arrays[name] = np.unpackbits(raw, count=items, bitorder="little").view(np.bool_)
-            else:
-                arrays[name] = raw.view(dtype).astype(np.dtype(dtype).newbyteorder("="))
-            arrays[name] = arrays[name].reshape(shape)
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        arrays = unpacked(layout_of(header, buckets, slots), data, 4 + size)
+        machine, planes = machine_from(header, arrays)
+        levels = [None if level is None else int(level) for level in header["levels"]]
+    except (ValueError, ArithmeticError, AttributeError, LookupError, RecursionError, TypeError):
         return None
-    return (*machine_from(header, arrays), levels) if at == len(data) else None
+    sound = header == {**header_of(machine, planes), "levels": levels} and len(levels) == launches
+    return (machine, planes, levels) if sound else None
 
 
 def faults(container: Container) -> Iterator[str]:
-    """The errors of a container's machine, each as part of a sentence."""
+    """Yield the errors of a container's machine, each as part of a sentence."""
     machine = container.machine
     if machine is None:
         if any(launch.level is not None for launch in container.launches):
@@ -231,7 +171,7 @@ def _step_faults(machine: StateMachine) -> Iterator[str]:
         steps = machine.steps[span]
         if stage == machine.stages - 1:
             if (steps != -1).any():
-                yield "a node of its machine's last stage leads somewhere"
+                yield "a node of the last stage of its machine has a successor"
             continue
         outcomes = 1 << len(machine.at(machine.looks[stage]))
         after = machine.nodes(stage + 1)
@@ -250,7 +190,7 @@ def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
         yield "two states of its machine have one name"
     for k, state in enumerate(machine.states):
         values = machine.values[:, k]
-        if not state.low <= state.start <= state.high or (
+        if not -_LARGEST < state.low <= state.start <= state.high < _LARGEST or (
             values.size and not (state.low <= values.min() and values.max() <= state.high)
         ):
             yield f"the state {state.name[:40]!a} leaves its range"
@@ -263,10 +203,12 @@ def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
             yield f"the planes of {state.name[:40]!a} are kept and not loaded"
     registers = container.target.digital_registers
     for name, planes in container.state_planes.items():
+        if max(map(abs, planes.values), default=0) >= _LARGEST:
+            yield f"the planes of {name[:40]!a} have values beyond 62 bits"
         if len({*planes.values}) < len(planes.values):
             yield f"the planes of {name[:40]!a} have two rows of bits for one value"
         if name not in names or not {*planes.registers} <= {*registers}:
-            yield f"the planes of {name[:40]!a} are those of nothing"
+            yield f"the planes of {name[:40]!a} belong to no state"
     starts = machine.behaviour[machine.start_nodes()]
     if not np.array_equal(starts, np.arange(len(container.encoding))):
         yield "a behaviour of its machine has no start"

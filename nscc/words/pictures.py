@@ -1,8 +1,8 @@
-"""Images and planes: what a program of version 3 computes of its exposures, as plain values.
+"""Images and planes of a program of version 3, computed from its exposures.
 
-An image is a value of every pixel, a plane a bit. Both are evaluated once, after the last slot. The
-expressions are trees of frozen nodes; `to_plain` and `from_plain` turn them into lists for a file.
-"""
+An image is a value of every pixel, a plane a bit of every pixel. Both are evaluated once, after the
+last slot. The expressions are trees of frozen nodes; `to_plain` and `from_plain` convert them to
+and from lists for a file."""
 
 from __future__ import annotations
 
@@ -13,13 +13,16 @@ from typing import Any, Literal
 
 Word = tuple[int, int, int, int, int]
 Offset = tuple[int, int]
-"""Columns to the right and rows down."""
+"""An offset: columns to the right and rows down."""
 
 
 @dataclass(frozen=True)
 class Weights:
-    """A kernel: at (row i, column j) the numerator of the weight of the pixel that lies j minus the
-    centre columns to the right and i minus the centre rows down; all are divided by `divisor`."""
+    """A convolution kernel.
+
+    `rows` contain the numerators of the weights; all are divided by `divisor`. The weight in (row
+    i, column j) belongs to the pixel that is j minus the centre column to the right and i minus the
+    centre row down."""
 
     name: str
     rows: tuple[tuple[int, ...], ...]
@@ -27,7 +30,7 @@ class Weights:
 
     @property
     def taps(self) -> dict[Offset, Fraction]:
-        """The weights that are not zero, by where their pixels lie."""
+        """Return the nonzero weights by the offsets of their pixels."""
         down, right = len(self.rows) // 2, len(self.rows[0]) // 2
         return {
             (j - right, i - down): Fraction(weight, self.divisor)
@@ -42,21 +45,21 @@ class Weights:
 
 @dataclass(frozen=True)
 class Source:
-    """A bucket's exposure, or an image that was computed before."""
+    """The exposure of a bucket, or an image that was computed before."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Sum:
-    """`terms` are factors and images."""
+    """A sum of images; `terms` are pairs (factor, image)."""
 
     terms: tuple[tuple[Fraction, Value], ...]
 
 
 @dataclass(frozen=True)
 class Filtered:
-    """The sum of the neighbours of `value`, weighted by a kernel."""
+    """The convolution of the image `value` with the convolution kernel named `kernel`."""
 
     kernel: str
     value: Value
@@ -64,7 +67,7 @@ class Filtered:
 
 @dataclass(frozen=True)
 class Absolute:
-    """`value` without its sign."""
+    """The absolute value of an image."""
 
     value: Value
 
@@ -97,7 +100,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Above:
-    """Whether an image is above a level (steps of IN)."""
+    """A condition: an image is above a level (steps of IN)."""
 
     value: Value
     steps: int
@@ -105,7 +108,7 @@ class Above:
 
 @dataclass(frozen=True)
 class Inverse:
-    """`not`."""
+    """The negation (`not`) of a condition."""
 
     condition: Condition
 
@@ -121,8 +124,9 @@ class Joined:
 
 @dataclass(frozen=True)
 class Near:
-    """Whether any, or all, of a pixel's neighbours under a kernel have a 1; bits beyond the array
-    are the program's `outside`."""
+    """A condition: any, or all, of a pixel's neighbours under a convolution kernel have a 1.
+
+    Bits outside the array are the program's `outside`."""
 
     kind: Literal["any", "all"]
     condition: Condition
@@ -131,7 +135,7 @@ class Near:
 
 @dataclass(frozen=True)
 class At:
-    """The bit of the pixel that lies so many columns to the right and rows down."""
+    """The bit of the pixel at an offset of columns to the right and rows down."""
 
     condition: Condition
     right: int
@@ -145,21 +149,23 @@ Node = Value | Condition
 
 @dataclass(frozen=True)
 class Picture:
-    """An image or a plane under its name."""
+    """An image or a plane, with its name."""
 
     name: str
     node: Node
 
     @property
     def is_plane(self) -> bool:
-        """Whether it is a bit a pixel."""
+        """Whether it is a plane."""
         return isinstance(self.node, Condition)
 
 
 @dataclass(frozen=True)
 class PlaneReport:
-    """What the host is told of a plane: whether `any` bit is 1, the coordinates of `events` (at
-    most `most`), or the `box` around them."""
+    """A report about a plane, which the host receives instead of the plane.
+
+    It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), or the
+    `box` around them."""
 
     kind: Literal["any", "events", "box"]
     plane: str
@@ -168,8 +174,9 @@ class PlaneReport:
 
 @dataclass(frozen=True)
 class TailLaunch:
-    """Kernel number `kernel` of the pictures runs, with IN at `level` steps; None: IN is not
-    read."""
+    """The start of kernel number `kernel` after the exposure, with IN at `level` steps.
+
+    The level is None if the kernel does not read IN."""
 
     kernel: int
     level: int | None
@@ -177,9 +184,11 @@ class TailLaunch:
 
 @dataclass(frozen=True)
 class PictureCost:
-    """What an image or a plane takes: its `words`, those that others share with the first;
-    `peak_gain`, its largest value as a multiple of the largest exposure; `noise_gain`, the standard
-    deviation of its error where each word has an error of standard deviation 1."""
+    """The cost of an image or a plane.
+
+    `words` include shared words only for the first image that uses them. `peak_gain` is its largest
+    value relative to the largest exposure. `noise_gain` is the standard deviation of its error if
+    each word has an error with standard deviation 1."""
 
     name: str
     words: int
@@ -189,13 +198,13 @@ class PictureCost:
 
 @dataclass(frozen=True)
 class Pictures:
-    """Everything that follows the last slot: what is computed, and after lowering the words.
+    """The images and planes of a program, and after lowering their words.
 
-    `items` are in the order in which they are evaluated. `outside` is the bit beyond the array,
-    None where no neighbour's bit is read. `limits_e` are the exposures that are assumed, by bucket.
-    `reads` are the images, planes and buckets that come with the frame. `kernels` run as `launches`
-    say, after all words of the exposure; `registers` then hold what is read or reported.
-    """
+    `items` are in evaluation order. `outside` is the bit outside the array, None if no neighbour's
+    bit is read. `limits_e` are the largest assumed exposures in electrons, by bucket. `reads` are
+    the images, planes and buckets that are read out with the frame. `kernels` run in the order of
+    `launches`, after all words of the exposure; `registers` then contain the images and planes that
+    are read or reported."""
 
     weights: tuple[Weights, ...]
     items: tuple[Picture, ...]
@@ -210,17 +219,18 @@ class Pictures:
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:
-        """The kernels of the text."""
+        """The convolution kernels by name."""
         return {kernel.name: kernel for kernel in self.weights}
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """The names of what leaves the chip, each once."""
+        """The names of all images, planes and buckets that are read or reported, without
+        repetition."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property
     def words(self) -> int:
-        """Words executed after the last slot."""
+        """The number of words executed after the last slot."""
         return sum(len(self.kernels[launch.kernel]) for launch in self.launches)
 
 
@@ -233,7 +243,7 @@ _NODES = {
 
 
 def operands(node: Node) -> tuple[Node, ...]:
-    """The direct parts of a node."""
+    """Return the direct operands of a node."""
     match node:
         case Sum():
             return tuple(value for _, value in node.terms)
@@ -249,14 +259,14 @@ def operands(node: Node) -> tuple[Node, ...]:
 
 
 def subexpressions(node: Node) -> Iterator[Node]:
-    """A node and all its parts."""
+    """Yield a node and all its subexpressions."""
     yield node
     for operand in operands(node):
         yield from subexpressions(operand)
 
 
 def to_plain(node: Node) -> list[Any]:
-    """A node as lists, texts and numbers; fractions are [numerator, denominator]."""
+    """Return a node as lists, texts and numbers; fractions are [numerator, denominator]."""
     if isinstance(node, Sum):
         terms = [[f.numerator, f.denominator, to_plain(value)] for f, value in node.terms]
         return ["Sum", *terms]
@@ -265,7 +275,7 @@ def to_plain(node: Node) -> list[Any]:
 
 
 def from_plain(plain: Any) -> Node:
-    """The node of `to_plain`'s lists; ValueError where they are none."""
+    """Return the node that `to_plain` converted; raise ValueError for other lists."""
     try:
         name, *values = plain
         if name == "Sum":

@@ -1,4 +1,4 @@
-"""Images and planes in a container's file: what its header says, and whether it is sound."""
+"""Storage of images and planes in a container file: header and checks."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _WIDTH = 96
 
 
 def header_of(pictures: Pictures) -> dict[str, Any]:
-    """What the header says of images and planes: JSON values."""
+    """Return the header of images and planes as JSON values."""
     return {
         "kernels": [[k.name, [list(row) for row in k.rows], k.divisor] for k in pictures.weights],
         "items": [[item.name, to_plain(item.node)] for item in pictures.items],
@@ -44,7 +44,7 @@ def header_of(pictures: Pictures) -> dict[str, Any]:
 
 
 def pictures_from(header: Any) -> Pictures:
-    """The images and planes of `header_of`'s values; ValueError where they are none."""
+    """Return the images and planes of a header; raise ValueError for an invalid header."""
     try:
         return Pictures(
             tuple(
@@ -71,7 +71,7 @@ def pictures_from(header: Any) -> Pictures:
 
 
 def to_text(pictures: Pictures) -> Iterator[str]:
-    """The lines that `.pictures` has in assembly text: base64 of the header."""
+    """Yield the `.pictures` lines of assembly text: base64 of the header."""
     data = json.dumps(header_of(pictures), sort_keys=True, separators=(",", ":")).encode("ascii")
     text = b64encode(data).decode("ascii")
     for start in range(0, len(text), _WIDTH):
@@ -79,7 +79,7 @@ def to_text(pictures: Pictures) -> Iterator[str]:
 
 
 def from_text(text: str) -> Pictures | None:
-    """The images and planes of `to_text`'s lines; None where they are none."""
+    """Return the images and planes of `.pictures` lines; None if they are invalid."""
     try:
         return pictures_from(json.loads(b64decode(text, validate=True)))
     except (ValueError, RecursionError):
@@ -87,7 +87,7 @@ def from_text(text: str) -> Pictures | None:
 
 
 def faults(container: Container) -> Iterator[str]:
-    """What is wrong with a container's images and planes, each as part of a sentence."""
+    """Yield the errors of a container's images and planes, each as part of a sentence."""
     pictures = container.pictures
     if pictures is None:
         return
@@ -106,7 +106,7 @@ def faults(container: Container) -> Iterator[str]:
     if pictures.outside not in (None, 0, 1) or pictures.limits_e.keys() != {*container.buckets}:
         yield "its pictures are malformed"
     if not known.issuperset(pictures.outputs) or not pictures.outputs:
-        yield "its pictures do not say what leaves the chip"
+        yield "its pictures neither read out nor report anything"
     for kernel in pictures.kernels:
         if not all(type(x) is int and 0 <= x < 1 << 32 for word in kernel for x in word):
             yield "a word of its pictures is not five 32-bit integers"

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from hashlib import sha256
 from io import BytesIO
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,21 +14,23 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
-from nscc.npy import npy_header, npy_values
+from nscc.npy import InvalidArrays, npy_array, npz_arrays
 from nscc.words.draft import Faults, PlaneDraft, shown
 
 _LARGEST_FILE = 1 << 28
 
 
 class _BadPlaneError(Exception):
-    """A plane's file is invalid, for a reason in words."""
+    """Raised for an invalid plane file; the text is the reason."""
 
 
 def read_planes(
     drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
 ) -> dict[str, NDArray[np.bool_]]:
-    """The planes bool (rows, cols) by register, in the order of the target's registers. Reports
-    NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
+    """Return the bit planes, bool (rows, cols), by register, in the order of the target's
+    registers.
+
+    Reports NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -51,8 +53,10 @@ def read_planes(
 def codes_of_planes(
     planes: Mapping[str, NDArray[np.bool_]], target: Target
 ) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
-    """The distinct register contents of pixels, bool (codes, registers), and the row of each pixel.
-    Without planes there is one code with all registers 0, and no pixel data."""
+    """Return the distinct register contents of pixels, bool (codes, registers), and the row of each
+    pixel.
+
+    Without planes there is one code with all registers 0, and the second result is None."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)
@@ -89,37 +93,21 @@ def _plane(
 
 
 def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
-    if data.startswith(b"\x93NUMPY"):
-        return _array(BytesIO(data), shape)
-    from zipfile import BadZipFile, ZipFile
-    from zlib import error as DeflateError  # noqa: N812 (a class with a small name)
-
+    stream = BytesIO(data)
     try:
-        with ZipFile(BytesIO(data)) as archive:
-            members = [name for name in archive.namelist() if name.endswith(".npy")]
-            named = f"{register}.npy"
-            if named not in members and len(members) != 1:
-                count = len(members)
+        if data.startswith(b"\x93NUMPY"):
+            values = npy_array(stream)
+        else:
+            _, names = npz_arrays(stream, lambda _: False)
+            if register not in names and len(names) != 1:
+                count = len(names)
                 raise _BadPlaneError(f"it has {count} arrays, and none has the name {register}")
-            with archive.open(named if named in members else members[0]) as member:
-                return _array(member, shape)
-    except (
-        BadZipFile, DeflateError, EOFError, OSError, ValueError, RuntimeError, NotImplementedError,
-    ):  # fmt: skip
-        raise _BadPlaneError("it is neither an .npy nor an .npz file, or is damaged") from None
-
-
-def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
-    """Read the array of an .npy stream after checking its size."""
-    try:
-        _, stored_shape, fortran, dtype = npy_header(file)
-    except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
-        raise _BadPlaneError("its .npy header is damaged") from None
-    if tuple(stored_shape) != shape:
-        raise _BadPlaneError(f"its shape is {stored_shape}, but the array has {shape}")
-    if dtype.kind not in "biuf":
-        raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
-    values = npy_values(file, shape, fortran, dtype)
-    if values is None:
-        raise _BadPlaneError("its data is incomplete, or too long")
+            name = register if register in names else names[0]
+            values = npz_arrays(stream, name.__eq__)[0][name]
+    except (InvalidArrays, MemoryError, OSError) as error:
+        raise _BadPlaneError(str(error)) from None
+    if values.shape != shape:
+        raise _BadPlaneError(f"its shape is {values.shape}, but the array has {shape}")
+    if values.dtype.kind not in "biuf":
+        raise _BadPlaneError(f"its values are of type {values.dtype}, not numbers")
     return values

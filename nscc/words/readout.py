@@ -1,10 +1,9 @@
-"""Words before the readout, which make codes mean what the target specifies.
+"""Words before the readout, which make converter codes mean what the target defines.
 
 A converter that is symmetric around 0 would use only half of its codes for an exposure x >= 0. If a
 register is free, 2 x - w is converted instead, with the full well w, so that all codes are used.
-This takes three words with IN = -w. Two compute w - x in the scratch register and in the free one;
-the third adds both to IN and inverts the sum.
-"""
+This takes three words with IN = -w. Two compute w - x in the scratch register and in the free
+register; the third adds both to IN and inverts the sum."""
 
 from __future__ import annotations
 
@@ -16,8 +15,9 @@ from nscc.operations import Op, op
 from nscc.words.container import Container
 
 SPREADING_ERRORS = 3 / 4
-"""The variance that these words add to an exposure, relative to that of one word: three errors, on
-twice the exposure."""
+"""The variance that these words add to an exposure, relative to the variance of one word's error.
+
+Three words each add an error to twice the exposure, so the variance is 3 / 4."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Preparation:
 
 
 def preparation_of(container: Container) -> Preparation:
-    """The words before the readout of a container's registers."""
+    """Return the words before the readout of a container's registers."""
     target = container.target
     copy = _free(container)
     # Readout would skip pixels without FLAG.
@@ -42,7 +42,7 @@ def preparation_of(container: Container) -> Preparation:
 
 
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
-    """The words that replace a register's content x by 2 x minus a full well, using the register
+    """Return words that replace a register's content x by 2 x minus a full well, using the register
     `copy`."""
     scratch = target.analog_scratch
     return (
@@ -53,8 +53,9 @@ def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
 
 
 def converter_of(container: Container) -> Target:
-    """The container's target with the effective conversion: the converter's own if no register is
-    free for spreading."""
+    """Return the container's target with the conversion that is used.
+
+    It is the converter's own if no register is free for spreading."""
     target = container.target
     if target.readout != "spread" or target.streamed or _free(container) is not None:
         return target
@@ -62,12 +63,13 @@ def converter_of(container: Container) -> Target:
 
 
 def _free(container: Container) -> str | None:
-    """A register that is not read out."""
+    """Return a register that is not read out, or None."""
     return free_register(container.target, (readout.register for readout in container.readouts))
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:
-    """The last analog register that keeps a value and is not in `read`; None if there is none."""
+    """Return the last analog register that keeps a value and is not in `read`; None if there is
+    none."""
     unavailable = {*read}
     free = [name for name in target.analog_available if name not in unavailable]
     return free[-1] if free else None

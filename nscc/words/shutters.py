@@ -1,4 +1,4 @@
-"""The distinct shutters of a container for display, ordered and labelled."""
+"""The distinct shutters of a container for display, sorted and labelled."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ _LONGEST_LABEL = 30
 
 @dataclass(frozen=True, eq=False)
 class Shutters:
-    """The shutters of a picture, in order. `rows` bool (rows, buckets, N); `labels` one a row;
-    `rank` int (shutters of the table,), the row of each, -1 for shutters of no pixel."""
+    """The shutters of a figure, in order.
+
+    `rows` bool (rows, buckets, N) are the shutters, with `labels`. `rank` int (shutters of the
+    table,) is the row of each shutter, -1 if no pixel has it."""
 
     rows: NDArray[np.bool_]
     labels: tuple[str, ...]
@@ -23,7 +25,8 @@ class Shutters:
 
 
 def shutters_of(container: Container) -> Shutters:
-    """The distinct shutters in use (all if there are no pixels), sorted by opening and length."""
+    """Return the distinct used shutters (all if there are no pixel codes), sorted by opening and
+    length."""
     table = container.table
     codes = container.pixel_codes
     used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)
@@ -43,7 +46,7 @@ def shutters_of(container: Container) -> Shutters:
 
 
 def _label(container: Container, codes: list[int]) -> str:
-    """The first code of a shutter, and the number of its other codes."""
+    """Return the first code of a shutter, and the number of its other codes, as text."""
     fields = container.table.fields
     if not fields:
         return "all pixels"

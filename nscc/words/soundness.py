@@ -1,4 +1,4 @@
-"""Whether a container makes sense as a whole: every index, shape and name in it."""
+"""Consistency checks of a container: every index, shape and name in it."""
 
 from __future__ import annotations
 
@@ -17,11 +17,10 @@ _SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 
 
 def faults(container: Container) -> list[str]:
-    """What is wrong with a container, each as part of a sentence; empty if it is sound.
+    """Return the errors of a container, each as part of a sentence; empty if it is consistent.
 
-    The words themselves are not looked at (see `nscc.words.legality`), except that each must be
-    five 32-bit integers and that all must fit the target's store.
-    """
+    Words are only checked to be five 32-bit integers each and to fit the target's store. The module
+    `nscc.words.legality` checks their meaning."""
     checks = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
         machine_file.faults, _stream_faults, pictures_file.faults,
@@ -34,7 +33,7 @@ def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
         if not name or len(name) > _LONGEST_NAME or not name.isprintable():
             yield f"the {kind} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
     if len(set(names)) != len(names):
-        yield f"a {kind} name stands twice in {list(names)[:20]}"
+        yield f"a {kind} name appears twice in {list(names)[:20]}"
 
 
 def _time_faults(container: Container) -> Iterator[str]:
@@ -130,11 +129,12 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
-    """A chip without logic has planes where pixels have codes, and neither words nor machine."""
+    """Yield errors of bit planes: a chip without logic has planes if pixels have codes, and no
+    words."""
     target, sent = container.target, container.stream
     if not target.streamed:
         if sent is not None:
-            yield f"it has planes of bits, but {target.name} uses words"
+            yield f"it has bit planes for slots, but {target.name} uses words"
         return
     if container.kernels or container.launches or container.code_registers:
         yield f"it has words, but the pixels of {target.name} have no logic"
@@ -147,7 +147,8 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 
 def _text_faults(container: Container) -> Iterator[str]:
-    """Free text may hold any character, but no half of one: no file and no terminal takes that."""
+    """Yield errors of free text, which may contain all characters except halves of
+    surrogate pairs."""
     for place, text in (
         ("its program's source", "".join(container.source_lines)),
         ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),

@@ -1,9 +1,8 @@
 """The data for a chip without logic: a bit plane for every slot, and the destinations of bits.
 
 In a slot a pixel's light goes to one destination: a tap, or the drain. Its bit chooses between two
-that are the same for all pixels: `ones` if it is 1, `zeros` if it is 0. Bucket b of a program is
-tap b.
-"""
+destinations that are the same for all pixels: `ones` if it is 1, `zeros` if it is 0. Bucket b of a
+program is tap b."""
 
 from __future__ import annotations
 
@@ -16,16 +15,17 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 
 DRAIN = -1
-"""The destination of light that no tap collects; other destinations are numbers of taps."""
+"""The destination of light that no tap collects; other destinations are indices of taps."""
 
 Bits = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
 class Stream:
-    """The bit planes of a frame. `planes` uint8 (N, rows, ceil(cols / 8)): the bits of each row,
-    first pixel in the lowest bit, padded with 0. `ones`, `zeros` int8 (N,): a tap's number, or
-    DRAIN."""
+    """The bit planes of a frame.
+
+    `planes` uint8 (N, rows, ceil(cols / 8)) contain the bits of each row, first pixel in the lowest
+    bit, padded with 0. `ones` and `zeros` int8 (N,) are the index of a tap, or DRAIN."""
 
     planes: Bits
     ones: NDArray[np.int8]
@@ -40,16 +40,18 @@ class Stream:
         return unpacked.view(np.bool_)
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
-        """The destination of each pixel's light in a slot (rows, cols): a tap's number, or
-        DRAIN."""
+        """Return the destination of each pixel's light in a slot (rows, cols): the index of a tap,
+        or DRAIN."""
         destinations: NDArray[np.int8] = np.where(
             self.bits(slot, cols), self.ones[slot], self.zeros[slot]
         )
         return destinations
 
     def shutters(self, buckets: int, cols: int) -> Bits:
-        """The open slots of each pixel, uint8 (buckets, rows, cols, ceil(N / 8)), packed as in a
-        frame file: first slot in the lowest bit."""
+        """Return the open slots of each pixel, uint8 (buckets, rows, cols, ceil(N / 8)), as in a
+        frame file.
+
+        They are packed with the first slot in the lowest bit."""
         shape = self.planes.shape[1], cols
         packed = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
         for slot in range(self.slots):
@@ -62,15 +64,17 @@ class Stream:
 @dataclass(frozen=True)
 class Loading:
     """The times, in microseconds from the start of the frame, at which a slot's plane is sent and
-    acts. A chip with two latches a pixel loads it in the previous slot (the first one before the
-    frame), and all rows act at once. A chip with one latch drains the light while it loads."""
+    acts.
+
+    A chip with two latches per pixel loads the plane in the previous slot (the first plane before
+    the frame), and all rows act at once. A chip with one latch drains the light while it loads."""
 
     load_us: float
     acts_us: float
 
 
 def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
-    """The loading times of all planes."""
+    """Yield the loading times of all planes."""
     start, load = 0.0, target.plane_load_us
     for length in slot_us:
         yield Loading(start - load, start) if target.pipelined else Loading(start, start + load)
@@ -78,7 +82,7 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
-    """The errors of a container's planes, each as part of a sentence."""
+    """Yield the errors of a container's planes, each as part of a sentence."""
     shape = slots, target.rows, -(-target.cols // 8)
     for name, array, needed, dtype in (
         ("planes", stream.planes, shape, np.uint8),

@@ -20,7 +20,7 @@ from nscc.words.legality import refuse_pictures
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.frame_content import frame_content
-from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
+from nscc_runtime.frame_file import KEEP, Frame, FrameFile, meta
 from nscc_runtime.light import Light
 from nscc_runtime.merge import BucketReadout, light_estimate, readouts
 from nscc_runtime.pieces import Taken
@@ -28,6 +28,7 @@ from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_file import plan_table
 from nscc_runtime.response import Response
+from nscc_runtime.run_messages import frame_lines
 
 _SIDE, _MOST = 256, 1024
 """Side of a picture in a notebook, in pixels: about `_SIDE` at least, `_MOST` at most."""

@@ -31,7 +31,7 @@ from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
+from nscc_runtime.planning.tolerance import ToleranceInput
 from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.python_arguments import (
     LightLike,
@@ -39,9 +39,13 @@ from nscc_runtime.python_arguments import (
     SensorLike,
     changes_of,
     container_of,
+    effects_of,
     laid_of,
     number,
+    plan_of,
     sensor_of,
+    text_of,
+    tolerance_of,
 )
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.load import FramesAre
@@ -136,20 +140,20 @@ def capture(
         from nscc_runtime.torch_device import check_device
 
         check_device(call, torch_device)
-    file = _plan(call, plan)
+    file = plan_of(call, plan)
     request = Request.of(
-        effects=_effects(call, effects), tolerance=_tolerance(call, "tolerance", tolerance),
-        tolerance_max=_tolerance(call, "tolerance_max", tolerance_max), plan=file,
+        effects=effects_of(call, effects), tolerance=tolerance_of(call, "tolerance", tolerance),
+        tolerance_max=tolerance_of(call, "tolerance_max", tolerance_max), plan=file,
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
         repeat=repeat, threads=threads, torch_device=torch_device, turn=turn,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)
-    if exposed.simulated.plan_file is not None and isinstance(file, Path):
-        write_whole(file, exposed.simulated.plan_file.encode())
-    frame = exposed.simulated.frame
-    arrays = {array_field.name: getattr(frame, array_field.name) for array_field in fields(Frame)}
+    result = exposed.simulated
+    if result.plan_file is not None and isinstance(file, Path):
+        write_whole(file, result.plan_file.encode())
+    arrays = {member.name: getattr(result.frame, member.name) for member in fields(Frame)}
     return Capture(**arrays, exposed=exposed)
 
 
@@ -259,20 +263,16 @@ def plan(
     scene = laid_of(call, light, container, diagnostics.append)[0].light
     chip = sensor_of(call, sensor, converter_of(container))
     require_whole_number(call, "device_seed", device_seed)
-    allowed, most = (
-        _tolerance(call, name, value)
-        for name, value in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
-    )
-    request = Request.of(effects=_effects(call, effects), tolerance=allowed, tolerance_max=most)
+    allowed = tolerance_of(call, "tolerance", tolerance)
+    most = tolerance_of(call, "tolerance_max", tolerance_max)
+    request = Request.of(effects=effects_of(call, effects), tolerance=allowed, tolerance_max=most)
     check(container, scene)
     if container.target.streamed:
         raise planless(call)
     warn(diagnostics)
-    planned = planning_of(container, chip, scene, device_seed)
-    return make_plan(
-        planned,
-        PlanRequest(request.effects, request.tolerance, request.tolerance_max, figures=True),
-    )
+    limits = request.tolerance, request.tolerance_max
+    wanted = PlanRequest(request.effects, *limits, figures=True)
+    return make_plan(planning_of(container, chip, scene, device_seed), wanted)
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
@@ -299,7 +299,7 @@ def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
         As `capture`.
     """
     report = capture(program, light, audit=True, **options).audit
-    assert report is not None  # `audit=True` was passed
+    assert report is not None
     return report
 
 
@@ -362,10 +362,10 @@ def scene(
     require_whole_number(call, "first", first)
     return Scene(
         str(name),
-        exposure=_text(call, "exposure", exposure, 1),
+        exposure=text_of(call, "exposure", exposure, 1),
         transfer=transfer,
         fps=fps if fps is None else number(call, "fps", fps),
-        crop=_text(call, "crop", crop, 2),
+        crop=text_of(call, "crop", crop, 2),
         frames_are=frames_are,
         fit=fit,
         color=bool(color),
@@ -397,37 +397,3 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
     target = converter_of(container_of(call, program))
     path = None if file is None else Path(file)
     return load_sensor(target, path, changes_of(call, values))
-
-
-def _text(call: str, name: str, value: object, count: int) -> str | None:
-    """Return `count` numbers as command-line text; texts and None are returned unchanged."""
-    if value is None or isinstance(value, str):
-        return value
-    items = value if isinstance(value, tuple | list) else [value]
-    if len(items) != count:
-        expected = "a number" if count == 1 else f"{count} numbers"
-        raise wrong_argument(f"{call}: {name} is text or {expected}, not {shown(value)}")
-    return ",".join(f"{number(call, name, item):.17g}" for item in items)
-
-
-def _tolerance(call: str, name: str, tolerance: object) -> ToleranceInput | None:
-    if tolerance is None or isinstance(tolerance, str | Tolerance):
-        return tolerance
-    return number(call, name, tolerance)
-
-
-def _effects(call: str, effects: object) -> str | Selection | None:
-    if effects is None or isinstance(effects, str | Selection):
-        return effects
-    raise wrong_argument(
-        f"{call}: effects is text, not {shown(effects)}",
-        helps=("for instance effects='auto', 'all', 'none' or 'shot,read'",),
-    )
-
-
-def _plan(call: str, plan: object) -> Plan | Path | None:
-    if plan is None or isinstance(plan, Plan):
-        return plan
-    if isinstance(plan, str | Path):
-        return Path(plan)
-    raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")

@@ -44,7 +44,6 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc.words.pictures import Pictures
 from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.interface import Exposure
@@ -183,59 +182,6 @@ def repeated(frame: Frame, count: int) -> Frame:
 
     arrays = (frame.frame, frame.exposure_e, frame.valid, frame.saturated_by)
     return Frame(*(stack(array) for array in arrays))
-
-
-def frame_lines(container: Container, frame: Frame) -> list[str]:
-    """Return a summary of a frame, one line per bucket; of the first frame of repeats."""
-    width = max((len(name) for name in container.buckets_read), default=0)
-    lines, first = [], frame.first
-    for b, name in enumerate(container.buckets_read):
-        values = first.exposure_e[b][first.valid[b]]
-        invalid = first.valid[b].size - values.size
-        text = f"{name:<{width}}  {saturation_text(first.saturated_by[b])}"
-        if values.size:
-            text += f", electrons {values.min():.6g} to {values.max():.6g}"
-            text += f", mean {values.mean():.6g}"
-        lines.append(text + (f", {invalid} invalid" if invalid else ""))
-    if container.pictures is not None:
-        lines += picture_lines(container.pictures, first)
-    return lines
-
-
-def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
-    """Return a summary of the images, planes and reports of a frame, one line each."""
-    told_arrays, lines = frame.told, []
-    for name in pictures.reads:
-        if f"image_{name}" in told_arrays:
-            values, by = told_arrays[f"image_{name}"], told_arrays[f"image_saturated_by_{name}"]
-            text = f"electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
-            lines.append(f"image {name}  {np.count_nonzero(by)} of {by.size} pixels marked, {text}")
-        elif f"plane_{name}" in told_arrays:
-            bits = told_arrays[f"plane_{name}"]
-            lines.append(f"plane {name}  {np.count_nonzero(bits)} of {bits.size} pixels are 1")
-    for report in pictures.reports:
-        key = f"report_{report.kind}_{report.plane}"
-        value = told_arrays[key]
-        if report.kind == "any":
-            text = "yes" if value else "no"
-        elif report.kind == "box":
-            least_x, top, right, bottom = value.tolist()
-            text = "empty" if least_x < 0 else f"x {least_x} to {right}, y {top} to {bottom}"
-        else:
-            overflow_note = ", and there are more" if told_arrays[f"{key}_overflow"] else ""
-            text = f"{told_arrays[f'{key}_count']} coordinates{overflow_note}"
-        lines.append(f"report {report.kind} {report.plane}  {text}")
-    margin = np.count_nonzero(told_arrays["margin"])
-    lines.append(f"margin  {margin} pixels depend on what is beyond the array")
-    return lines
-
-
-def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
-    """Return a text with the number of saturated pixels of an array, and the causes."""
-    text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
-    counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
-    named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
-    return f"{text} ({named})" if named else text
 
 
 @dataclass(frozen=True)

@@ -4,22 +4,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-import numpy as np
-
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc.words.legality import refuse_pictures
-from nscc_runtime import frame_file
+from nscc_runtime import frame_file, run_messages
 from nscc_runtime.container_cache import OfContainer
-from nscc_runtime.effects import Selection, marks, selected
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.kept_plans import Statistics, Turn
@@ -165,7 +164,7 @@ def simulate(
     finally:
         if request.turn is not None:
             request.turn.plans.passed(request.turn.number)
-    eaten = _eaten(simulated.frame)
+    eaten = run_messages.eaten(simulated.frame)
     if eaten is not None:
         listener.warn(eaten)
     return simulated
@@ -180,118 +179,91 @@ def _simulated(
         check_tolerance(request.tolerance, sensor)
         if request.tolerance_max is not None:
             check_tolerance(request.tolerance_max, sensor, OPTION_MAX)
-    if container.target.streamed and not request.effects.noiseless:
-        return _streamed(container, light, sensor, request, listener)
-    if container.pictures is not None:
-        return _pictured(container, light, sensor, request, listener)
-    if request.planned and not container.target.streamed:
+    if request.planned and not container.target.streamed and container.pictures is None:
         return _planned(container, light, sensor, request, listener)
+    noiseless, reason = request.effects.noiseless, ""
+    absent: Mapping[str, str] = {}
+    if container.pictures is not None:
+        reason = "images and planes are computed of every pixel and its neighbours"
+        _refuse_plans_of_pictures(container, request, listener)
+    elif container.target.streamed and not noiseless:
+        from nscc_runtime.reference.stream import absent_effects
+
+        reason = "light is sorted slot by slot, as planes of bits say"
+        absent = absent_effects(container, request.effects)
+    effects = request.effects.without(*absent) if absent else request.effects
+    expose = _exposing(container, light, sensor, effects, request, listener)
     with listener.timings.measure("expose_s"):
-        frame = _exact(container, light, sensor, request, listener)
-    fidelity = "planned" if request.effects.noiseless else "reference"
-    digest = _digest(container)
-    plan = frame_file.unplanned(request.effects, light.motion is not None)
-    seeds = request.seed, request.device_seed
-    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
-
-
-def _streamed(
-    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
-) -> Simulated:
-    """Simulate a chip without logic plane by plane, with all named effects that it can have."""
-    from nscc_runtime.noise.noise_loops import fill_normals
-    from nscc_runtime.reference.stream import absent_effects, stream_frames
-
-    _say_compiling(listener, fill_normals, "noise")
-    absent = absent_effects(container, request.effects)
-    effects = request.effects.without(*absent)
-    with listener.timings.measure("expose_s"):
-        exposed = stream_frames(
-            container, light, sensor, effects,
-            seed=request.seed, device_seed=request.device_seed, count=request.repeat or 1,
-            threads=request.threads,
-        )  # fmt: skip
-        frame = _gathered(exposed, request.repeat, listener)
-    digest = _digest(container)
+        made = expose()
+        frame = made if isinstance(made, Frame) else _gathered(made, request.repeat, listener)
     plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
-    plan["slot_loop_reasons"] = ["light is sorted slot by slot, as planes of bits say"]
-    seeds = request.seed, request.device_seed
-    return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan), effects)
+    if reason:
+        plan["slot_loop_reasons"] = [reason]
+    origin = Provenance(
+        _digest(container), sensor, request.seed, request.device_seed,
+        "planned" if noiseless else "reference", plan,
+    )  # fmt: skip
+    return Simulated(frame, origin, effects)
 
 
-def _pictured(
-    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
-) -> Simulated:
-    """Simulate images and planes slot by slot and word by word, with all named effects."""
-    from nscc_runtime.emulator.capture import check
-    from nscc_runtime.neighbours.pictured_program import PicturedProgram
-
+def _refuse_plans_of_pictures(container: Container, request: Request, listener: Listener) -> None:
     if request.plan is not None or request.audit:
         option = "--plan" if request.plan is not None else "--audit"
         refuse_pictures(
             container, f"{option} needs a plan", f"leave {option} out: all is simulated"
         )
-    check(container, light)
-    program = PicturedProgram(container, sensor, request.effects, request.threads)
     if request.effects.auto and listener.say is not None:
         listener.say("images and planes: all effects are simulated, slot by slot, without a plan")
-    with listener.timings.measure("expose_s"):
-        exposed = program.frames(light, request.seed, request.device_seed, request.repeat or 1)
-        frame = _gathered(exposed, request.repeat, listener)
-    digest = _digest(container)
-    plan = frame_file.unplanned(request.effects, light.motion is not None)
-    plan["slot_loop_reasons"] = ["images and planes are computed of every pixel and its neighbours"]
-    fidelity = "planned" if request.effects.noiseless else "reference"
-    seeds = request.seed, request.device_seed
-    origin = Provenance(digest, sensor, *seeds, fidelity, plan)
-    return Simulated(frame, origin, request.effects)
 
 
-def _exact(
-    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
-) -> Frame:
-    """Expose by executing words slot by slot, without effects or by the reference."""
-    repeat = request.repeat
+def _exposing(
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    request: Request,
+    listener: Listener,
+) -> Callable[[], Iterable[Frame] | Frame]:
+    """What exposes slot by slot, without effects or by the reference: frames one after the other,
+    or all repeats of a frame without effects. `effects` are those that the chip has."""
+    from nscc_runtime.noise.noise_loops import fill_normals
+
+    noiseless, count, threads = request.effects.noiseless, request.repeat or 1, request.threads
+    if container.pictures is not None:
+        from nscc_runtime.emulator.capture import check
+        from nscc_runtime.neighbours.pictured_program import PicturedProgram
+
+        check(container, light)
+        program = PicturedProgram(container, sensor, effects, threads)
+        return partial(program.frames, light, request.seed, request.device_seed, count)
+    frames: Callable[..., Iterable[Frame]]
     if container.machine is not None:
-        return _gathered(_looking(container, light, sensor, request, listener), repeat, listener)
-    if request.effects.noiseless:
-        from nscc_runtime.emulator import expose
+        from nscc_runtime import looked_frames
+        from nscc_runtime.looking.path_loop import run_paths
+
+        loop, frames = run_paths, partial(looked_frames.frames, by_words=not noiseless)
+    elif noiseless:
         from nscc_runtime.emulator.loops import expose_block
 
         _say_compiling(listener, expose_block, "emulator")
-        exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
-        frame = frame_file.read_out(exact, container.target, sensor)
-        return frame_file.repeated(frame, repeat) if repeat else frame
-    from nscc_runtime.noise.noise_loops import fill_normals
-    from nscc_runtime.reference import frames
-
-    _say_compiling(listener, fill_normals, "noise")
-    exposed = frames(
-        container, light, sensor, request.effects,
-        seed=request.seed, device_seed=request.device_seed, count=repeat or 1,
-        threads=request.threads,
-    )  # fmt: skip
-    return _gathered(exposed, repeat, listener)
-
-
-def _looking(
-    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
-) -> Iterable[Frame]:
-    """Return frames of a program whose pixels look; kept states continue from frame to frame."""
-    from nscc_runtime.looked_frames import frames
-    from nscc_runtime.looking.path_loop import run_paths
-    from nscc_runtime.noise.noise_loops import fill_normals
-
-    noiseless = request.effects.noiseless
-    if noiseless:
-        _say_compiling(listener, run_paths, "emulator")
+        return partial(_exact, container, light, sensor, request)
+    elif container.target.streamed:
+        from nscc_runtime.reference.stream import stream_frames as frames
     else:
-        _say_compiling(listener, fill_normals, "noise")
-    return frames(
-        container, light, sensor, request.effects, seed=request.seed,
-        device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
-        by_words=not noiseless,
+        from nscc_runtime.reference import frames
+    _say_compiling(listener, *((loop, "emulator") if noiseless else (fill_normals, "noise")))
+    return partial(
+        frames, container, light, sensor, effects, seed=request.seed,
+        device_seed=request.device_seed, count=count, threads=threads,
     )  # fmt: skip
+
+
+def _exact(container: Container, light: Light, sensor: Sensor, request: Request) -> Frame:
+    from nscc_runtime.emulator import expose
+
+    exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
+    frame = frame_file.read_out(exact, container.target, sensor)
+    return frame_file.repeated(frame, request.repeat) if request.repeat else frame
 
 
 def _planned(
@@ -322,7 +294,7 @@ def _planned(
         else:
             plan = request.plan
     if plan.breach is not None and (request.effects.auto or plan_given):
-        listener.warn(_over(plan, plan.breach, plan_given))
+        listener.warn(run_messages.over(plan, plan.breach, plan_given))
     with timings.measure("expose_s"):
         exposed = planning.frames(plan, request.seed, request.repeat or 1)
         frame = _gathered(exposed, request.repeat, listener)
@@ -330,7 +302,11 @@ def _planned(
     if request.audit:
         with timings.measure("audit_s"):
             report = planning.audit(plan, request.seed, request.repeat or 1)
-        broken = None if report.holds else _broken(plan, report, plan_given or plan is request.plan)
+        broken = (
+            None
+            if report.holds
+            else run_messages.broken(plan, report, plan_given or plan is request.plan)
+        )
     origin = Provenance(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
@@ -370,84 +346,6 @@ def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listen
     frame: Frame
     (frame,) = frames
     return frame
-
-
-def _eaten(frame: Frame) -> Diagnostic | None:
-    """Return the warning that light lowered reset levels (black suns); None without such pixels."""
-    bit, marked = marks()["level"].bit, frame.saturated_by
-    pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
-    count = int(np.count_nonzero(pixels))
-    if not count:
-        return None
-    affected = "pixel reads less than it" if count == 1 else "pixels read less than they"
-    return Diagnostic(
-        "NS0793",
-        f"{count} {affected} received, possibly 0: light had filled PIX before the reset level "
-        "was read",
-        severity=Severity.WARNING,
-        notes=(f"black suns are {count / pixels.size:.2%} of the pixels",),
-        helps=("saturated_by has bit 16 there; less light reduces their number",),
-        data={"pixels": count},
-    )
-
-
-def _over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
-    """Return the warning that forced effects, or the given plan, exceed the tolerance."""
-    forced = [
-        decision.name
-        for decision in plan.decisions
-        if decision.forced and decision.decision == "dropped"
-    ]
-    why = (
-        "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
-    )
-    return Diagnostic(
-        "NS0749",
-        breach,
-        severity=Severity.WARNING,
-        notes=(why,),
-        helps=(_instead(plan_given),),
-        data={
-            "predicted_e": plan.predicted_e,
-            "tolerance_e": plan.tolerance_e,
-            "other_states": plan.other_states,
-        },
-    )
-
-
-def _instead(plan_given: bool) -> str:
-    return (
-        "make a new plan for this scene"
-        if plan_given
-        else "let the planner decide on these effects"
-    )
-
-
-def _broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
-    """Return the error (status 1) for an audit that measured more than the tolerance."""
-    if plan.breach is not None:
-        advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
-    else:
-        advice = (
-            "use --fidelity reference for this scene; a plan that predicts an error within "
-            "the tolerance should not fail: please report it"
-        )
-    return rejected(
-        "NS0749",
-        report.breach(plan) or "the promise is broken",
-        notes=(
-            "its error was not measured before"
-            if plan.predicted_e is None
-            else f"predicted were {plan.predicted_e:.3g} e",
-        ),
-        helps=(advice,),
-        data={
-            "measured_rms_e": report.measured_rms_e,
-            "tolerance_e": plan.tolerance_e,
-            "other_states": report.other_states,
-        },
-        status=1,
-    )
 
 
 def _sha256(container: Container) -> str:

@@ -136,7 +136,7 @@ def test_another_level_of_in_does_not_pass() -> None:
         for launch in pictures.launches
     )
     changed = replace(container, pictures=replace(pictures, launches=launches))
-    assert pictures_fault(changed) == "`edge` is not what the text says"
+    assert pictures_fault(changed) == "`edge` differs from its expression in the program"
 
 
 def test_bits_beyond_the_array_are_proved() -> None:
@@ -145,12 +145,12 @@ def test_bits_beyond_the_array_are_proved() -> None:
     pictures = container.pictures
     assert pictures is not None
     changed = replace(container, pictures=replace(pictures, outside=1))
-    assert pictures_fault(changed) == "`core` is not what the text says"
+    assert pictures_fault(changed) == "`core` differs from its expression in the program"
 
 
 def test_code_registers_stay() -> None:
     container = container_of("bright_spots")
     assert (
         pictures_fault(replace(container, code_registers=("R5",)))
-        == "R5 holds code, and is written"
+        == "R5 holds a code bit, but a word overwrites it"
     )

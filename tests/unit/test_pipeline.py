@@ -24,6 +24,8 @@ ROOT = Path(__file__).parents[2]
 NAMES = [each.name for each in PASSES]
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 1..7 open when n < stop pixels stop = 1 + x % 7\n"
 
+LOOKS = (Path(__file__).parents[1] / "cases/pass/looks.nsl").read_text()
+
 
 def compiled(**options):
     """TEXT through all passes: (name, value) after each, and what comes out."""
@@ -60,6 +62,21 @@ def test_every_pass_can_be_printed(name: str, tmp_path: Path) -> None:
     outcome = invoke(["build", "p.nsl", "-O", "0", "--print-after", name], tmp_path)
     assert outcome.status == 0
     assert outcome.out == text_after(name, dict(compiled()[0])[name])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_pass_of_a_program_that_looks_can_be_printed(name: str, tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(LOOKS)
+    outcome = invoke(["build", "p.nsl", "-O", "0", "--print-after", name], tmp_path)
+    assert outcome.status == 0
+    assert outcome.out.endswith("\n")
+
+
+def test_gates_of_a_program_that_looks_are_emitted(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(LOOKS)
+    outcome = invoke(["build", "p.nsl", "-O", "0", "--emit", "gates=-"], tmp_path)
+    assert outcome.status == 0
+    assert "encoding: " in outcome.out
 
 
 def test_what_does_not_fit_is_printed_all_the_same(tmp_path: Path) -> None:

@@ -59,7 +59,7 @@ def test_what_was_built_proves(stops: Path) -> None:
     ("old", "new", "says"),
     [
         ("    all\n", "    where PIX\n", "`where PIX` makes FLAG depend on the light"),
-        ("    REFRESH R2\n", "", "R2 has decayed: no frame writes it anew"),
+        ("    REFRESH R2\n", "", "R2 has decayed: no frame writes it again"),
         ("    bus A, B, NEWS\n", "    bus A, B\n", "shutter"),
     ],
 )

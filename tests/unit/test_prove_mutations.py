@@ -178,7 +178,7 @@ def test_bits_that_no_frame_writes_are_not_relied_on():
     proof = prove(forgetful, decoded(forgetful))
     assert proof.failure is not None
     assert proof.failure.frame == 2
-    assert "no frame writes it anew" in proof.failure.doubts[0]
+    assert "no frame writes it again" in proof.failure.doubts[0]
 
 
 def test_bits_that_decay_inside_a_frame_are_not_relied_on():

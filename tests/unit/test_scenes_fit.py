@@ -159,7 +159,7 @@ def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNs
     line = line.replace("a.npz", "c.npz").replace("--keep truth", "--color")
     outcome = run_nscc(line.split(), tmp_path)
     assert outcome.status == 0
-    assert "3 frames, of red, green and blue light; that of red is described" in outcome.err
+    assert "3 frames, of red, green and blue light; the red one is described" in outcome.err
     with np.load(tmp_path / "c.npz") as file:
         colours = file["exposure_e"][:, 0]
     grey = np.tensordot([0.2126, 0.7152, 0.0722], colours, 1)

@@ -165,7 +165,7 @@ def test_a_measurement_that_was_ended_goes_on(
 
 def test_who_interrupts_is_told_where_measurements_are_kept(tmp_path: Path) -> None:
     file = tmp_path / "rows"
-    told = r"kept in '.*rows', and the same command goes on"
+    told = r"stored in '.*rows'; the same command continues"
     rows = Rows(file, "x")
     rows.once("a", lambda: 1)
     with pytest.raises(KeyboardInterrupt, match=told), rows:

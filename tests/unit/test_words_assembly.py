@@ -244,7 +244,8 @@ def test_diff_names_what_changed(tmp_path: Path) -> None:
     assert "-NOT R1" in text
     assert "+NOT R2" in text
     assert "frame time: 500 us -> 1000 us (+100.0%)" in text
-    assert "frame: B x -1 -> B x 1" in text
+    assert "-.readout B frame -1" in text
+    assert "+.readout B frame 1" in text
     path = tmp_path / "x.icw"
     path.write_bytes(to_bytes(first))
     assert differences(read_container(path), first) == []
@@ -253,9 +254,10 @@ def test_diff_names_what_changed(tmp_path: Path) -> None:
         pixel_codes=np.zeros((256, 256), np.int32),
     )
     text = "\n".join(differences(first, third))
-    assert "added idle: 1 word" in text
-    assert "at 2,4: step -> step idle" in text
-    assert "the second has pixel data" in text
+    assert "kernel idle:" in text
+    assert "+.kernel idle                             ; 1 word, 1.2 us; launched at 2,4" in text
+    assert "+.slot 2,4 step idle" in text
+    assert "+.pixels tile 1 1" in text
 
 
 def test_unreadable_containers_are_refused(tmp_path: Path) -> None:

@@ -30,7 +30,9 @@ def test_assemble_list_and_compare(tmp_path: Path) -> None:
     assert runner.invoke(diff, [str(first), str(second)]).stdout == "identical\n"
     text.write_text(PROGRAM.replace("x4", "x5"), encoding="utf-8")
     assert runner.invoke(asm, [str(text), "-o", str(second)]).exit_code == 0
-    assert "slots: 4 -> 5" in runner.invoke(diff, [str(first), str(second)]).stdout
+    changed = runner.invoke(diff, [str(first), str(second)]).stdout
+    assert "-.wait 1000us x4" in changed
+    assert "+.wait 1000us x5" in changed
 
 
 def test_words_come_as_the_examples_write_them() -> None:

@@ -2,13 +2,12 @@
 
     import nscc_training
 
-    run = nscc_training.load_run("hdr")     # or a folder that `nscc train` made
+    run = nscc_training.load_run("hdr")     # or a folder that `nscc train` wrote
     frame = run.capture("builtin:hdr")
-    run.reconstruct(frame)                  # float32 (rows, cols), or of a clip (T, rows, cols)
+    run.reconstruct(frame)                  # float32 (rows, cols); clips (T, rows, cols)
 
-Everything that touches tensors needs torch (`pip install 'nscc[train]'`), which is imported when it
-is first used. `docs/python.md` shows the whole of it.
-"""
+Functions on tensors need torch (`pip install 'nscc[train]'`), which is imported on first use.
+`docs/python.md` describes the whole interface."""
 
 from __future__ import annotations
 
@@ -33,7 +32,7 @@ _NAMES = {
     "finished_run": ("Run", "load_run"),
     "sensor_model": ("SensorModel", "differentiable_capture", "lifted"),
 }
-"""What is public, by its module."""
+"""The public names, by module."""
 
 __all__ = [
     "Chip",

@@ -1,4 +1,4 @@
-"""Read pictures and clips as arrays from untrusted files."""
+"""Reading pictures and clips as arrays from untrusted files."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
-"""Names of the array to read from a file of several; the first one present is used."""
+"""Array names to look for in a file with several arrays; the first one present is used."""
 
 _MOST_BYTES = 1 << 28
-"""Largest size of an array; comparing two takes a multiple of it."""
+"""Largest size of an array in bytes; a comparison of two arrays needs several times as much
+memory."""
 
 ARRAYS = (".mat", ".npy", ".npz")
 
@@ -27,11 +28,10 @@ ARRAYS = (".mat", ".npy", ".npz")
 def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
     """Read the array of a file: (rows, cols) or (T, rows, cols), finite real numbers.
 
-    `.npy`, `.npz` and `.mat` (`key` names one of several arrays; `orig` and `video` of .mat files
-    are (rows, cols, T), and are transposed), linear pictures as luminance, grey display pictures as
-    stored. Raises Rejected: NS0801 for a file that cannot be read, NS0802 for other shapes, NS0804
-    for values that are not finite.
-    """
+    Accepts `.npy`, `.npz` and `.mat` files; `key` names one of several arrays. The arrays `orig`
+    and `video` of .mat files are (rows, cols, T) and are transposed. Also accepts linear pictures,
+    as luminance, and grey display pictures, as stored. Raises Rejected: NS0801 for a file that
+    cannot be read, NS0802 for other shapes, NS0804 for values that are not finite."""
     array = _read(path, key)
     if array.dtype.kind not in "uifb":
         raise rejected(
@@ -106,7 +106,8 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 
 def _pages(path: Path) -> list[NDArray[Any]]:
-    """Return the pictures of a file; from the second on within the size limit of arrays."""
+    """Return the pictures of a file; raise an error if several pictures exceed the size limit of
+    arrays."""
     from nscc_runtime.scenes.picture_files import open_pages
 
     pages: list[NDArray[Any]] = []

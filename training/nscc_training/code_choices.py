@@ -1,23 +1,22 @@
-"""Names of the starts of codes and of the ways to learn them, without torch."""
+"""Names of initial codes and of training methods for codes, without torch."""
 
 from __future__ import annotations
 
 ORDERED = ("two-phase", "staggered", "cyclic")
 """Starts of staggered bumps (`nscc_training.encoders.ordered`)."""
 SCATTERED = ("poisson-disc", "non-adjacent")
-"""Starts with equal exposures kept apart (`nscc_training.encoders.scattered`)."""
+"""Starts in which equal exposure times are far apart (`nscc_training.encoders.scattered`)."""
 STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
 
 SLOPED = ("straight-through", "sigmoid", "gumbel")
 """Relaxations that pass gradients through the quantisation."""
 
 RELAXATIONS = (*SLOPED, "tried", "search")
-"""How codes are learned.
+"""Methods by which codes are learned.
 
-`straight-through`: hard shutters forward, a surrogate slope backward. `sigmoid`: soft shutters
-forward, with a temperature that a schedule lowers. `gumbel` (codebooks; elsewhere as `sigmoid`):
-soft shapes and a random soft choice of them. `tried`: hard shutters without a gradient; the loop
-tries others around them (`nscc_training.loop.trials`). `search`: many places of a code move
-together, and the decoder, which is not trained meanwhile, judges the result
-(`nscc_training.loop.searching`).
-"""
+`straight-through` uses hard shutters in the forward pass and a surrogate slope in the backward
+pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that a schedule lowers.
+`gumbel` (codebooks; `sigmoid` for other classes) uses soft shapes and a random soft choice of them.
+`tried` uses hard shutters without a gradient; the loop tries other codes around them
+(`nscc_training.loop.trials`). `search` moves many places of a code together; the decoder, which is
+not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""

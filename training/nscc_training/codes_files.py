@@ -1,5 +1,4 @@
-"""Read and write codes as `.npz` and `.mat`: an integer array per field, and a codebook's
-`book`."""
+"""Code files, `.npz` and `.mat`: an integer array per field, and `book` for a codebook."""
 
 from __future__ import annotations
 
@@ -21,7 +20,7 @@ Codes = Mapping[str, NDArray[np.int64]]
 
 
 def codes_bytes(codes: Codes) -> bytes:
-    """Return an .npz file of codes, always with the same bytes."""
+    """Return an .npz file of codes; the same codes give the same bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(codes):
@@ -122,7 +121,7 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
 
 
 def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
-    """Return the values in the smallest integer type that holds them."""
+    """Return the values in the smallest sufficient integer type."""
     low, high = int(values.min()), int(values.max())
     for kind in (np.uint8, np.uint16, np.int32):
         if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:

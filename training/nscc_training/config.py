@@ -1,4 +1,5 @@
-"""Read and write configurations as TOML, reporting all mistakes with their places."""
+"""Training configurations as TOML: read them, reporting all errors with their places, and write
+them."""
 
 from __future__ import annotations
 
@@ -14,20 +15,22 @@ from nscc_training.settings import SCHEMA, RunSettings
 
 
 def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
-    """Read the settings of a file, with `changes`, each SECTION.KEY=VALUE. Raises Rejected, status
-    2, with all mistakes at once: NS0813 for a file that cannot be read or is not TOML, NS0814 for
-    unknown keys, NS0815 for wrong values."""
+    """Read the settings in a file, with `changes`, each SECTION.KEY=VALUE.
+
+    Raises Rejected (status 2) with all errors at once: NS0813 for a file that cannot be read or is
+    not TOML, NS0814 for unknown keys, NS0815 for invalid values."""
     values, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
     return _settings(values, problems, changes)
 
 
 def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
-    """Return the settings of a dictionary of sections; otherwise as `load_config`."""
+    """Return the settings in a dictionary of sections, with changes and errors as in
+    `load_config`."""
     return _settings(*SCHEMA.read(values), changes)
 
 
 def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
-    """Return a complete file for `load_config`; with `remarks`, the meaning of each key."""
+    """Return a complete configuration file; `remarks` adds the meaning of each key as a comment."""
 
     def remark(key: Key) -> str:
         return f"{key.meaning} ({key.kind.allowed})" if remarks else ""

@@ -1,4 +1,4 @@
-"""A run's curves as a notebook shows them."""
+"""The training curves of a run as a notebook shows them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
 
 
 def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
-    """PSNR of the validation scenes, and the loss of the training, over the steps."""
+    """Return charts of the validation PSNR and of the training loss over the steps."""
     val = curves["split"] == 1
     return html.side_by_side(
         _chart(title, curves["step"][rows], curves[name][rows], colour)
@@ -27,7 +27,7 @@ def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
 def _chart(
     title: str, steps: NDArray[np.float64], values: NDArray[np.float64], colour: str
 ) -> html.Html:
-    """One curve with its range at the axes; nothing where there is no finite value."""
+    """Return the chart of one curve with its range at the axes; empty without finite values."""
     known = np.isfinite(values)
     steps, values = steps[known], values[known]
     if not len(values):

@@ -1,9 +1,8 @@
 """Curves from linear light to the units in which errors are measured: mu-law, log, sRGB, PU21.
 
-Each takes a numpy array or a torch tensor and returns the same kind and precision; it computes in
-float64, because a float32 logarithm of 1e8 alone has an error of 1e-6. Below their domain the
-curves continue as straight lines, so that values and gradients stay finite.
-"""
+Each function takes a numpy array or a torch tensor and returns the same type and precision. It
+computes in float64, because a float32 logarithm of 1e8 already has an error of 1e-6. Below their
+domain the curves continue as straight lines, so that values and gradients stay finite."""
 
 from __future__ import annotations
 
@@ -15,53 +14,60 @@ import numpy as np
 Array = TypeVar("Array", bound=Any)
 
 MU = 5000.0
-"""The mu of the HDR literature's mu-law."""
+"""The usual value of mu in the HDR literature."""
 
 PU21_LOW, PU21_HIGH = 0.005, 10000.0
-"""The luminances in cd/m2 that PU21 was fitted to."""
+"""The range of luminances, in cd/m2, to which PU21 was fitted."""
 
 _PU21 = (
     0.353487901, 0.3734658629, 8.277049286e-05, 0.9062562627,
     0.09150303166, 0.9099517204, 596.3148142,
 )  # fmt: skip
-"""Mantiuk and Azimi, Picture Coding Symposium 2021: the fit with banding and glare."""
+"""Coefficients of Mantiuk and Azimi, Picture Coding Symposium 2021: the fit with banding
+and glare."""
 
 
 def mu_law(x: Array, mu: float = MU) -> Array:
-    """log(1 + mu x) / log(1 + mu): 0 to 0, 1 to 1; x relative to the data range."""
+    """Return log(1 + mu x) / log(1 + mu), which maps 0 to 0 and 1 to 1; x is relative to the data
+    range."""
     return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
 
 
 def log_curve(x: Array, floor: float) -> Array:
-    """log(1 + x / floor): measures relative errors well above `floor`, absolute errors below."""
+    """Return log(1 + x / floor).
+
+    Differences on this curve are relative errors far above `floor`, and absolute errors far below.
+    """
     xp, wide = _library(x), _wide(x)
     scaled = wide / floor
     return _as(x, xp.where(wide >= 0, xp.log1p(xp.clip(scaled, 0.0, None)), scaled))
 
 
 def log_curve_inverse(y: Array, floor: float) -> Array:
-    """The x that `log_curve` takes to y."""
+    """Return the inverse of `log_curve`."""
     xp, wide = _library(y), _wide(y)
     return _as(y, floor * xp.where(wide >= 0, xp.expm1(xp.clip(wide, 0.0, None)), wide))
 
 
 def srgb(x: Array) -> Array:
-    """The curve of IEC 61966-2-1 from linear light; a straight line below 0.0031308."""
+    """Return the sRGB encoding (IEC 61966-2-1) of linear light, a straight line below 0.0031308."""
     xp, wide = _library(x), _wide(x)
     power = 1.055 * xp.clip(wide, 0.0031308, None) ** (1 / 2.4) - 0.055
     return _as(x, xp.where(wide > 0.0031308, power, 12.92 * wide))
 
 
 def srgb_inverse(y: Array) -> Array:
-    """The linear light that `srgb` takes to y."""
+    """Return the linear light of an sRGB encoding."""
     xp, wide = _library(y), _wide(y)
     power = ((xp.clip(wide, 0.04045, None) + 0.055) / 1.055) ** 2.4
     return _as(y, xp.where(wide > 0.04045, power, wide / 12.92))
 
 
 def pu21(luminance: Array) -> Array:
-    """Perceptually uniform units of a luminance in cd/m2: about 256 at 100 cd/m2, 0 at 0.005.
-    Outside of `PU21_LOW`..`PU21_HIGH` it goes on as a straight line with the slope at that end."""
+    """Return the perceptually uniform encoding (PU21) of a luminance in cd/m2.
+
+    It is about 256 at 100 cd/m2 and 0 at 0.005 cd/m2. Outside `PU21_LOW`..`PU21_HIGH` it continues
+    as a straight line with the slope at that end."""
     xp, wide = _library(luminance), _wide(luminance)
     inside = xp.clip(wide, PU21_LOW, PU21_HIGH)
     low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))

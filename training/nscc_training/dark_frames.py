@@ -1,4 +1,4 @@
-"""Frames without light: the offsets of pixels, and checks that a frame was dark."""
+"""Dark frames: the offsets of pixels, and checks that a frame was exposed without light."""
 
 from __future__ import annotations
 
@@ -16,14 +16,16 @@ from nscc_runtime.light import Light
 from nscc_training.frame_reading import by_colour, frame_arrays, no_frame, number_of
 
 _LIT = 0.01
-"""Largest fraction of saturated pixels in a dark frame; more means that there was light."""
+"""Largest fraction of saturated pixels in a dark frame; more mean that there was light."""
 
 
 @dataclass(frozen=True, eq=False)
 class Dark:
-    """A frame file without light, of one exposure or repeats. `offset` (rows, cols), of two buckets
-    (2, rows, cols), is the mean code above the ADC's offset. `meta` is the file's; `slot_us` (N,)
-    the slot lengths, if known; `saturated` the fraction of saturated pixels."""
+    """A dark frame, from one exposure or repeated ones.
+
+    `offset` (rows, cols), or (2, rows, cols) for two buckets, is the mean converter code above the
+    ADC's offset. `meta` is the metadata of the file. `slot_us` (N,) are the slot lengths, None if
+    unknown. `saturated` is the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]
@@ -34,12 +36,11 @@ class Dark:
     def checked(
         self, frame: Mapping[str, Any], size: tuple[int, ...], *, force: bool = False
     ) -> tuple[Diagnostic, ...]:
-        """Return warnings on subtracting the dark frame from a frame with the meta `frame`.
+        """Return warnings about subtracting this dark frame from a frame with the meta `frame`.
 
-        `size` (rows, cols) is that of the array. Rejected (NS0819) if the dark frame has another
-        program or saw light; with `force` these are warnings. A dark frame of another size is not
-        checked, as it cannot be subtracted.
-        """
+        `size` (rows, cols) is the size of the array. Raises Rejected (NS0819) if the dark frame has
+        another program or contains light; with `force` these are warnings. A dark frame of another
+        size cannot be subtracted and is not checked."""
         if self.offset.shape[-2:] != tuple(size):
             return ()
         severity = Severity.WARNING if force else Severity.ERROR
@@ -67,7 +68,7 @@ class Dark:
             yield "it was exposed to light"
 
     def _is_lit(self) -> bool | None:
-        """Return whether the scene has light; None if that is unknown."""
+        """Return whether the dark frame's scene has light; None if unknown."""
         scene, rows_cols = self.meta.get("scene_sha256"), self.offset.shape[-2:]
         if scene is None or self.slot_us is None:
             return None
@@ -75,12 +76,13 @@ class Dark:
         seconds = np.asarray(self.slot_us, np.float64) * 1e-6
         if Light.of_still(night, seconds).sha256() == scene:
             return False
-        # An array of zeros is no light either, slot by slot.
+        # An array of zeros in every slot is also no light.
         clip = np.broadcast_to(night, (len(seconds), *rows_cols))
         return bool(Light.of_clip(clip).sha256() != scene)
 
     def _bright(self) -> Iterator[Diagnostic]:
-        """Yield a warning (NS0844) if pixels show light that the meta does not mention."""
+        """Yield a warning (NS0844) if pixels are saturated and it is unknown whether the scene has
+        light."""
         if self.saturated > _LIT and self._is_lit() is None:
             yield Diagnostic(
                 "NS0844",
@@ -93,7 +95,7 @@ class Dark:
 
 
 def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
-    """Return the offset of pixels (rows, cols) above the mean of their place of a tile."""
+    """Return the offset of each pixel (rows, cols) minus the mean of its place in the tile."""
     pattern = np.empty_like(offset)
     for row, col in np.ndindex(tile):
         place = offset[row :: tile[0], col :: tile[1]]
@@ -102,16 +104,17 @@ def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols), repeated over arrays
-    side by side."""
+    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols).
+
+    The offset is repeated if the codes cover several arrays side by side."""
     times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
     rows, cols = codes.shape[-2:]
     return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """Read a frame file without light. Rejected (NS0819) for another number of buckets, or without
-    the ADC's offset."""
+    """Read a dark frame file; raise Rejected (NS0819) for another number of buckets or a missing
+    ADC offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:
@@ -126,6 +129,6 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
-    """Return the mean code above the ADC's offset, as `Dark.offset`, of dark codes (repeats,
-    buckets, rows, cols)."""
+    """Return the mean code above the ADC's offset from dark codes (repeats, buckets, rows,
+    cols)."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

@@ -10,10 +10,9 @@
     y = physics(x)                                  # electrons (batch, buckets, rows, cols)
     x_hat = physics.A_dagger(y)
 
-Needs `nscc[deepinv]`. Clips follow the layout of deepinv's other dynamic operators (batch,
-channels, time, rows, cols), so that what is written for pictures of four dimensions, as
-`LinearPhysicsMultiScaler`, takes stills only.
-"""
+Needs `nscc[deepinv]`. Clips have the layout of deepinv's other dynamic operators (batch, channels,
+time, rows, cols). Therefore operators for four-dimensional pictures, such as
+`LinearPhysicsMultiScaler`, accept stills only."""
 
 from __future__ import annotations
 
@@ -122,7 +121,7 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return _times(self._overlap(y), y)
 
     def A_dagger(self, y: Tensor, *_solver: Any, **options: Any) -> Tensor:  # noqa: N802
-        """Return the least-norm light of least error against y. A solver is not needed."""
+        """Return the least-squares light for y with the smallest norm, in closed form."""
         return self.A_adjoint(_times(_inverse(self._overlap(y)), y))
 
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
@@ -153,9 +152,9 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
 class SensorNoise(NoiseModel):  # type: ignore[misc]
     """The sensor noise of training: photons, full well, readout noise, converter.
 
-    It maps exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame
-    file gives them: whole codes, of which the last means saturated. Gradients pass as in
-    `nscc_training.differentiable_capture`.
+    It maps exact electrons to the electrons that a frame file gives: `(frame - adc_offset) *
+    electrons_per_lsb`. The converter codes `frame` are integers, and the largest code means
+    saturated. Gradients pass as in `nscc_training.differentiable_capture`.
 
     Parameters
     ----------
@@ -191,7 +190,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
 
 
 def _tile(shutters: object) -> Tensor:
-    """Return shutters (buckets, N, rows, cols); of an encoder its current ones."""
+    """Return shutters (buckets, N, rows, cols), for an encoder those of its current codes."""
     if isinstance(shutters, Encoder):
         return _of_buckets(shutters.hard(), shutters)
     if isinstance(shutters, Container):

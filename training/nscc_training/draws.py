@@ -1,4 +1,4 @@
-"""Random numbers for tensors of any device."""
+"""Random numbers for tensors on any device."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from torch import Tensor
 
 
 def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
-    """Return a generator of a device whose stream depends on all the numbers."""
+    """Return a random generator on a device, seeded by all `numbers`."""
     state = np.random.SeedSequence(list(numbers)).generate_state(1, np.uint64)[0]
     return torch.Generator(device).manual_seed(int(state) >> 1)
 
@@ -16,8 +16,7 @@ def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
 def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None = None) -> Tensor:
     """Return standard normal numbers of the shape, type and device of `like`.
 
-    They are drawn on the generator's device, in `dtype` or the type of `like`.
-    """
+    They are drawn on the generator's device, in `dtype` or the type of `like`."""
     drawn = torch.randn(
         like.shape, generator=generator, dtype=dtype or like.dtype, device=generator.device
     )
@@ -26,6 +25,7 @@ def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None =
 
 def uniform(like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
             ) -> Tensor:  # fmt: skip
-    """Return numbers evenly from 0 to 1, of the shape (or another one) and device of `like`."""
+    """Return uniform random numbers from 0 to 1 on the device of `like`, in its shape or in
+    `shape`."""
     size = like.shape if shape is None else shape
     return torch.rand(size, generator=generator, device=generator.device).to(like.device)

@@ -1,10 +1,9 @@
-"""The emulated sensor as a table that passes gradients.
+"""The emulated sensor as a differentiable table, for training.
 
-The emulator exposes a program once, to steady light of many levels. The frames give, for every
-place of the tile, the mean code and its standard deviation over noise and chips: gains and offsets
-of words, the curve of registers, dark current, noise by code, the end of the readout. Crosstalk
-depends on edges, so it is applied to the light as the emulator does it.
-"""
+The emulator exposes a program once to constant light at many levels. For every place of the tile,
+the frames give the mean code and its standard deviation over noise and chips. They include gains
+and offsets of words, register compression, dark current, noise and the range of the converter.
+Crosstalk depends on neighbouring pixels, so it is applied to the light, as in the emulator."""
 
 from __future__ import annotations
 
@@ -29,23 +28,22 @@ from nscc_training.sensor_model import SensorModel, laid
 
 _DARK_LEVELS = 16
 _DARKEST = 1 / 64
-"""Exposure of the longest shutter at the weakest light above 0, in full wells."""
+"""Exposure, in full wells, of the longest shutter at the lowest nonzero light level."""
 _BENT = (0.85, 1.15)
-"""Range in full wells in which registers and PIX compress; levels are dense there."""
+"""Range in full wells in which registers and PIX compress; light levels are dense there."""
 _DENSE = 1.03
 CHIPS, _FRAMES = 8, 2
-"""Numbers of chips, and of frames of each chip."""
+"""Number of chips, and number of frames of each chip."""
 
 
 @dataclass(frozen=True, eq=False)
 class EmulatedSensor:
-    """The response to steady light at the places (r, c) of a tile.
+    """The response to constant light at the places (r, c) of a tile.
 
-    `light_e` (K,) ascending from 0, electrons over the frame; `code` and `spread` (K, r, c), mean
-    and standard deviation of codes above the ADC's offset, before rounding; `full` (K, r, c), the
-    fraction of pixels marked as saturated; `crosstalk`, the fraction of charge that each of the
-    four neighbours gets.
-    """
+    `light_e` (K,) increases from 0, in electrons over the frame. `code` and `spread` (K, r, c) are
+    the mean and standard deviation of codes above the ADC's offset, before rounding. `full` (K, r,
+    c) is the fraction of pixels marked as saturated. `crosstalk` is the fraction of charge that
+    each of the four neighbours receives."""
 
     light_e: Tensor
     code: Tensor
@@ -54,7 +52,7 @@ class EmulatedSensor:
     crosstalk: float
 
     def smeared(self, light: Tensor) -> Tensor:
-        """Return light (.., rows, cols) after crosstalk; the border reflects."""
+        """Return light (.., rows, cols) after crosstalk, with reflection at the border."""
         down = light[..., 1:, :] - light[..., :-1, :]
         right = light[..., :, 1:] - light[..., :, :-1]
         pad = torch.nn.functional.pad
@@ -66,13 +64,12 @@ class EmulatedSensor:
         self, exposure_e: Tensor, share: Tensor, model: SensorModel,
         generator: torch.Generator | None,
     ) -> tuple[Tensor, Tensor]:  # fmt: skip
-        """Return codes above the ADC's offset, float32 (batch, rows, cols), and which pixels are
-        marked as saturated.
+        """Return codes above the ADC's offset, float32 (batch, rows, cols), and the mask of
+        saturated pixels.
 
-        `exposure_e` float64: electrons of the open slots. `share` (r, c) of the tile: the open
-        fraction of the frame. Without a generator there is neither noise nor pixel variation.
-        `model` defines the range of codes.
-        """
+        `exposure_e` (float64) is in electrons of the open slots. `share` (r, c) is the open
+        fraction of the frame, as a tile. Without a generator there is neither noise nor pixel
+        variation. `model` defines the range of codes."""
         rows, cols = exposure_e.shape[-2:]
         open_share = laid(share, rows, cols).to(exposure_e)
         steady = exposure_e / open_share.clamp(min=1e-9)
@@ -93,8 +90,8 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
-        """Interpolate a table (K, r, c) between entries `after` - 1 and `after` to (batch, rows,
-        cols)."""
+        """Interpolate a table (K, r, c) between entries `after` - 1 and `after`; return (batch,
+        rows, cols)."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
@@ -104,8 +101,9 @@ class EmulatedSensor:
 
 
 def captures_on(device: torch.device) -> str | None:
-    """Return the `torch_device` of captures next to networks on a device. None on the processor,
-    where the compiled loops make the frames."""
+    """Return the `torch_device` for captures beside networks on a device; None on the CPU.
+
+    On the CPU, compiled loops simulate frames faster."""
     return None if device.type == "cpu" else str(device)
 
 
@@ -113,12 +111,13 @@ def emulated_sensor(
     container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS,
     torch_device: str | None = None,
 ) -> EmulatedSensor:  # fmt: skip
-    """Measure the emulated sensor of a program of one bucket with pixels of a tile (rows, cols).
+    """Measure the emulated sensor of a program with one bucket whose codes repeat a tile (rows,
+    cols).
 
-    `effects` as `--effects` takes them; Rejected as there. It takes seconds, half a minute if each
-    place has its own shutter; fewer `chips` are faster, and sample less of the variation.
-    `torch_device` as of `nscc_runtime.capture`, equal up to rounding.
-    """
+    `effects` and its errors are as for `--effects`. The measurement takes seconds, or half a minute
+    if each place has its own shutter. Fewer `chips` are faster, but sample less of the variation
+    between chips. `torch_device` is as for `nscc_runtime.capture`; results are equal up to
+    rounding."""
     chosen = selected(effects)
     assert container.pixel_codes is not None
     slot_s = np.asarray(container.slot_us)
@@ -138,7 +137,7 @@ def emulated_sensor(
 
 
 def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
-    """Return the codes of the bucket above the ADC's offset."""
+    """Return the codes of the first bucket above the ADC's offset."""
     return np.asarray(frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
 
 
@@ -147,8 +146,10 @@ def _measured(
     effects: Selection, chips: int, torch_device: str | None,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
     """Return mean and standard deviation of codes, and the fraction of saturated pixels, each (K,
-    r, c). Levels are exposed side by side on the array, each on columns of whole tiles, in as many
-    scenes as needed."""
+    r, c).
+
+    Light levels are exposed side by side, each on columns of whole tiles, in as many scenes as
+    needed."""
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))

@@ -204,7 +204,7 @@ class Run:
         """Return the chart of the distinct shutters of the tile, with the first code of each."""
         spec, codes = self.encoder.spec, self.encoder.codes()
         if spec.kind == LOOKS:
-            return html.Html()  # when a pixel is open hangs on the light
+            return html.Html()  # the open time of a pixel depends on the light
         opened = self.encoder.hard().cpu().numpy().astype(bool).reshape(spec.slots, -1).T
         rows, first = np.unique(opened, axis=0, return_index=True)
         flat = {name: values.reshape(-1) for name, values in codes.items()}
@@ -227,7 +227,8 @@ class Run:
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
-        """Return codes from an array."""
+        """Check an array of converter codes, as a frame or a file of it gives them, and
+        return it."""
         target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
         if self.folder.setup.buckets > 1:

@@ -1,4 +1,4 @@
-"""Read frame files for reconstruction, and report damage by name."""
+"""Reading frame files for reconstruction, with messages that name what is damaged."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ _READ = ("saturated", OPEN, _SLOTS, "shutter", "shutter_shape")
 class FrameRead:
     """The content of a frame file that reconstruction needs.
 
-    `frame`: codes (colours, rows, cols), one colour or red, green, blue, of two buckets (colours,
-    2, rows, cols). `saturated`: which codes are. `shutter`: the first bucket's shutters (N, rows,
-    cols), if stored. `opened`: open slots of each pixel that looked, (colours, rows, cols).
-    `slot_us`: slot lengths (N,), if stored.
-    """
+    `frame` contains converter codes (colours, rows, cols), for two buckets (colours, 2, rows,
+    cols), with one colour or red, green, blue. `saturated` marks saturated codes. `shutter` (N,
+    rows, cols) are the first bucket's shutters, `slot_us` (N,) the slot lengths, None if not
+    stored. `opened` (colours, rows, cols) is the number of open slots of pixels that looked, else
+    None."""
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
@@ -48,8 +48,9 @@ class FrameRead:
 
 
 def read_frame(path: Path) -> FrameRead:
-    """Read a frame file of one exposure, or three in colours, in one or two buckets; Rejected
-    (NS0819) for another file."""
+    """Read a frame file with one exposure, or one per colour, and one or two buckets.
+
+    Raises Rejected (NS0819) for another file."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -70,7 +71,8 @@ def read_frame(path: Path) -> FrameRead:
 
 
 def refuse_missing(path: Path) -> None:
-    """Raise Rejected (NS0819) for a file that cannot be opened, before anything slow is loaded."""
+    """Raise Rejected (NS0819) for a file that cannot be opened, before slow packages are
+    imported."""
     try:
         path.open("rb").close()
     except OSError as error:
@@ -78,16 +80,17 @@ def refuse_missing(path: Path) -> None:
 
 
 def by_colour(values: Array, in_colours: bool) -> Array:
-    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`. That is
-    (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""
+    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`.
+
+    The result is (colours, rows, cols), for two buckets (colours, 2, rows, cols)."""
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the arrays of a frame file as stored, with shutters unpacked; Rejected (NS0819) for
-    another file."""
+    """Return the arrays of a frame file as stored, with shutters unpacked; raise Rejected (NS0819)
+    for another file."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)
@@ -117,7 +120,7 @@ def are_lengths(slot_us: Array) -> bool:
 
 
 def number_of(meta: Mapping[str, Any], name: str) -> float:
-    """Return a number of a frame's meta; ValueError if it is missing or not finite."""
+    """Return a number of a frame's meta; raise ValueError if it is missing or not finite."""
     value = meta.get(name)
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if value is not None and is_number and abs(value) <= sys.float_info.max:

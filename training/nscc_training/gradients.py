@@ -1,5 +1,6 @@
-"""Functions with a corner or a step, with surrogate gradients. They save tensors in
-`setup_context`, as `torch.func` requires."""
+"""Functions with steps or corners, and surrogate gradients for them.
+
+They save tensors in `setup_context`, as `torch.func` requires."""
 
 from __future__ import annotations
 
@@ -61,7 +62,8 @@ class _Saturate(Function):
 
 
 def replaced(x: Tensor, value: Tensor) -> Tensor:
-    """Return `value`, with the gradient of x."""
+    """Return `value` in the forward pass; in the backward pass the gradient goes to `x`
+    unchanged."""
     return _apply(_Replace, x, value)
 
 
@@ -71,9 +73,11 @@ def rounded(x: Tensor) -> Tensor:
 
 
 def opened(x: Tensor, width: float = 1.0) -> Tensor:
-    """Return 1 where x > 0, else 0. The gradient is a triangle of unit area that reaches `width` to
-    each side. For an edge between slots, x is its distance from the middle of the slot; with width
-    1 the gradient is that of light that flows evenly through the slot."""
+    """Return 1 where x > 0, else 0.
+
+    The gradient is a triangle of unit area from -`width` to `width`. For an edge between slots, x
+    is its distance from the middle of the slot. With width 1, the gradient is the physical one for
+    constant light in the slot."""
     return _apply(_Step, x, width, True)
 
 

@@ -1,4 +1,4 @@
-"""Import a user's own decoder, data or loss, `module:name`, also from the current folder."""
+"""Import of a user's own decoder, data or loss, `module:name`, also from the current folder."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def is_import_path(text: str) -> bool:
 
 
 def imported(text: str, role: str) -> Any:
-    """Import the object `module:name`; Rejected (NS0812) if that fails."""
+    """Import the object `module:name`; raise Rejected (NS0812) if that fails."""
     module, _, name = text.partition(":")
     current_folder = str(Path.cwd())
     added = current_folder not in sys.path
@@ -52,7 +52,8 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Turn exceptions of the user's code in this block into Rejected (NS0822), with their place."""
+    """Convert exceptions of user code in the `with` block into Rejected (NS0822), with
+    their place."""
     try:
         yield
     except Rejected:

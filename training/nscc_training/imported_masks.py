@@ -1,4 +1,5 @@
-"""Import masks as programs: find the smallest tile, and the cheapest class that represents it."""
+"""Conversion of masks into programs: the smallest tile, and the cheapest class that
+represents it."""
 
 from __future__ import annotations
 
@@ -28,8 +29,10 @@ _MOST_SHAPES = 4096
 
 @dataclass(frozen=True)
 class ImportedMask:
-    """A program that opens the shutters of a mask. `text` names the file of the `codes` if it needs
-    one; `kind` is its class, `tile` (rows, cols). `reasons` explain why the other classes were not
+    """A program that opens the shutters of a mask.
+
+    `text` is the program, `codes` the content of its code file (empty if not needed), `kind` its
+    class, and `tile` its size (rows, cols). `reasons` explain why the other classes were not
     chosen."""
 
     text: str
@@ -48,10 +51,10 @@ def import_mask(
     Parameters
     ----------
     path : Path
-        A .npy, .npz or .mat file of `mask`, (rows, cols, slots) or (slots, rows, cols), of 0 and 1:
-        of the whole array, or of a tile that repeats over it.
+        A .npy, .npz or .mat file of `mask`, (rows, cols, slots) or (slots, rows, cols), of 0 and 1.
+        It covers the whole array, or a tile that repeats over it.
     codes_name : str
-        The name of the file of codes, for the program's text.
+        The file name of the codes in the program's text.
     slot_us : float
         The length of a slot in microseconds.
     target : str
@@ -60,7 +63,7 @@ def import_mask(
     Raises
     ------
     Rejected
-        NS0845 for a file without a mask, NS0847 for a mask that no class holds.
+        NS0845 for a file without a mask, NS0847 for a mask that no class represents.
     """
     chip = Chip(target, slot_us)
     table = load_target(target, Path())
@@ -100,7 +103,7 @@ def import_mask(
 
 
 def read_binary_mask(path: Path) -> Floats:
-    """Read a binary mask; NS0847 for fractions, which no shutter opens."""
+    """Read a binary mask; raise Rejected (NS0847) for values other than 0 and 1."""
     mask = read_mask(path)
     count = int(np.count_nonzero((mask != 0) & (mask != 1)))
     if count:
@@ -114,12 +117,12 @@ def read_binary_mask(path: Path) -> Floats:
 
 
 def codes_of_mask(path: Path, container: Container) -> Codes:
-    """The codes of a program's pixels, by field, that open the shutters of a mask.
+    """Return the codes of all pixels, by field, with which a program opens the shutters of a mask.
 
     Raises
     ------
     Rejected
-        NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not know.
+        NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not have.
     """
     target, table = container.target, container.table
     mask = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
@@ -142,8 +145,9 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
 
 
 def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None) -> Bits:
-    """Return the mask as (slots, rows, cols). Time is the axis that is not the array's; for a tile,
-    the last axis, as in MATLAB."""
+    """Return the mask as (slots, rows, cols).
+
+    Time is the axis that does not match the array; for a tile, the last axis, as in MATLAB."""
     if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
         last = mask.shape[2] == slots
     else:
@@ -152,8 +156,9 @@ def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None)
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
-    """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest
-    repeating tile. NS0847 for a tile that a program cannot hold."""
+    """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest tile.
+
+    Raises NS0847 for a tile that is too large for a program."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -173,21 +178,21 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
 
 
 def _period(places: NDArray[np.int64]) -> int:
-    """Return the period of the rows."""
+    """Return the smallest period of the rows of `places`."""
     count = len(places)
     return next((n for n in range(1, count) if np.array_equal(places[n:], places[:-n])), count)
 
 
 def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
-    """Return the tile repeated over the array."""
     return tile[np.ix_(np.arange(array[0]) % tile.shape[0], np.arange(array[1]) % tile.shape[1])]
 
 
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """Yield the classes that represent all shutters, with their codes. The reasons against the
-    other classes are appended to `reasons`."""
+    """Yield the classes that represent all shutters, with their codes.
+
+    The reasons against the other classes are appended to `reasons`."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
@@ -225,8 +230,8 @@ def _candidates(
 
 
 def _check_same(compiled_program: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
-    """Raise ValueError if the compiled program does not open the mask's shutters: an internal
-    error."""
+    """Raise ValueError (an internal error) if the compiled program does not open the mask's
+    shutters."""
     container = compiled_program.container
     assert container is not None
     assert container.pixel_codes is not None

@@ -1,4 +1,4 @@
-"""Least squares for nearly dependent codes."""
+"""Least squares for nearly singular matrices."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class LeastSquares:
-    """The solution of least norm, the `rank` of the matrix, and its `condition` (inf below full
-    rank)."""
+    """The solution with the smallest norm, the matrix's `rank`, and its `condition` number.
+
+    The condition number is inf for a matrix without full rank."""
 
     solution: NDArray[np.float64]
     rank: int
@@ -21,10 +22,9 @@ class LeastSquares:
 def solve(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> LeastSquares:
     """Minimise |matrix x - right| for a matrix (m, n) and a right side (m,) or (m, k).
 
-    The method is the singular value decomposition, because the condition of normal equations is the
-    square. Singular values below max(m, n) ulps of the largest are left out and lower the rank.
-    ValueError for values that are not finite.
-    """
+    Uses the singular value decomposition, because normal equations would square the condition
+    number. Singular values below max(m, n) ulps of the largest count as 0. Raises ValueError for
+    values that are not finite."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise ValueError("least squares of values that are not finite")
     limit = np.finfo(np.float64).eps * max(matrix.shape)

@@ -1,6 +1,7 @@
-"""The sensor with pixels that look, for training: from light to codes and open times. It models
-steady light. A look compares the charge of the pixel, plus the comparator's offset and noise, with
-the level; the first look above its level closes the pixel."""
+"""Sensor model for training pixels that look: from light to codes and open times.
+
+The light is constant. A look compares the charge of the pixel, plus the comparator's offset and
+noise, with the level. The first look above its level closes the pixel."""
 
 from __future__ import annotations
 
@@ -19,14 +20,12 @@ def looked(
 ) -> tuple[Tensor, Tensor]:  # fmt: skip
     """Return the codes of the frame and the open fraction of each pixel, both (batch, rows, cols).
 
-    `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) are whole
-    boundaries, then levels in steps of IN of `step_e` electrons, common to all pixels, of a tile,
-    or of each pixel.
+    `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) contains
+    whole boundaries, then levels in steps of IN of `step_e` electrons; it repeats over the pixels.
 
-    With a `generator` noise is drawn, the same amount for all fields: two captures with equal
-    generators differ by the fields alone. If fields have gradients, the exposure of a pixel is the
-    one drawn, with the gradient of its probability.
-    """
+    Noise is drawn from `generator`, the same amount for all fields, so that two captures with equal
+    generators differ only by the fields. Without a generator there is no noise. If fields have
+    gradients, the exposure of a pixel is the drawn one, with the gradient of its probability."""
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()
@@ -51,8 +50,10 @@ def looked(
 def _charge_at_looks(
     light: Tensor, share: Tensor, sensor: SensorModel, generator: torch.Generator | None
 ) -> Tensor:
-    """Return the charge of PIX at each look and at the end, (batch, looks + 1, rows, cols). Photons
-    are counted between looks and accumulated."""
+    """Return the charge at the photodiode at each look and at the end (batch, looks + 1, rows,
+    cols).
+
+    Photon noise is drawn for the intervals between looks and accumulated."""
     charge = light[:, None] * share
     if generator is not None and sensor.shot_noise:
         between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
@@ -63,8 +64,9 @@ def _charge_at_looks(
 
 
 def _first(above: Tensor) -> Tensor:
-    """Return whether, or with which probability, a pixel takes each exposure, (batch, looks + 1,
-    ..). It is the first look above its level, or the end."""
+    """Return whether (or with what probability) a pixel takes each exposure (batch, looks + 1, ..).
+
+    The exposure ends at the first look above its level, or at the end of the frame."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

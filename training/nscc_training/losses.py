@@ -1,4 +1,4 @@
-"""Losses of training. Truth and prediction are light relative to the data range (1)."""
+"""Losses of training; truth and prediction are light relative to the data range."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from torch import Tensor
 from nscc_training.curves import log_curve, mu_law, pu21, srgb
 
 Loss = Callable[[Tensor, Tensor], Tensor]
-"""(prediction, truth) of one shape to a scalar."""
+"""A function of prediction and truth, of the same shape, that returns a scalar."""
 
 LOG_FLOOR = 1e-3
 """Fraction of the data range above which the log loss measures relative errors."""
@@ -22,25 +22,29 @@ NITS = 1000.0
 
 
 def l1(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error of linear light, as in the paper. Bright pixels dominate it."""
+    """Return the mean absolute error of linear light, as in the paper; bright pixels
+    dominate it."""
     return (prediction - truth).abs().mean()
 
 
 def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Minus a tenth of the PSNR in dB, so that every exposure counts by its own errors. Patches of
-    one exposure ([data] together) belong in one batch, because their errors are averaged."""
+    """Return minus a tenth of the PSNR in dB.
+
+    Errors are averaged over the batch, so patches of one exposure ([data] together) belong in one
+    batch."""
     return torch.log10((prediction - truth).square().mean() + LEAST_ERROR)
 
 
 def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error in PU21 units over those of the data range, `NITS` cd/m2."""
+    """Return the mean absolute error in PU21 units, relative to those of `NITS` cd/m2."""
     most = pu21(torch.tensor(NITS, dtype=torch.float64)).item()
     return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """Return a loss of both arguments after a curve; the curve of a repeated truth is computed
-    once."""
+    """Return a loss that applies a curve to both arguments.
+
+    The curve of the truth is kept for the next call with the same truth."""
     known: list[Tensor] = []
 
     def both(prediction: Tensor, truth: Tensor) -> Tensor:

@@ -1,4 +1,4 @@
-"""Procedural scenes, made of a seed, equal on every machine with the same numpy."""
+"""Procedural scenes, determined by a seed, identical on every machine with the same numpy."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
 
 
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
-    """Return the window of a size whose corner lies between pixels."""
+    """Return the window (size, size) whose corner lies at a fractional position."""
     base = np.floor(corner).astype(int)
     fraction = corner - base
     y, x = base

@@ -1,4 +1,4 @@
-"""Read masks and measurements of snapshot compressive imaging from untrusted files."""
+"""Reading masks and measurements of snapshot compressive imaging from untrusted files."""
 
 from __future__ import annotations
 
@@ -23,18 +23,19 @@ _MOST = 1e15
 
 
 def array_names(path: Path) -> list[str]:
-    """Return the names of the arrays in a .mat or .npz file; empty for an .npy file. Rejected
-    (NS0845) for another file."""
+    """Return the names of the arrays in a .mat or .npz file; empty for an .npy file.
+
+    Raises Rejected (NS0845) for another file."""
     return _read(path, None)[0]
 
 
 def real_array(path: Path, name: str) -> Floats:
-    """The array `name` of a file, or the only array of a file, all finite real numbers.
+    """Return the array `name` of a file, or its only array; all values are finite real numbers.
 
     Raises
     ------
     Rejected
-        NS0845 for a file without such an array, or with other values in it.
+        NS0845 for a file without such an array, or with other values.
     """
     names, array = _read(path, name)
     if array is None:
@@ -51,7 +52,8 @@ def real_array(path: Path, name: str) -> Floats:
 
 
 def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
-    """Return the names in a file, and the array of that name, or the only array."""
+    """Return the names in a file, and the array `name` or the only array; None without that
+    array."""
     reads(path)
     suffix = path.suffix.lower()
     if suffix not in ENDINGS or not path.is_file():
@@ -87,12 +89,12 @@ def _chosen(names: list[str], name: str | None) -> str | None:
 
 
 def read_mask(path: Path) -> Floats:
-    """The array `mask` of a file, or its only array: three axes, values from 0 to 1.
+    """Return the array `mask` of a file, or its only array: three axes, values from 0 to 1.
 
     Raises
     ------
     Rejected
-        NS0845 as `real_array`, and for other shapes and values.
+        NS0845 as for `real_array`, and for other shapes and values.
     """
     mask = real_array(path, "mask")
     if mask.ndim != 3 or 0 in mask.shape:

@@ -1,4 +1,4 @@
-"""The data term of reconstruction, for any sensor and any code."""
+"""The measurement model of reconstruction, for any sensor and any code."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from nscc_training.sensor_model import SensorModel
 
 Array = TypeVar("Array", "Tensor", NDArray[Any])
-"""Tensors of torch or arrays of numpy: both have the operators and functions that follow."""
+"""A torch tensor or a numpy array; this module only uses operations that both support."""
 
 
 def namespace(array: object) -> Any:
@@ -31,8 +31,7 @@ class Measured(Generic[Array]):
     `value` (batch, B, rows, cols) is the sum over N of `mask` (batch or 1, B, N, rows, cols) times
     the light, plus noise of `variance` (shape of `value`). The unit of light is such that white is
     about 1. Where `saturated`, the value is a lower bound. `mask` may be weighted, for example by
-    slot lengths.
-    """
+    slot lengths."""
 
     value: Array
     mask: Array
@@ -52,8 +51,7 @@ class Measured(Generic[Array]):
     ) -> Measured[NDArray[Any]]:
         """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
 
-        `masks` are (B, N, rows, cols).
-        """
+        `masks` are (B, N, rows, cols)."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -71,33 +69,37 @@ class Measured(Generic[Array]):
         return Measured(*(torch.from_numpy(np.ascontiguousarray(array)) for array in arrays))
 
     def over(self, unit: Array) -> Measured[Array]:
-        """Return the measurement in other units (batch,) of light."""
+        """Return the measurement with light divided by `unit` (batch,)."""
         unit = unit.reshape(-1, 1, 1, 1)
         return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
     def of(self, clip: Array) -> Array:
-        """Return the frames of a clip (batch, N, rows, cols)."""
+        """Return the noiseless frames (batch, B, rows, cols) of a clip (batch, N, rows, cols)."""
         frames: Array = (self.mask * clip[:, None]).sum(2)
         return frames
 
     def missing(self, predicted: Array, target: Array) -> Array:
-        """Return the difference of a target and a clip's frames; where saturated, an excess counts
-        as 0."""
+        """Return the difference between target and predicted frames.
+
+        At saturated pixels, a prediction above the target has the difference 0."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
 
     def trust(self, sigma: Array) -> Array:
-        """Return the fraction of a difference due to the clip's error rather than noise, in the
-        shape of `value`. The error has the standard deviation `sigma` (batch,)."""
+        """Return the fraction of a difference that is due to the clip's error instead of noise.
+
+        It has the shape of `value`. The error of the clip has the standard deviation `sigma`
+        (batch,)."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
         error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share
 
     def correction(self, gap: Array, sigma: Array) -> Array:
-        """Return the most likely correction of a clip whose frames differ by `gap`. The prior error
-        has the standard deviation `sigma` everywhere. Without noise, and with frames that share no
-        light, this is the projection onto all clips that give the frames."""
+        """Return the most likely correction of a clip whose frames differ from the target by `gap`.
+
+        The error of the clip has the standard deviation `sigma` everywhere. Without noise, and with
+        frames that share no light, this is the projection onto all clips that match the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
             shares = gap / (self.energy + noise).clip(min=1e-6)
@@ -109,39 +111,40 @@ class Measured(Generic[Array]):
 
     @cached_property
     def disjoint(self) -> bool:
-        """Whether no light of a pixel is in two frames, as in the frames of a film."""
+        """Return whether no light of a pixel is in two frames, as in the frames of a film."""
         shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
     def _joint(self, sigma: Array) -> Array:
-        """Return the covariance (batch, rows, cols, B, B) of the frames of a pixel, over sigma
+        """Return the covariance (batch, rows, cols, B, B) of each pixel's frames, divided by sigma
         squared."""
         of = namespace(self.mask)
         masks = of.moveaxis(self.mask, (1, 2), (3, 4))
         noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
-        # A frame in which a pixel never opens must not divide by 0.
+        # Avoid a division by 0 for pixels that never open in a frame.
         identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
         joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
         return joint
 
     @property
     def energy(self) -> Array:
-        """Sum of squares of the mask, (batch or 1, B, rows, cols)."""
+        """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
         squares: Array = (self.mask**2).sum(2)
         return squares
 
     def mean(self) -> Array:
-        """Return the mean light (batch, rows, cols) of each pixel's open slots, 0 without open
-        slots."""
+        """Return the mean light (batch, rows, cols) in each pixel's open slots, 0 for pixels
+        without any."""
         total = self.mask.sum((1, 2))
         light = self.value.sum(1) / total.clip(min=1e-6)
         known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
         return known
 
     def planes(self: Measured[Tensor]) -> Tensor:
-        """Return the inputs of a denoiser, (batch, 3, N, rows, cols). They are the mask of all
-        frames, the value over the mask, and its standard deviation, at most 1; only the mask
-        differs between slots."""
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols).
+
+        They are the mask summed over frames, the value divided by the mask, and its standard
+        deviation, at most 1. Only the mask differs between slots."""
         import torch
 
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)

@@ -19,8 +19,9 @@ from nscc_training.metrics import WINDOW, mean_square_error
 NITS = 1000.0
 """Default luminance in cd/m2 of the data range in PU21-PSNR."""
 LARGEST = 1e60
-"""Largest data range and value; data ranges have its inverse as lower limit. Fourth powers of such
-numbers fit float64."""
+"""Largest data range and value; the smallest data range is its inverse.
+
+Fourth powers of such numbers fit float64."""
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
@@ -53,8 +54,10 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
-    """Return every metric of a checked pair as JSON values; of clips also frame by frame. Infinite
-    dB are the text "inf". `psnr_db` of a clip is the mean over its finite frames."""
+    """Return every metric of a checked pair as JSON values; for clips, also the metrics of each
+    frame.
+
+    Infinite dB become the text "inf". `psnr_db` of a clip is the mean over its finite frames."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
     values: dict[str, Any] = {
@@ -90,12 +93,12 @@ def stamp(path: Path) -> dict[str, str]:
 
 
 def decibels(value: float) -> float | str:
-    """Return a number of dB in JSON form."""
+    """Return a number of dB as a JSON value, "inf" if infinite."""
     return "inf" if math.isinf(value) else value
 
 
 def number(value: float | str) -> float:
-    """Return the dB of a value of `decibels`."""
+    """Return the dB of a JSON value from `decibels`."""
     return float(np.inf) if value == "inf" else float(value)
 
 
@@ -108,9 +111,11 @@ def measure_files(
     truth_key: str | None = None,
     result_key: str | None = None,
 ) -> dict[str, Any]:
-    """Return every metric of two files as JSON values, with names and digests of the files. The
-    files hold pictures (rows, cols) or clips (T, rows, cols); keys select one of several arrays.
-    Raises Rejected for files and values without metrics, NS0803 for an invalid data range."""
+    """Return every metric of two files as JSON values, with names and digests of the files.
+
+    The files contain pictures (rows, cols) or clips (T, rows, cols); the keys select one of several
+    arrays. Raises Rejected for files and values without metrics, NS0803 for an invalid data range.
+    """
     if not 1 / LARGEST <= data_range <= LARGEST:
         raise rejected(
             "NS0803",

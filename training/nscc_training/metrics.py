@@ -15,16 +15,17 @@ from nscc_training.curves import MU, PU21_HIGH, PU21_LOW, mu_law, pu21
 
 WINDOW = 11
 SIGMA = 1.5
-"""The Gaussian windows of SSIM (Wang et al. 2004)."""
+"""Standard deviation of SSIM's Gaussian windows in pixels (Wang et al. 2004)."""
 K1, K2 = 0.01, 0.03
 
 Array = NDArray[Any]
 
 
 def mean_square_error(truth: Array, result: Array) -> float:
-    """Return the mean of the squared differences, computed in float64. Like every metric here, it
-    raises WrongArgument for arrays of different shapes, for arrays without values, and for values
-    that are not finite: a bad number never becomes a score."""
+    """Return the mean of the squared differences, computed in float64.
+
+    Like all metrics here, raises WrongArgument for arrays of different shapes, for empty arrays,
+    and for values that are not finite."""
     truth, result = _pair(truth, result)
     difference = truth.astype(np.float64) - result.astype(np.float64)
     return float(np.mean(np.square(difference)))
@@ -113,7 +114,7 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
     _check_range(data_range)
     if not PU21_LOW < nits <= PU21_HIGH:
         raise wrong_argument(
-            f"PU21 is of luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not {nits}"
+            f"PU21 needs luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not {nits}"
         )
     encoded = [
         pu21(np.clip(x.astype(np.float64) * (nits / data_range), PU21_LOW, nits))
@@ -123,8 +124,9 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
 
 
 def finite_mean(scores_db: Iterable[float]) -> float:
-    """Return the mean of the finite scores; +inf, the score of identical pictures, does not count.
-    The mean is +inf if all scores are. Raises WrongArgument for no scores, NaN or -inf."""
+    """Return the mean of the finite scores, without +inf, the score of identical pictures.
+
+    The mean is +inf if all scores are. Raises WrongArgument for an empty sequence, NaN or -inf."""
     scores = list(scores_db)
     if not scores or any(math.isnan(score) or score == -math.inf for score in scores):
         raise wrong_argument(f"a mean is taken of numbers of dB, not of {scores[:5]}")
@@ -134,9 +136,11 @@ def finite_mean(scores_db: Iterable[float]) -> float:
 
 @dataclass(frozen=True)
 class FrameScores:
-    """Scores of frames in dB, summarised. `mean` and `sd` leave out frames of infinite dB
-    (identical ones), which `infinite` counts; without another frame the mean is +inf. `of_mean_mse`
-    is the dB of the mean error of all frames."""
+    """Summary of the scores of frames in dB.
+
+    `mean` and `sd` leave out identical frames (infinite dB), which `infinite` counts; if all frames
+    are identical, the mean is +inf. `of_mean_mse` is the PSNR of the mean square error over all
+    frames."""
 
     mean: float
     sd: float
@@ -182,7 +186,7 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
     truth, result = _pair(truth, result)
     if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
         raise wrong_argument(
-            f"SSIM is of pictures (rows, cols) or clips (T, rows, cols) of at least {WINDOW} x "
+            f"SSIM needs pictures (rows, cols) or clips (T, rows, cols) of at least {WINDOW} x "
             f"{WINDOW} pixels, not of {truth.shape}"
         )
     _check_range(data_range)
@@ -244,7 +248,7 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
     truth, result = _pair(truth, result)
     if truth.ndim != 3 or len(truth) < 2:
         raise wrong_argument(
-            f"the temporal error is of clips (T, rows, cols) of two frames or more, not of "
+            f"the temporal error needs clips (T, rows, cols) of two frames or more, not of "
             f"{truth.shape}"
         )
     _check_range(data_range)
@@ -253,7 +257,7 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
-    """Return both as arrays; WrongArgument unless they are finite numbers of one shape."""
+    """Return both as arrays; raise WrongArgument unless they are finite numbers of one shape."""
     first, second = np.asarray(truth), np.asarray(result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:
         raise wrong_argument(
@@ -274,7 +278,7 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
 def _check_range(data_range: float) -> None:
     if not (isinstance(data_range, int | float | np.number) and 0 < data_range < math.inf):
         raise wrong_argument(
-            f"the data range is the peak that errors count against, a number above 0, not "
+            f"the data range is the peak that errors are compared with, a number above 0, not "
             f"{shown(data_range)}",
             helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
         )

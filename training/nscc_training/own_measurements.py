@@ -1,4 +1,4 @@
-"""Reconstruct measurements of other cameras from their mask."""
+"""Reconstruction of measurements of other cameras, given their mask."""
 
 from __future__ import annotations
 
@@ -21,15 +21,17 @@ _KEYS = frozenset(("mask", "meas"))
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of a measurement: readout noise of standard deviation `read_sd`, and photon noise,
-    whose variance is `gain` times the measured value. Both are in the unit of the measurement."""
+    """Noise of a measurement, in the unit of the measurement.
+
+    `read_sd` is the standard deviation of the readout noise. The variance of the photon noise is
+    `gain` times the measured value."""
 
     read_sd: float = 0.0
     gain: float = 0.0
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """Parse `SD` or `SD,GAIN`; NS0846 for another text."""
+        """Parse `SD` or `SD,GAIN`; raise Rejected (NS0846) for another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
@@ -53,8 +55,9 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """K measurements (K, rows, cols) through one mask (slots, rows, cols). `axes` describes how the
-    arrays of the files were interpreted."""
+    """K measurements (K, rows, cols) with the same mask (slots, rows, cols).
+
+    `axes` describes how the axes of the files were interpreted."""
 
     values: Floats
     mask: Floats
@@ -62,8 +65,8 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Return whether a file is a measurement: its mask is named, it is .mat or .npy, or an .npz
-    with `meas`."""
+    """Return whether a file is a measurement: .mat, .npy, .npz with `meas`, or any file with a mask
+    file."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True
@@ -72,7 +75,7 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
     try:
         _, names = npz_arrays(path, lambda _: False)
         return "meta" not in names and bool(_KEYS & set(names))
-    except (InvalidArrays, OSError):  # what is damaged is said by those who read it as a frame
+    except (InvalidArrays, OSError):  # the function that reads it as a frame reports the damage
         return False
 
 
@@ -97,7 +100,7 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
-    # Time last, as in MATLAB, where both fit.
+    # If both axes are possible, time is the last one, as in MATLAB.
     for axis, name in ((2, "last"), (0, "first")):
         size = tuple(np.delete(mask.shape, axis))
         fits = [
@@ -116,7 +119,7 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
 def reconstruct_measurement(
     measurement: Measurement, noise: NoiseModel, method: Method | None = None
 ) -> Reconstruction:
-    """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement a slot."""
+    """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement per slot."""
     method, begin = method_for(still=False, method=method), working_s()
     opened = np.asarray(measurement.mask, np.float32)[None, None]
     clips: list[NDArray[np.float32]] = []

@@ -1,4 +1,4 @@
-"""Texts of error messages of the trainer."""
+"""Texts of the training package's error messages."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nscc.npy import InvalidArrays
 
 
 def listed(names: Sequence[str], most: int = 12) -> str:
-    """`a, b, c and 4 more`, or `nothing`."""
+    """Return the names as text: `a, b, c and 4 more`, or `nothing`."""
     shown = ", ".join(name[:40] for name in names[:most]) or "nothing"
     return shown + (f" and {len(names) - most} more" if len(names) > most else "")
 
@@ -29,8 +29,9 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
 
 
 def is_out_of_memory(error: Exception) -> bool:
-    """Return whether an exception means that memory is exhausted, on the GPU or on the host. Torch
-    is not imported: its GPU error is known by name, its host error by text."""
+    """Return whether an exception means that memory is exhausted, on the GPU or on the host.
+
+    Torch is not imported: its GPU error is recognised by name, its host error by text."""
     return isinstance(error, MemoryError) or (
         isinstance(error, RuntimeError)
         and (type(error).__name__ == "OutOfMemoryError" or "DefaultCPUAllocator" in str(error))

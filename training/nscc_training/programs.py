@@ -1,4 +1,4 @@
-"""Learned shutters as readable `.nsl` programs, and their compilation."""
+"""Learned shutters as `.nsl` programs, and their compilation."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ TARGET_FILE = "target.toml"
 SENSOR_FILE = "sensor.toml"
 """Files of the user's chip and sensor, beside the program."""
 MOST_LISTED = 4096
-"""Most places of a tile in the text; more go into a file, which holds the whole array."""
+"""Largest tile that is written into the program's text; larger tiles are stored in a file."""
 _MOST_DIGITS = 1 << 15
-"""Most digits of a codebook in the text; more go into a file."""
+"""Most codebook digits in the program's text; more are stored in a file."""
 
 
 @dataclass(frozen=True)
@@ -61,14 +61,15 @@ class Chip:
 
     @property
     def file(self) -> str | None:
-        """The target's file, in the form of the compiler's options; None for a name."""
+        """The target file for the compiler's options; None if the target is a name."""
         return self.target if self.target.endswith(".toml") else None
 
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """A program: its `text`, and the bytes of the codes beside it, if the text names them. `codes`
-    hold every field on the tile, and a codebook's digits as `book`."""
+    """A program's `text`, and the bytes of its code file (empty if the text names no file).
+
+    The code file contains every field on the tile, and a codebook's digits as `book`."""
 
     text: str
     codes: bytes
@@ -104,9 +105,10 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
 
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
-    """Return the program of codes, with `remark` as a comment at the top. Codes for every pixel go
-    into the file, and so do those of a tile of more than 4096 places, expanded to the array, as the
-    compiler requires."""
+    """Return the program of codes, with `remark` as a comment at the top.
+
+    Codes for every pixel are stored in the code file, and so are tiles of more than 4096 places,
+    repeated over the array, as the compiler requires."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to the current folder, not to the program, so it is an option
@@ -130,8 +132,9 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove a program; Rejected with the compiler's errors. `every_code` compiles for
-    all codes that the class allows, instead of those in use."""
+    """Compile and prove a program; raise the compiler's errors.
+
+    `every_code` compiles for all codes that the class allows, instead of the used codes."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -143,17 +146,19 @@ def compiled(
 @dataclass(frozen=True, eq=False)
 class Begun:
     """The start of a run: `codes` by field on the tile, with a codebook's digits as `book`.
-    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for them; None if
-    they depend on the light."""
+
+    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for these codes;
+    None if they depend on the light."""
 
     codes: dict[str, NDArray[np.int64]]
     opened: NDArray[np.bool_] | None
 
 
 def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
-    """Return the codes of a program on the places of the tile; of pixels that look, moments and
-    levels. Raises ValueError for a program of other slots, fields, levels or buckets, or with other
-    pixels than a repetition of this tile, and Rejected as the compiler."""
+    """Return the codes of a program on the places of a tile, for pixels that look times and levels.
+
+    Raises ValueError for a program with other slots, fields, levels or buckets, or whose pixels are
+    not a repetition of this tile, and the compiler's errors."""
     target = chip.table or load_target(chip.target, Path())
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container
@@ -190,13 +195,13 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
 
 
 def _fields(spec: ShutterSpec) -> tuple[str, ...]:
-    """Return the fields of a class's code."""
+    """Return the names of the fields of a class's code."""
     return tuple(rule.split()[1] for rule in _RULES[spec.kind] if rule.startswith("code "))
 
 
 def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
-    """Return the codes of a tile (rows, cols) that repeats over the array; ValueError if it does
-    not."""
+    """Return the codes of the tile (rows, cols) that repeats over the array; raise ValueError
+    without one."""
     rows, cols = pixels.shape
     tile_codes = pixels[: tile[0], : tile[1]]
     repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
@@ -218,8 +223,8 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 
 def words_per_slot(compiled_program: Compiled) -> float:
-    """Return the mean number of words per slot: digital, analog and refresh; 0 for pixels without
-    logic."""
+    """Return the mean number of words per slot: digital, analog and refresh; 0 for a chip without
+    words."""
     if compiled_program.sending is not None:
         return 0.0
     assert compiled_program.lowered is not None
@@ -229,7 +234,8 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return the codes (codes, fields) that the class and `require` allow; Rejected without any."""
+    """Return all codes (codes, fields) that the class and `require` allow; raise Rejected if there
+    are none."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):
@@ -249,11 +255,11 @@ _RULES = {
     "e": ["code bits : bit[N]", "open when bits[n]"],
     "codebook": ["code id : row of book", "open when book[id]"],
 }  # fmt: skip
-"""Declarations of the code's fields, and the rule that opens a pixel, by class."""
+"""Statements that declare the code's fields and the rule that opens a pixel, by class."""
 
 
 def _rules(spec: ShutterSpec) -> list[str]:
-    """Return the code's fields and the rules of the buckets."""
+    """Return the statements that declare the code's fields and the buckets."""
     *fields, opened = _RULES[spec.kind]
     if spec.buckets == 1:
         return [*fields, opened]

@@ -1,4 +1,4 @@
-"""Protocols of evaluation: frozen files, whose digests accompany every result."""
+"""Evaluation protocols: fixed files, whose digests are stored in every result."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ NAMES = (
 
 
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
-"""Photons of 555 nm per second and square metre per lux: 683 lumens are a watt."""
+"""Photons of 555 nm per second, square metre and lux; one watt is 683 lumens."""
 
 
 @dataclass(frozen=True)
 class Protocol:
-    """A protocol: name, digest of its file, and the values that it fixes."""
+    """An evaluation protocol: its name, the digest of its file, and the values that it defines."""
 
     name: str
     sha256: str
@@ -42,9 +42,11 @@ class Protocol:
 
     @property
     def mid_grey_e(self) -> float | None:
-        """Electrons over the frame for the median of a scene, if the protocol fixes the
-        illuminance. None if scenes are scaled to a full well. A lens of f-number A passes 1 / (4
-        A^2) of the light of a matt surface to the sensor."""
+        """The electrons over the frame at the median of a scene, if the protocol defines the
+        illuminance.
+
+        None if scenes are scaled to a full well. A lens with f-number A passes 1 / (4 A^2) of the
+        light of a matt surface to the sensor."""
         if "illuminance_lux" not in self.values:
             return None
         lux = self["illuminance_lux"] * self["reflectance"] / (4 * self["f_number"] ** 2)
@@ -54,7 +56,7 @@ class Protocol:
 
 
 def load_protocol(name: str) -> Protocol:
-    """Return a protocol by name; Rejected (NS0806) for an unknown one."""
+    """Return a protocol by name; raise Rejected (NS0806) for an unknown one."""
     if name not in NAMES:
         raise unknown_name("NS0806", "unknown protocol '{}'", name, NAMES, "the protocols are {}")
     installed = Path(__file__).with_name("protocol_files")

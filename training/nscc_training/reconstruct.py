@@ -1,4 +1,4 @@
-"""Reconstruct pictures and clips from frame files with a run's decoder."""
+"""Reconstruction of pictures and clips from frame files with a run's decoder."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ from nscc_training.reconstruction import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
-"""Effects that training models without `[sensor] effects`."""
-_DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
+"""Effects that training simulates if `[sensor] effects` is empty."""
+_DARK_HELPS = ("`--dark FRAME` subtracts the charge that words and dark current add",)
 
 
 def reconstruct(
@@ -36,14 +36,13 @@ def reconstruct(
 ) -> Reconstruction:
     """Reconstruct a frame file with a run's decoder.
 
-    `dark` is a frame file of the same program without light, of many repeats; its mean (offsets of
-    words, and charge without light) is subtracted from the frame. A run that was trained under
-    effects knows the mean of each place of its tile, so only the deviations from it are subtracted.
+    `dark` is a frame file of the same program without light, with many repeats. Its mean (offsets
+    of words, and dark charge) is subtracted from the frame. A decoder that was trained with effects
+    knows the mean of each place of its tile, so only the deviations from that mean are subtracted.
 
-    Raises Rejected: as `load_run` for the run; NS0819 for a file that is not a frame, for a frame
-    of another program or sensor (with `force` a warning, unless its size differs), and for a dark
-    frame of another program or with light (likewise).
-    """
+    Raises Rejected: the errors of `load_run`; NS0819 for a file that is not a frame, for a frame of
+    another program or sensor (with `force` a warning, unless its size differs), and for a dark
+    frame of another program or with light (with `force` a warning)."""
     folder = load_run(run, trust_code=trust_code)
     read, begin = read_frame(frame), working_s()
     offset: NDArray[np.float64] | None = None
@@ -61,9 +60,10 @@ def reconstructed(
     folder: RunFolder, read: FrameRead, name: str, *, force: bool,
     offset: NDArray[np.float64] | None = None,
 ) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:  # fmt: skip
-    """Return the picture or clip of a frame, colours last, and warnings. Messages call the frame
-    `name`; `offset` (rows, cols) is the array's offset without light. Raises Rejected (NS0819) as
-    `reconstruct`."""
+    """Return the picture or clip of a frame, colours last, and warnings.
+
+    Messages call the frame `name`; `offset` (rows, cols) is the array's dark offset. Raises
+    Rejected (NS0819) as `reconstruct` does."""
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
@@ -95,7 +95,7 @@ def reconstructed(
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield signs that the frame was exposed with other shutters."""
+    """Yield reasons to believe that the frame was exposed with other shutters."""
     if read.shutter is not None:
         hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
@@ -106,7 +106,7 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
-    """Return whether a digest is that of the run's program at some level, trying likely levels
+    """Return whether a digest is that of the run's program, compiled at any level, likely levels
     first."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
@@ -121,7 +121,7 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield signs that the frame came from another sensor."""
+    """Yield reasons to believe that the frame came from another sensor."""
     model, own_sensor = folder.setup.model, folder.setup.sensor
     if read.meta.get("sensor_sha256") == sensor_sha256(own_sensor):
         return
@@ -142,7 +142,7 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
-    """Yield a warning (NS0842) if a frame has effects that the decoder was not trained under."""
+    """Yield a warning (NS0842) if a frame has effects that the decoder was not trained with."""
     learned = folder.setup.settings.sensor.effects
     known = {effect.name for effect in selected(learned).effects} if learned else set(_OF_MODEL)
     plan = read.meta.get("plan") or {}

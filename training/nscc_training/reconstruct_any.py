@@ -1,4 +1,4 @@
-"""Reconstruct frame files of any program to pictures and clips."""
+"""Reconstruction of pictures and clips from frame files of any program."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nscc_training.reconstruction import Reconstruction, overexposed
 from nscc_training.untrained import Method, gap_tv_clip, merged_still, method_for
 
 _KINDS: dict[str, Literal["image", "video"]] = {"merge": "image", "gap-tv": "video"}
-"""What methods without a network make."""
+"""The kind of result of each method that does not use the network."""
 
 
 def reconstruct_any(
@@ -24,12 +24,11 @@ def reconstruct_any(
 ) -> Reconstruction:  # fmt: skip
     """Reconstruct a frame of any program with the decoder for any code.
 
-    `program` exposed the frame; it is needed if the file does not hold its shutters. `dark` is a
-    frame file of the program without light, of many repeats. Without `kind` the result is an image
-    if all shutters open with the frame (class b), else a clip. `method` "merge" is for images,
-    "gap-tv" for clips; the default is the network where torch is installed. Colours are decoded one
-    by one. Raises Rejected as `read_coded_frames`.
-    """
+    `program` exposed the frame; it is needed if the file does not contain its shutters. `dark` is a
+    dark frame file of the program, with many repeats. Without `kind` the result is an image if all
+    shutters open at the start of the frame (class b), else a clip. `method` "merge" is for images,
+    "gap-tv" for clips; the default is the network if torch is installed. Each colour is decoded
+    separately. Raises Rejected as `read_coded_frames` does."""
     kind = kind or _KINDS.get(method or "network")
     doubts: list[Diagnostic] = []
     coded_frames = read_coded_frames(frame, program, dark, doubts.append)

@@ -1,4 +1,4 @@
-"""What a decoder makes of a frame, and doubts about it."""
+"""The result of a reconstruction, and warnings about overexposed frames."""
 
 from __future__ import annotations
 
@@ -17,10 +17,12 @@ _OVEREXPOSED = 0.25
 
 @dataclass(frozen=True, eq=False)
 class Reconstruction:
-    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons
-    per slot, float32. With `colour` the last axis is red, green, blue. `messages` are warnings
-    about the frame; `decode_s` is the decoding time in seconds; `method` names the method of the
-    decoder for any code."""
+    """A reconstructed picture or clip.
+
+    `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
+    cols) in electrons per slot; with `colour` the last axis is red, green, blue. `messages` are
+    warnings about the frame. `decode_s` is the decoding time in seconds. `method` names the method
+    of the decoder for any code, else it is empty."""
 
     light: NDArray[np.float32]
     still: bool
@@ -31,7 +33,7 @@ class Reconstruction:
 
     @property
     def content(self) -> Content:
-        """The reconstruction for every format that it can be written in."""
+        """The reconstruction in the form for all output formats."""
         arrays = {"image" if self.still else "video": self.light}
         if self.method:
             arrays["method"] = np.array(self.method)
@@ -44,7 +46,7 @@ class Reconstruction:
 
 
 def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
-    """NS0844, a warning, where most of a frame's pixels are saturated."""
+    """Yield a warning (NS0844) if too many pixels of a frame are saturated."""
     share = float(saturated.mean()) if saturated.size else 0.0
     if share > _OVEREXPOSED:
         yield Diagnostic(

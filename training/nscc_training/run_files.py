@@ -1,5 +1,4 @@
-"""Files of run folders: where they are, and the conditions of capture of their decoder. Nothing
-here needs torch."""
+"""Files of run folders: their places, and the capture conditions of the decoder; needs no torch."""
 
 from __future__ import annotations
 
@@ -22,21 +21,22 @@ _SHIPPED = {
     "hdr": "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0",
     "clip": "clips/class-d/learned-from-2x2/unet2d/every-effect/seed0",
 }
-"""Runs that come with nscc: their names, and their folders in training/results/shipped."""
+"""Names of the shipped runs, and their folders in training/results/shipped."""
 _SEARCHED = "clips/class-e/searched-from-random/any/noise-alone/seed2"
-"""The search for clips with the largest gain on validation scenes."""
+"""The searched code for clips with the largest gain on validation scenes."""
 _DARK = ("builtin:dark", "builtin:flat")
 _SLOT_ERROR_US = 10.0**-SLOT_DECIMALS
-"""Resolution of slot lengths in a program's text, which limits the comparison with a run."""
+"""Resolution of slot lengths in a program's text, used as tolerance in comparisons."""
 _ELECTRONS = (".npz", ".npy")
-"""Scenes in electrons."""
+"""File endings of scenes in electrons."""
 
 
 @dataclass(frozen=True)
 class RunCapture:
-    """The conditions of capture of a run's decoder. `exposure` is in the form of `--exposure`;
-    `still`: scenes are stills; `sensor` and `target` are files of the run, None for the default
-    sensor and the program's target."""
+    """The conditions under which a run's decoder expects frames to be captured.
+
+    `exposure` is in the form of `--exposure`. `still` means that scenes are stills. `sensor` and
+    `target` are files of the run; None means the default sensor and the program's target."""
 
     program: Path
     still: bool
@@ -92,15 +92,15 @@ def searched_codes() -> Path:
 
 
 def run_path(folder: Path) -> Path:
-    """Return a run folder, or the folder of the run that comes with nscc under that name."""
+    """Return a run folder, or the folder of the shipped run with that name."""
     if (folder / CONFIG).is_file():
         return folder
     return shipped_runs().get(str(folder), folder)
 
 
 def run_capture(folder: Path) -> RunCapture:
-    """Return the conditions of capture of a run; Rejected (NS0818) for a folder that is
-    not a run."""
+    """Return the capture conditions of a run; raise Rejected (NS0818) for a folder that is not a
+    run."""
     path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]

@@ -1,4 +1,4 @@
-"""Load finished run folders: decoder and shutters."""
+"""Loading of finished run folders: decoder and shutters."""
 
 from __future__ import annotations
 
@@ -24,13 +24,15 @@ from nscc_training.run_files import CONFIG, run_path
 from nscc_training.settings import RunSettings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
-"""Files that a result has digests of, and that reconstructions depend on."""
+"""Files of a run whose digests are stored in its result."""
 
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A loaded run: `setup` with learned codes and weights, `program` the text of `shutter.nsl`.
-    `seen_digests` are those of the files of training and validation, `result` is `result.json`."""
+    """A loaded run.
+
+    `setup` contains the learned codes and weights, `program` is the text of `shutter.nsl`, `result`
+    is `result.json`. `seen_digests` are the digests of the training and validation files."""
 
     path: Path
     setup: TrainingSetup
@@ -40,12 +42,11 @@ class RunFolder:
 
 
 def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
-    """Load the run in a folder, or the run that comes with nscc under that name.
+    """Load the run in a folder, or the shipped run with that name.
 
-    Rejected (NS0818) for a missing or unfinished run. A run may name Python code of its author,
-    `module:name`, as decoder or loss. Loading the run executes that code, which needs `trust_code`;
-    else Rejected (NS0823).
-    """
+    Raises Rejected (NS0818) for a missing or unfinished run. A run may name Python code of its
+    author, `module:name`, as decoder or loss. Loading executes this code, which needs `trust_code`;
+    otherwise Rejected (NS0823) is raised."""
     from safetensors.torch import load_file
 
     path = run_path(path)
@@ -100,7 +101,7 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
 
 
 def run_codes(path: Path) -> Encoder:
-    """Return the shutters of a run without its weights; Rejected as `started_encoder`."""
+    """Return the shutters of a run without its weights; raise Rejected as `started_encoder`."""
     settings = load_config(path / CONFIG)
     chosen = replace(settings.shutter, init=str(path / CODES_FILE))
     file = path / TARGET_FILE
@@ -131,9 +132,10 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """Raise ValueError for a file whose digest differs from that in the result. Such folders come
-    from an unfinished later run in the same folder, or from a partial copy: their files would
-    belong to different runs."""
+    """Raise ValueError for a file whose digest differs from the one in the result.
+
+    Such a folder contains files of different runs, after an unfinished later run or a partial copy.
+    """
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]

@@ -1,4 +1,4 @@
-"""Find and read the scene files of a folder."""
+"""Finding and reading the scene files of a folder."""
 
 from __future__ import annotations
 
@@ -20,13 +20,14 @@ from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, read_mat
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
 CLIPS = (*clips.CLIPS, ".mat")
-"""Endings of clips: films, and the arrays of the benchmark."""
+"""File endings of clips: videos, and the arrays of the benchmark."""
 
 
 def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
-    """Return the files with one of `endings`, sorted by name; none for a missing folder. `folder`
-    may join several by +, contain * for any name, and end in #K,L/N, which selects places K and L
-    (from 0) of every N files."""
+    """Return the files with one of `endings`, sorted by name; empty if the folder does not exist.
+
+    `folder` may join several folders by +, contain * for any name, and end in #K,L/N, which selects
+    the files at positions K and L (from 0) of every N files."""
     if folder.is_dir():
         return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
     matching = []
@@ -46,7 +47,7 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
 
 
 def folders_of(text: str) -> list[Path]:
-    """Return the folders that a text of `files_in` names."""
+    """Return the folders that `text` names, in the form of `files_in`."""
     if Path(text).is_dir():
         return [Path(text)]
     names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))
@@ -59,7 +60,7 @@ def folders_of(text: str) -> list[Path]:
 def protocol_files(
     folder: Path, endings: Collection[str], kind_text: str, expected: str, protocol: str
 ) -> list[Path]:
-    """Return the files of `files_in`; Rejected (NS0811) without any."""
+    """Return the files of `files_in`; raise Rejected (NS0811) if there are none."""
     matching = files_in(folder, endings)
     if not matching:
         raise rejected(
@@ -79,12 +80,12 @@ def protocol_files(
 
 
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
-    """Return the light (rows, cols) of a stored picture or frame; of colours the luminance."""
+    """Return the light (rows, cols) of a stored picture or frame, for colours the luminance."""
     return grey(stored, transfer, None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """Yield the stored frames of a clip; white is 1 for floats."""
+    """Yield the stored frames of a clip; white is 1 in float frames."""
     if path.suffix.lower() != ".mat":
         return read_clip(path)
     key, stored = read_mat(path, lambda _shape: None)
@@ -95,7 +96,7 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:
-    """Return a label for each file by its name: without the ending, if that is unique."""
+    """Return a label for each file name: the name without its ending, if that is unique."""
     paths = list(files)
     alike = Counter(path.stem for path in paths)
     return {p.name: p.stem if alike[p.stem] == 1 else p.name.replace(".", "_") for p in paths}

@@ -1,5 +1,6 @@
-"""A differentiable capture: from light and shutters to a frame. Light is float32; sums and
-everything up to the ADC are float64, whatever the precision of the network."""
+"""A differentiable capture from light and shutters to a frame.
+
+Light is float32; sums and all steps up to the ADC are float64, whatever the network's precision."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ from nscc_training.gradients import rounded, saturated
 from nscc_training.protocols import Protocol
 
 _BLOCK = 32
-"""Slots that are masked at a time, which bounds the memory."""
+"""Number of slots that are masked at a time, to limit the memory."""
 
 
 @dataclass(frozen=True)
@@ -138,16 +139,17 @@ class SensorModel:
 
     @property
     def full_e(self) -> float:
-        """Electrons at which a pixel saturates: a full well, or the end of the converter if that is
-        less. Decoders call this 1.
-        """
+        """The electrons at which a pixel saturates: a full well, or the converter's range if that
+        is less.
+
+        Decoders represent them as 1."""
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
 
     @property
     def full_code(self) -> int:
-        """The code above the offset of saturated pixels, without noise."""
+        """The converter code of saturated pixels, above the offset and without noise."""
         return round(self.full_e / self.electrons_per_lsb)
 
     def relative(self, codes: Tensor) -> Tensor:
@@ -196,8 +198,9 @@ class _Masked(Function):
 
 class Captured(NamedTuple):
     """The result of a capture: electrons before saturation and noise, and the codes of the frame.
-    Both are (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64,
-    `frame` float32 with whole numbers 0..top code."""
+
+    Both are (batch, rows, cols), for two buckets (batch, 2, rows, cols). `exposure_e` is float64,
+    `frame` is float32 with whole numbers from 0 to the largest code."""
 
     exposure_e: Tensor
     frame: Tensor
@@ -269,9 +272,10 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """Return the frame (rows, cols) of one scene, codes above the ADC's offset; of several buckets
-    (buckets, rows, cols). `seed` determines the noise. `light` and `tile` are those of
-    `differentiable_capture`, without the batch."""
+    """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols).
+
+    `seed` determines the noise. `light` and `tile` are as in `differentiable_capture`, without the
+    batch."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
@@ -302,7 +306,7 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
-    """Return a tile (.., r, c), repeated from the top left corner to (.., rows, cols)."""
+    """Return a tile (.., r, c), repeated from the top left corner and cut to (.., rows, cols)."""
     if tile.shape[-2:] == (rows, cols):
         return tile
     down, across = -(-rows // tile.shape[-2]), -(-cols // tile.shape[-1])
@@ -310,13 +314,15 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """Return the shutters (N, rows, cols) of one bucket, or (2, N, rows, cols) of two buckets. The
-    second bucket is the complement of the first."""
+    """Return the shutters (N, rows, cols), or for two buckets (2, N, rows, cols).
+
+    The second bucket is the complement of the first."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Return the light of the open slots of each pixel: electrons (batch, rows, cols), float64.
+    """Return the light in the open slots of each pixel: electrons (batch, rows, cols), float64.
+
     `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
     buckets, rows, cols)."""
     if shutters.ndim == 4:
@@ -341,8 +347,9 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
 def read_out(
     exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
 ) -> Tensor:
-    """Return the codes of a frame: photon noise, full well, readout noise, rounding half to even,
-    clipping. `exposure` float64, of any shape; the result is float32."""
+    """Return the codes of a frame with noise, saturation, rounding half to even, and clipping.
+
+    `exposure` is float64 in electrons, of any shape; the result is float32."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)
@@ -359,13 +366,12 @@ def read_out(
 
 
 def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
-    """Return a frame whose saturated pixels are at least at the level of full ones.
+    """Return a frame whose saturated pixels are raised to the value of a full pixel.
 
-    `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` bool, `shutters`
-    ([buckets,] N, r, c) a repeating tile. PIX also fills while a shutter is not yet open: of steady
-    light that fills it until the shutter closes for the last time, the frame holds the open
-    fraction.
-    """
+    `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` is bool, `shutters`
+    ([buckets,] N, r, c) is a repeating tile. The photodiode also fills while a shutter is not yet
+    open. If constant light fills it just when the shutter closes for the last time, the frame
+    contains only the open fraction of a full well."""
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
     least = opened.sum(dim=-3) / (opened * slots).amax(dim=-3).clamp(min=1)

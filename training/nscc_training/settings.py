@@ -1,4 +1,4 @@
-"""The settings of a training run: tables of a TOML file, every key with a default."""
+"""The settings of a training run: tables of a TOML file, with a default for every key."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _COUNT = Integer(1, 100_000)
 
 @dataclass(frozen=True)
 class ShutterSettings:
-    """[shutter]: what is learned on the sensor's side."""
+    """[shutter]: the shutters, and how they are learned."""
 
     kind: str = key(
         TextKind(("a", "b", "c", "d", "e", "codebook", "looks")),
@@ -99,20 +99,24 @@ class ShutterSettings:
 
 @dataclass(frozen=True)
 class DecoderSettings:
-    """[decoder]: what makes pictures of frames."""
+    """[decoder]: the network that reconstructs pictures from frames."""
 
     name: str = key(
         TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
     )
-    size: str = key(TextKind(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
+    size: str = key(
+        TextKind(SIZES), "paper: as in the paper; small: at most 0.6 million parameters", "small"
+    )
     width: float = key(
-        Number(0.01, 1), "width of its layers, as a fraction of the size's width", 1.0
+        Number(0.01, 1),
+        "width of the decoder's layers, as a fraction of the width of this size",
+        1.0,
     )
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
     guess: str = key(
         TextKind(("by size", "yes", "no")),
-        "whether a U-Net starts from a first guess; by size: the small ones do, those of the "
-        "paper's size do not",
+        "whether a U-Net starts from a first guess; by size: yes for the size small, no for the "
+        "size paper",
         "by size",
     )  # fmt: skip
     init: str = key(
@@ -149,7 +153,7 @@ class DecoderSettings:
 
 @dataclass(frozen=True)
 class SensorSettings:
-    """[sensor]: what becomes of the light."""
+    """[sensor]: the sensor that captures the light."""
 
     file: str = key(
         TextKind(), "a sensor file (nscc effects --toml); empty: the protocol's sensor", ""
@@ -165,7 +169,7 @@ class SensorSettings:
 
 @dataclass(frozen=True)
 class DataSettings:
-    """[data]: scenes. Training and validation never share one."""
+    """[data]: the scenes; training and validation never share a scene."""
 
     train: str = key(
         TextKind(),
@@ -204,7 +208,7 @@ class DataSettings:
 
 @dataclass(frozen=True)
 class LossSettings:
-    """[loss]: what is minimised."""
+    """[loss]: the function that is minimised."""
 
     name: str = key(
         TextKind(),
@@ -215,7 +219,7 @@ class LossSettings:
 
 @dataclass(frozen=True)
 class TrainSettings:
-    """[train]: the loop."""
+    """[train]: the training loop."""
 
     steps: int = key(Integer(1, 10**9), "updates", 1000)
     batch: int = key(_COUNT, "patches per update", 4)
@@ -253,7 +257,7 @@ class TrainSettings:
 
 @dataclass(frozen=True)
 class RunSettings:
-    """A whole configuration."""
+    """A complete configuration."""
 
     shutter: ShutterSettings = field(default_factory=ShutterSettings)
     decoder: DecoderSettings = field(default_factory=DecoderSettings)

@@ -12,8 +12,10 @@ RESAMPLES = 2000
 
 
 class Moments:
-    """Count, mean and variance of values that arrive in blocks of any size. Blocks are merged as by
-    Chan, Golub and LeVeque; within a block the variance takes two passes."""
+    """Count, mean and variance of values that arrive in blocks of any size.
+
+    Blocks are merged as by Chan, Golub and LeVeque; within a block the variance takes two passes.
+    """
 
     def __init__(self) -> None:
         self.count = 0
@@ -21,7 +23,6 @@ class Moments:
         self._squares = 0.0
 
     def add(self, values: ArrayLike) -> None:
-        """Add values."""
         block = np.asarray(values, np.float64).ravel()
         if block.size == 0:
             return
@@ -40,12 +41,12 @@ class Moments:
 
 
 def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> dict[str, Any]:
-    """Return `mean`, `sd`, `ci95` of scores; infinite ones are excluded and counted in `infinite`.
+    """Return `mean`, `sd` and `ci95` of scores; infinite scores are excluded and counted in
+    `infinite`.
 
-    `groups` names the scene of each value: the interval is a bootstrap over scenes, because crops
-    of one scene are not independent. It is None for a single scene, and all are None without a
-    finite value. ValueError for NaN.
-    """
+    `groups` names the scene of each value. The interval is a bootstrap over scenes, because crops
+    of one scene are not independent. It is None for a single scene; all three are None without
+    finite values. Raises ValueError for NaN."""
     if any(np.isnan(value) for value in values):
         raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
@@ -76,8 +77,9 @@ def bootstrap(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> 
 def paired(
     first: Mapping[str, float], second: Mapping[str, float], scene_of: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return the gain of second scores over first ones on common items. Items are matched by name;
-    infinite scores are excluded and counted. `ci95` is a bootstrap over scenes."""
+    """Return the gain of second scores over first scores on their common items, matched by name.
+
+    Infinite scores are excluded and counted. `ci95` is a bootstrap over scenes."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

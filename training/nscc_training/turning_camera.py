@@ -1,5 +1,6 @@
-"""A camera that turns inside a panorama: high-speed video with true radiance. Rotation has no
-parallax and no occlusion, so objects cross the picture in addition."""
+"""A camera that rotates inside a panorama: high-speed video with known radiance.
+
+Rotation causes neither parallax nor occlusion, so additional objects cross the picture."""
 
 from __future__ import annotations
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 Picture = NDArray[np.float32]
 FIELD_OF_VIEW = 90.0
-"""Degrees: 256 pixels of a panorama of 1024."""
+"""The camera's field of view in degrees: 256 of 1024 pixels of a panorama."""
 _TURNS = (0.1, 4.0)
 """Slowest and fastest rotation in degrees per frame, drawn uniformly in the logarithm."""
 _FLIGHTS = (0.2, 16.0)
@@ -19,7 +20,9 @@ def turned(
     panorama: Picture, generator: np.random.Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
     """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
-    cols). The camera starts near the horizon and turns evenly; one to three objects, other parts of
+    cols).
+
+    The camera starts near the horizon and rotates uniformly. One to three objects, other parts of
     the panorama, cross the picture."""
     import cv2
 
@@ -48,8 +51,7 @@ def turned(
 
 
 def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
-    """Return a velocity (down, right) in a random direction, with its size uniform in the
-    logarithm."""
+    """Return a random velocity (down, right), with its magnitude uniform in the logarithm."""
     size = np.exp(generator.uniform(*np.log(limits)))
     angle = generator.uniform(0, 2 * np.pi)
     return np.asarray(size * np.array([np.sin(angle), np.cos(angle)]))

@@ -1,4 +1,4 @@
-"""Reconstruction of frames of any program without a network: merging and GAP-TV, in numpy."""
+"""Reconstruction of frames of any program without a network, in numpy: merging and GAP-TV."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ _WHITE = 0.995
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
-    """Return the method asked for; by default the network, or without torch merging for pictures
-    and GAP-TV for clips."""
+    """Return the given method, or by default the network.
+
+    Without torch, the default is merging for stills and GAP-TV for clips."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"
 
 
 def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
-    """Return the clip (N, rows, cols) that GAP-TV finds in a batch of one, in its unit.
+    """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
 
-    Total variation is weighed for whites of 1: the quantile 99.5 % of the light of pixels that
-    open is taken for white.
-    """
+    The weight of total variation assumes that white is 1. The 99.5 % quantile of the light of
+    opened pixels counts as white."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = np.quantile(light, _WHITE).clip(min=1e-6) if light.size else 1.0
@@ -39,8 +39,9 @@ def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
 
 
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
-    """Return the light over the frame (rows, cols) of a batch of one, in its unit: each pixel is
-    the mean of its neighbourhood's measurements, weighted by their precision."""
+    """Return the light over the frame (rows, cols) from a batch of one, in its unit.
+
+    Each pixel is the mean of the measurements in its neighbourhood, weighted by precision."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)

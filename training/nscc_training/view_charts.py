@@ -27,8 +27,7 @@ _ELSEWHERE = "with another sensor or exposure"
 
 
 def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
-    """Draw the training curves of a run folder, and the scores under changed conditions of its
-    result."""
+    """Draw a run's training curves, and its scores under changed conditions."""
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes = _changes(result)
@@ -51,7 +50,8 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
-    """Draw the PSNR of a run's result (`robustness`) or of an evaluation (`items`), worst first."""
+    """Draw the PSNR values of a run's result (`robustness`) or an evaluation (`items`), worst
+    first."""
     changes = _changes(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)
@@ -76,7 +76,7 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
 
 
 def sensor_sheet(path: Path) -> Figure:
-    """Draw the response of a sensor to flat light in one slot, and its spread."""
+    """Draw the response of a sensor to uniform light in one slot, and its standard deviation."""
     target = load_target(DEFAULT_NAME, Path())
     sensor = load_sensor(target, path)
     electrons = np.geomspace(10.0, 3 * sensor.full_well_e, target.cols)

@@ -1,5 +1,6 @@
-"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors. Programs are drawn
-by `nscc_runtime.pictures.shutter_sheet`."""
+"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors.
+
+Programs are drawn by `nscc_runtime.pictures.shutter_sheet`."""
 
 from __future__ import annotations
 
@@ -35,15 +36,17 @@ if TYPE_CHECKING:
 _MOST_FRAMES = 64
 _MOST_DRAWN_PIXELS = 1 << 22
 _MOST_FRAME_PIXELS = 1 << 20
-"""Most pixels of a drawn frame of a clip, all of whose frames are in memory."""
+"""Most pixels of each drawn frame of a clip, because all frames are in memory."""
 _MOST_DRAWN_BYTES = 1 << 28
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
 def view_of(path: Path, tone: str | None = None) -> bytes:
-    """Return the PNG of a frame file or reconstruction (.npz), a picture or clip, a run folder, a
-    result (.json) or a sensor (.toml). `tone` names a tone curve for light. Raises Rejected: NS0801
-    for another file, and the errors of the readers for damaged files."""
+    """Return the PNG of a frame file or reconstruction (.npz), a picture, a clip, a run folder, or
+    a result (.json) or sensor (.toml) file.
+
+    `tone` names a tone curve for light. Raises Rejected: NS0801 for another file, and the errors of
+    the readers for damaged files."""
     folder = run_path(path)
     if folder.is_dir():
         if not (folder / "metrics.csv").is_file():
@@ -130,7 +133,7 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
 def _check_array(
     path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...]
 ) -> None:  # fmt: skip
-    """Raise Rejected (NS0801) for an array without numbers, or with other axes."""
+    """Raise Rejected (NS0801) for an array that is not numeric or has other dimensions."""
     values = arrays[name]
     numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
     if not numbers:
@@ -139,8 +142,8 @@ def _check_array(
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """Return the PNG of a sheet drawn from parsed tables; NS0801 if they are not as nscc writes
-    them."""
+    """Return the PNG of a sheet drawn from parsed tables; raise Rejected (NS0801) if the tables are
+    invalid."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:
@@ -150,8 +153,9 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Draw every bucket of a frame file: codes, electrons, saturation; the first repeat, all
-    colours."""
+    """Draw every bucket of a frame file: codes, electrons, saturation.
+
+    Of repeated frames the first is drawn; of colour frames all colours."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:

@@ -1,4 +1,4 @@
-"""Planes as bitmaps that the devkit's host application can send."""
+"""Bit planes as bitmap files, which the devkit's host application sends to the chip."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ _HEADER = 14 + 40
 
 
 def bitmap(plane: NDArray[np.bool_]) -> bytes:
-    """A 24-bit Windows bitmap, white where `plane` bool (rows, cols) is 1. The width is rounded up
-    to a multiple of 8, black beyond the plane, because the devkit packs eight pixels of a row into
-    a byte."""
+    """Return a 24-bit Windows bitmap that is white where `plane` bool (rows, cols) is 1.
+
+    The width is rounded up to a multiple of 8 with black pixels, because the devkit packs eight
+    pixels of a row into a byte."""
     rows, cols = plane.shape
     width = image_width(cols)
     pixels = np.zeros((rows, width, 3), dtype=np.uint8)
@@ -24,5 +25,5 @@ def bitmap(plane: NDArray[np.bool_]) -> bytes:
 
 
 def image_width(cols: int) -> int:
-    """The width in pixels of the bitmap of a plane with `cols` columns."""
+    """Return the width in pixels of the bitmap of a bit plane with `cols` columns."""
     return -(-cols // 8) * 8

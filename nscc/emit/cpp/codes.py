@@ -1,9 +1,10 @@
-"""C++ that loads the pixel codes: as address patterns for tiled planes, else from images.
+"""C++ that loads the pixel codes: from address patterns for bit planes that repeat, else from
+images.
 
-Digital memory fades, and drawing an image takes 0.1 to 0.3 s. Therefore all code registers are
-refreshed after each plane, while waiting for an image, and every few rows of a drawing. The masked
-register is loaded first, while its mask is 1, and the mask's own code last.
-"""
+Digital registers lose their content after some time, and drawing an image takes 0.1 to 0.3 s.
+Therefore all code registers are refreshed after each plane is loaded, while waiting for an image,
+and every few rows of a drawing. The masked register is loaded first, while its mask is 1, and the
+mask's own plane last."""
 
 from __future__ import annotations
 
@@ -26,9 +27,10 @@ _REFRESHES_IN_A_LIFE = 4
 
 @dataclass(frozen=True)
 class PlaneLoad:
-    """How one code register is loaded. Without `patterns` its plane comes from the image `file`.
-    `scratch` holds each pattern before it is added; without a scratch register, several patterns
-    are drawn pixel by pixel."""
+    """How one code register is loaded.
+
+    Without `patterns`, its plane is loaded from the image `file`. `scratch` is a register that
+    holds each pattern before it is added; without it, several patterns are drawn pixel by pixel."""
 
     register: str
     masked: bool
@@ -38,7 +40,7 @@ class PlaneLoad:
 
     @property
     def gathered(self) -> bool:
-        """Whether the plane is the union of several patterns, added one by one."""
+        """Whether the plane is the union of several patterns, which are added one by one."""
         return self.patterns is not None and len(self.patterns.matches) > 1
 
     @property
@@ -54,7 +56,7 @@ class PlaneLoad:
 
 @dataclass(frozen=True)
 class CodeLoading:
-    """The loads in order, for the registers of `target`."""
+    """The loads of all code registers of `target`, in order."""
 
     target: Target
     loads: tuple[PlaneLoad, ...]
@@ -66,14 +68,14 @@ class CodeLoading:
 
     @property
     def words(self) -> int:
-        """Stored words of the kernels that load and refresh."""
+        """Return the number of stored words of the kernels that load and refresh code registers."""
         kernels = [self.refresh_calls()] if self.loads else []
         for load in self.loads:
             kernels += self.kernels_of(load)
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """The calls of the kernel that refreshes every code register."""
+        """Return the calls of the kernel that refreshes every code register."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
@@ -89,18 +91,18 @@ class CodeLoading:
         return out + [("REFRESH", (register,)) for register in registers]
 
     def clear_calls(self, load: PlaneLoad) -> list[Call]:
-        """The calls of the kernel that runs before a load."""
+        """Return the calls of the kernel that clears registers before a load."""
         mask = self.target.mask_register
         mask_call = [("SET", (mask,))] if load.masked and mask is not None else []
         return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """The calls of the kernel that adds one pattern."""
+        """Return the calls of the kernel that adds one pattern to the register of a load."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
     def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
-        """The kernels of one load."""
+        """Return the kernels of one load."""
         kernels = [self.clear_calls(load)]
         if load.gathered and load.scratch:
             kernels.append(self.add_calls(load))
@@ -110,8 +112,9 @@ class CodeLoading:
 
 
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
-    """Choose how to load `planes`, which are in loading order. File names of images start with
-    `stem`."""
+    """Choose how to load `planes`, which are in loading order.
+
+    The file names of images start with `stem`."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -129,7 +132,7 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
 
 
 def loading_lines(loading: CodeLoading) -> Iterator[str]:
-    """The C++ tables and functions for loading; the last function is `load_codes`."""
+    """Yield the C++ tables and functions for loading; the last function is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
     yield from template_lines("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
@@ -196,7 +199,8 @@ def _operands(match: Match) -> str:
 
 
 def loading_rate(target: Target) -> int:
-    """The rate in Hz of the loop that waits for images: several refreshes within the retention
-    time."""
+    """Return the rate in Hz of the loop that waits for images.
+
+    It refreshes registers several times within the retention time."""
     life_us = RETENTION_SHARE * target.digital_retention_us
     return max(1, ceil(_REFRESHES_IN_A_LIFE * 1e6 / life_us))

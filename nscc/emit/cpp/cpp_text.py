@@ -1,4 +1,4 @@
-"""C++ text: safe comments, string literals, kernel sections."""
+"""C++ text: comments with safe characters, string literals, and kernel sections."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ def _templates() -> dict[str, str]:
 
 
 def template_lines(name: str, **values: object) -> list[str]:
-    """The lines of the section `name` of `parts.cpp`, with `@KEY@` replaced by values."""
+    """Return the lines of the section `name` of `parts.cpp`, with each `@KEY@` replaced by its
+    value."""
     text = _templates()[name]
     for key, value in values.items():
         text = text.replace(f"@{key}@", str(value))
@@ -29,20 +30,21 @@ def template_lines(name: str, **values: object) -> list[str]:
 
 
 def safe(text: str) -> str:
-    """`text` as part of a `//` comment: one line of printable ASCII. Backslashes and `??/` are
-    replaced, because they would continue the comment on the next line."""
+    """Return `text` for a `//` comment: one line of printable ASCII.
+
+    Backslashes and `??/` are replaced, because they would continue the comment on the next line."""
     shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
     return shown.replace("\\", "/").replace("??", "? ?").strip()
 
 
 def comment(text: str, indent: str = "") -> list[str]:
-    """A `//` comment, wrapped to several lines."""
+    """Return a `//` comment, wrapped to several lines."""
     head = f"{indent}// "
     return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
 
 
 def entry(title: str, text: str) -> list[str]:
-    """An entry of the header comment: a title column and wrapped text."""
+    """Return an entry of the header comment: a title column and wrapped text."""
     first, *following_lines = comment(text, " " * 11)
     return [
         f"// {title:<11}{first[14:]}",
@@ -51,7 +53,7 @@ def entry(title: str, text: str) -> list[str]:
 
 
 def literal(text: str) -> str:
-    """`text` as a C string literal, in UTF-8."""
+    """Return `text` as a C string literal, in UTF-8."""
     return '"' + "".join(map(_literal_byte, text.encode("utf-8", "replace"))) + '"'
 
 
@@ -62,13 +64,13 @@ def _literal_byte(byte: int) -> str:
 
 
 def call_text(call: Call) -> str:
-    """A library call as C++."""
+    """Return a library call as C++."""
     name, operands = call
     return f"{name}({', '.join(operands)});"
 
 
 def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
-    """A kernel that is recorded inline at the first run and launched."""
+    """Return the lines of a kernel that is recorded inline at its first run and launched."""
     return [
         f"{indent}scamp5_kernel_begin();",
         *(f"{indent}    {call_text(call)}" for call in calls),
@@ -77,7 +79,7 @@ def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
 
 
 def remarked(lines: Sequence[tuple[str, str]], column: int = 44) -> Iterator[str]:
-    """Lines with aligned comments."""
+    """Yield lines of code with their comments aligned."""
     at = max([column, *(len(text) + 2 for text, remark in lines if remark and len(text) < 76)])
     for text, remark in lines:
         yield f"{text:<{at}}// {safe(remark)}" if remark else text

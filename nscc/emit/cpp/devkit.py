@@ -1,4 +1,4 @@
-"""The supported devkits, described by the public names in their libraries."""
+"""The supported devkits, described by the public names of their libraries."""
 
 from __future__ import annotations
 
@@ -17,8 +17,10 @@ _NAMES = re.compile(r"\bscamp5(_\w+(?=\()|\.hpp)")
 
 @dataclass(frozen=True)
 class Devkit:
-    """The library of a chip's devkit; its names start with `library`. The library names `digital`
-    registers R0, R1, ... With `tables` the layout of its constant kernel tables is public."""
+    """The library of a chip's devkit.
+
+    Names in the library start with `library`. It has `digital` one-bit registers R0, R1, ...
+    `tables` means that the layout of its constant kernel tables is public."""
 
     name: str
     library: str
@@ -27,7 +29,7 @@ class Devkit:
 
     @property
     def registers(self) -> frozenset[str]:
-        """The registers that the library names."""
+        """The names of the registers in the library."""
         return frozenset(ANALOG_WRITE) | {f"R{i}" for i in range(self.digital)}
 
     def named(self, line: str) -> str:
@@ -44,13 +46,13 @@ DEVKITS = (
 
 
 def devkit_of(target: Target) -> Devkit:
-    """The first devkit that has all registers of the target, else the last devkit."""
+    """Return the first devkit that has all registers of the target, else the last devkit."""
     registers = {*target.analog_registers, *target.digital_registers}
     return next((devkit for devkit in DEVKITS if registers <= devkit.registers), DEVKITS[-1])
 
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
-    """Why the devkit's chip cannot run the container, as half a sentence; None if it can."""
+    """Return why the devkit's chip cannot run the container, as half a sentence; None if it can."""
     target = container.target
     names = (*target.analog_registers, *target.digital_registers)
     extra = [name for name in names if name not in devkit.registers]

@@ -1,9 +1,8 @@
-"""The launch schedule of a frame as a C++ table: time, kernel and value of IN of each launch.
+"""The launch schedule of a frame as a C++ table: time, kernel and value of IN for each launch.
 
-Times are absolute, measured from the frame's first word, so that errors of waits, launches and
-words do not accumulate. The exposure begins a whole number of microseconds after the first word.
-Each launch comes in the first whole microsecond after its boundary, never before it.
-"""
+Times are measured from the frame's first word, so that errors of waits, launches and words do not
+accumulate. The exposure begins a whole number of microseconds after the first word. Each launch
+happens in the first whole microsecond after its boundary, never before the boundary."""
 
 from __future__ import annotations
 
@@ -22,22 +21,23 @@ from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import decode
 
 LONGEST_GAP_US = 1 << 30
-"""A 32-bit clock orders times that differ by less than half of its range."""
+"""Longest wait: a 32-bit clock can order times that differ by less than half of its range."""
 MOST_TIMES = (1 << 16) - 1
 AS_IT_IS = -32768
-"""The level of a launch that does not set IN."""
+"""The value in the table for a launch that does not set IN."""
 _COMMENTED_ROWS = 256
 _ROWS_A_LINE = 6
 _PART = 1 << 32
 _US = 1 << 32
-"""The period of the clock."""
+"""The period of the 32-bit clock in microseconds."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """`times` launches of a kernel: the first `at` microseconds after the frame's first word, each
-    next one `interval_us` later. `kernel` None only waits. `instants` are the boundaries of the
-    launches."""
+    """A row of the schedule: `times` launches of a kernel at equal intervals.
+
+    The first launch is `at` microseconds after the frame's first word, each next one `interval_us`
+    later. A row with `kernel` None only waits. `instants` are the boundaries of the launches."""
 
     at: Fraction
     interval_us: Fraction
@@ -52,8 +52,7 @@ class Row:
 
 @dataclass(frozen=True)
 class LaunchSchedule:
-    """The rows of a frame, whose exposure begins at `begin_us` and whose last slot ends at
-    `end`."""
+    """The rows of a frame; the exposure begins at `begin_us`, and the last slot ends at `end`."""
 
     rows: tuple[Row, ...]
     begin_us: int
@@ -78,7 +77,7 @@ class LaunchSchedule:
 
 
 def schedule_of(container: Container) -> LaunchSchedule:
-    """The launch schedule of a container."""
+    """Return the launch schedule of a container."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -95,12 +94,13 @@ def schedule_of(container: Container) -> LaunchSchedule:
 
 
 def exact(value: float) -> Fraction:
-    """The decimal fraction that prints as `value`."""
+    """Return a float as an exact fraction: the value of the shortest decimal number that
+    prints it."""
     return Fraction(Decimal(repr(float(value))))
 
 
 def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
-    """Time of one launch of a kernel, in microseconds."""
+    """Return the time of one launch of a kernel, in microseconds."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (
@@ -111,7 +111,7 @@ def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
 
 
 def _setup_us(container: Container) -> Fraction:
-    """Time from the first word to the end of the reset that begins the exposure."""
+    """Return the time from the first word to the end of the reset that begins the exposure."""
     target = container.target
     elapsed = setup = Fraction(0)
     for launch in container.launches:
@@ -126,14 +126,14 @@ def _setup_us(container: Container) -> Fraction:
 
 
 def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
-    """The extra waits between two launches that keep each interval below the clock's period."""
+    """Yield additional waits between two launches, so that no interval exceeds LONGEST_GAP_US."""
     while at - before > LONGEST_GAP_US:
         before += LONGEST_GAP_US
         yield Row(before, Fraction(0), None, None, (instant,))
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Merge launches of one kernel and one level at equal intervals into one row."""
+    """Merge launches with the same kernel, level and interval into one row."""
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
@@ -152,12 +152,12 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
 
 
 def kernel_name(number: int) -> str:
-    """The C++ name of a kernel."""
+    """Return the C++ name of a kernel."""
     return f"k{number}"
 
 
 def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
-    """The C++ table of kernels, the schedule and the function that runs a frame."""
+    """Yield the C++ table of kernels, the schedule, and the function that runs a frame."""
     count = len(container.kernels)
     if schedule.waits:
         yield "void rest() {}                      // no kernel: a moment to wait for"
@@ -198,7 +198,7 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
-    """A row as C++: times in microseconds, plus units of 2^-32 us if some times are fractional."""
+    """Return a row as C++, with times in microseconds; fractions are in units of 2^-32 us."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)
@@ -212,7 +212,7 @@ def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
 
 
 def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
-    """The C++ function that runs a frame."""
+    """Yield the C++ function that runs a frame."""
     moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
     after = template_lines("after" if schedule.in_whole_us else "after_parts")
     settle = (

@@ -1,10 +1,10 @@
-"""Kernels as C++: calls of the devkit's library if these record exactly the words, else tables.
+"""Kernels as C++: calls of the devkit's library that record exactly the words, else constant
+tables.
 
-A call is used only if `nscc.macros` expands it to exactly these words and the library accepts that
-number of operands. If one word of a kernel has no call, the whole kernel is a constant table. Where
-the table layout is unknown, as in the devkit's simulator, several equivalent calls replace such a
-word (`nscc.emit.cpp.narrow`).
-"""
+A call is used only if `nscc.macros` expands it to exactly these words and the library accepts the
+number of operands. If any word of a kernel has no call, the whole kernel becomes a constant table.
+If the layout of tables is unknown, as in the devkit's simulator, several equivalent calls replace
+such a word (`nscc.emit.cpp.narrow`)."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from nscc.words.container import Word
 from nscc.words.encoding import encode, word_text
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
-"""Most sources that the library's calls accept; the array accepts any number."""
+"""Most sources that the library's calls accept; the chip itself accepts any number."""
 
 TOO_WIDE = "a word has more sources than a call: set or_sources = 4, where_sources = 3 in a target"
-"""The error when such a program is compiled."""
+"""The error message for a program with words that have no call."""
 
 MOST_DESTINATIONS = 4
-"""Most registers that one call of SET or CLR accepts."""
+"""Most registers in one call of SET or CLR."""
 
 # If two macros expand to the same words, the more readable one comes first: getpix is sub of PIX.
 _MACROS = (
@@ -37,7 +37,8 @@ _MOST_OPERANDS = 4
 
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
-    """The library calls that record exactly `ops`, each with its words; None if there are none."""
+    """Return the library calls that record exactly `ops`, each with its words; None if a word has
+    no call."""
     recorded: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
@@ -56,16 +57,17 @@ def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
 
 
 def calls_words(recorded: Sequence[Call]) -> int:
-    """Number of words that the calls record."""
+    """Return the number of words that the calls record."""
     return sum(len(expand(name, operands)) for name, operands in recorded)
 
 
 def kernel_lines(
     name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
 ) -> Iterator[str]:
-    """The C++ function `name`, which launches a kernel of the words `ops`. `narrow` are equivalent
-    words that all have calls, or None. They replace words without a call in the simulator, and on
-    chips whose `tables` are unknown."""
+    """Yield the C++ function `name`, which launches a kernel of the words `ops`.
+
+    `narrow` are equivalent words that all have calls, or None. They replace words without a call in
+    the simulator, and on chips without public `tables`."""
     recorded = calls(ops)
     if recorded is not None:
         yield from _recorded(name, recorded)
@@ -106,14 +108,13 @@ def _integers(word: Word) -> str:
 
 @cache
 def _lengths() -> tuple[int, ...]:
-    """Possible numbers of words of a macro, descending."""
+    """Return the possible numbers of words of a macro, in descending order."""
     return tuple(sorted({1, *map(len, _shapes())}, reverse=True))
 
 
 @cache
 def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
-    """Macros and their numbers of operands, keyed by the names of the operations in their
-    expansion."""
+    """Return macros and their numbers of operands, by the operation names of their expansion."""
     shapes: dict[tuple[str, ...], list[tuple[str, int]]] = {}
     for name in _MACROS:
         least, most = MNEMONICS[name].least, MNEMONICS[name].most or 2
@@ -131,7 +132,7 @@ def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
 
 @lru_cache(maxsize=1 << 14)
 def _macro(window: tuple[Op, ...]) -> Call | None:
-    """The macro that expands to exactly `window`, or None."""
+    """Return the macro call that expands to exactly `window`, or None."""
     registers = list(dict.fromkeys(r for o in window for r in (*o.destinations, *o.sources)))
     for name, count in _shapes().get(tuple(operation.name for operation in window), []):
         usable = [r for r in registers if r not in MNEMONICS[name].scratch]
@@ -145,7 +146,7 @@ def _macro(window: tuple[Op, ...]) -> Call | None:
 
 
 def _single(operation: Op) -> Call | None:
-    """The library call for one word, or None if the library has none for its operands."""
+    """Return the library call for one word, or None if the library has none for its operands."""
     if operation.operation.phase is not Phase.WHOLE:
         return None
     if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):

@@ -1,8 +1,7 @@
-"""Replace words with more sources than a library call accepts by several equivalent words.
+"""Splitting of words that have more sources than a library call accepts.
 
-The result accumulates in the destination register, which no native word reads. FLAG cannot
-accumulate, so a WHERE with many sources uses a register that the program does not use.
-"""
+Partial results accumulate in the destination register, which the native words do not read. FLAG
+cannot accumulate, so a WHERE with many sources needs a register that the program does not use."""
 
 from __future__ import annotations
 
@@ -15,8 +14,7 @@ from nscc.words.encoding import decode
 
 
 def narrowed(container: Container) -> list[list[Op]] | None:
-    """The kernels in words that all have calls; None if a WHERE needs a register and none is
-    free."""
+    """Return the kernels in words that all have calls; None if a WHERE needs a free register."""
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     scratch = _unused(container, kernels)
     try:
@@ -26,7 +24,7 @@ def narrowed(container: Container) -> list[list[Op]] | None:
 
 
 class _NoRegister(Exception):
-    """There is no free register."""
+    """Raised if no register is free."""
 
 
 def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None:
@@ -64,7 +62,8 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
 
 
 def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """`register` := `kind` of `sources`, which do not include `register`."""
+    """Yield words that write `kind` (OR or NOR) of `sources`, which do not include `register`, to
+    it."""
     most = MOST_SOURCES["OR"]
     if len(sources) <= most:
         yield op(kind, (register,), sources)
@@ -74,7 +73,7 @@ def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
 
 
 def _in_place(read: Op, write: Op) -> Iterator[Op]:
-    """A read-write pair, unchanged if the library has a call for it, else split."""
+    """Yield a read-write pair of words, split if the library has no call for it."""
     (register,) = write.destinations
     other_sources = tuple(name for name in read.sources if name != register)
     if len(other_sources) < 2 or register not in read.sources:
@@ -84,7 +83,8 @@ def _in_place(read: Op, write: Op) -> Iterator[Op]:
 
 
 def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """`register` := `kind` of itself and `sources`, one source at a time."""
+    """Yield words that write `kind` of `register` and `sources` to `register`, one source at a
+    time."""
     for source in sources[:-1]:
         yield from pair("OR", register, (register, source))
     yield from pair(kind, register, (register, sources[-1]))

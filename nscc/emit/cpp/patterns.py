@@ -1,8 +1,7 @@
-"""Planes as unions of address patterns, each of which the array can set at once.
+"""Bit planes as unions of address patterns; the chip sets all pixels of a pattern at once.
 
 The devkit counts rows from the top and columns from the right: pixel (row y, column x) has the
-address (y, cols - 1 - x). A pattern fixes some address bits and ignores the others.
-"""
+address (y, cols - 1 - x). A pattern fixes some address bits and ignores the others."""
 
 from __future__ import annotations
 
@@ -12,11 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 ADDRESS_BITS = 8
-"""Bits of a row's address, and of a column's."""
+"""Number of address bits of a row, and of a column."""
 
 MOST_BITS = 12
-"""Most address bits of a plane that is loaded by patterns: a tile of 64 x 64 pixels, at most some
-700 patterns. For more, an image, drawn pixel by pixel, is no slower."""
+"""Most address bits of a plane that is loaded by patterns: a tile of 64 x 64 pixels.
+
+Such a plane needs up to about 700 patterns. With more bits, drawing an image pixel by pixel is as
+fast."""
 
 _SIDE = 1 << ADDRESS_BITS
 _OPEN = _SIDE - 1
@@ -24,7 +25,7 @@ _OPEN = _SIDE - 1
 
 @dataclass(frozen=True, slots=True, order=True)
 class Match:
-    """All pixels whose address equals (row, col) in the bits that the masks do not ignore."""
+    """All pixels whose address equals (row, col) in the bits that are not ignored by the masks."""
 
     row: int
     col: int
@@ -34,14 +35,16 @@ class Match:
 
 @dataclass(frozen=True, slots=True)
 class Patterns:
-    """A plane as the union of `matches`, or as its complement if `inverted`."""
+    """A plane as the union of `matches`, or the complement of this union if `inverted`."""
 
     matches: tuple[Match, ...]
     inverted: bool
 
 
 def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
-    """`plane` bool (rows, cols) as address patterns; None if it depends on too many address bits.
+    """Return `plane` bool (rows, cols) as address patterns; None if it depends on too many address
+    bits.
+
     Addresses outside the array are don't-cares."""
     rows, cols = plane.shape
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
@@ -62,12 +65,12 @@ _Bit = tuple[bool, int]
 """An address bit: whether it is a column bit, and its value."""
 
 _Cube = tuple[int, int]
-"""The variables of a cube, and those of them that are 1."""
+"""A cube: the mask of its variables, and the mask of the variables that are 1."""
 
 
 def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:
-    """The address bits that the planes depend on, lowest first, and both truth tables over these
-    bits."""
+    """Return the address bits that the planes depend on, lowest first, and both truth tables over
+    them."""
     cube = (2,) * (2 * ADDRESS_BITS)
     on, off = on.reshape(cube), off.reshape(cube)
     bits: list[_Bit] = []
@@ -86,8 +89,10 @@ def _table(plane: NDArray[np.bool_]) -> int:
 
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
-    """An irredundant union of cubes between two truth tables, and the table of the union (Minato,
-    Morreale)."""
+    """Return an irredundant union of cubes that contains `needed` and lies in `allowed`, and its
+    table.
+
+    Truth tables are integers. The method is the algorithm of Minato and Morreale."""
     if not needed:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:

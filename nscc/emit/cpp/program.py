@@ -1,8 +1,7 @@
-"""A compiled program as one C++ file for a devkit: the SCAMP-5d's or the SCAMP-7's.
+"""A compiled program as one C++ file for the SCAMP-5d or SCAMP-7 devkit.
 
-What runs is taken from the container, so from the words that were proved; the program and its
-lowering only supply the comments.
-"""
+The executed words come from the container, so they are the proved words; the program and its
+lowering only supply comments."""
 
 from __future__ import annotations
 
@@ -51,18 +50,19 @@ _DISPLAYS_A_ROW = 2
 
 @dataclass(frozen=True)
 class DevkitProgram:
-    """The C++ text, and the pictures (name, bytes) that the devkit's host must have at hand."""
+    """The C++ text, and the images (by file name) that the devkit's host needs."""
 
     text: str
     images: Mapping[str, bytes]
 
 
 def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str) -> DevkitProgram:
-    """The program for the devkit that has the target's registers; images are named after `stem`.
+    """Return the program for the devkit that has the target's registers; images are named after
+    `stem`.
 
-    Raises Rejected (NS0520) where it cannot run it: another chip's registers or array, no pixel
-    data, no room for the kernels that load the codes; NS0521 for words that its library lacks.
-    """
+    Raises Rejected: NS0520 if the devkit's chip cannot run the program, because of its registers or
+    array size, missing pixel data, or no room for the kernels that load codes; NS0521 for words
+    that the devkit's library lacks."""
     refuse_pictures(container, "there is no C++ of this program", "run it on the emulator")
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
@@ -122,7 +122,7 @@ def _no_cpp(
 def _check_store(
     program: Program, container: Container, loading: CodeLoading, devkit: Devkit
 ) -> None:
-    """Refuses what the frame's kernels leave no room to load."""
+    """Raise Rejected (NS0520) if the kernels that load codes do not fit the store."""
     target = container.target
     frame = sum(
         len(kernel.words)
@@ -142,7 +142,7 @@ def _check_store(
 
 
 def ops_of(kernel: StoredKernel) -> list[Op]:
-    """The words of a kernel, decoded."""
+    """Return the decoded words of a kernel."""
     return [decode(word) for word in kernel.words]
 
 
@@ -238,7 +238,7 @@ _MOST_VALUES = 64
 
 
 def _state_texts(container: Container) -> Iterator[str]:
-    """How a host reads the states from the planes of digital registers."""
+    """Yield descriptions of how a host reads the states from digital registers."""
     machine = container.machine
     for state in machine.states if machine else ():
         if state.read:
@@ -258,7 +258,7 @@ def _array_text(target: Target) -> str:
 
 
 def _statement(program: Program, span: Span, prefix: str = "") -> str:
-    """The line of the source that a span begins on, as a comment."""
+    """Return the first source line of a span as a comment."""
     row, _ = program.source.row_column(span.start)
     return f"// {safe(f'{prefix}{_name(program)}:{row}: {program.source.line(row).strip()}')}"
 
@@ -302,7 +302,7 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
 
 
 def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list[Op]] | None:
-    """The kernels in words that have calls, proved as the container's own are."""
+    """Return the kernels in words that all have calls, proved like the original ones."""
     narrow_kernels = narrowed(container)
     if narrow_kernels is None and not devkit.tables:
         reason = (

@@ -1,5 +1,4 @@
-"""Improve finished solutions by local changes, which are checked for every shutter by truth
-vectors."""
+"""Improvement of complete solutions by local changes, checked for all shutters by truth vectors."""
 
 from nscc.logic.improve.balance import balance
 from nscc.logic.improve.refine import refine

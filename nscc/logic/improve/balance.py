@@ -1,4 +1,5 @@
-"""Move work to earlier slots, since the slot with most words limits the slot time."""
+"""Moving of work to earlier boundaries, because the boundary with most words limits the
+slot time."""
 
 from __future__ import annotations
 
@@ -35,9 +36,10 @@ def balance(
     other_words: Sequence[int],
     limit: int = 0,
 ) -> Solution:
-    """Move gates to earlier boundaries without adding words to the frame. `other_words` gives the
-    words at each boundary 0..N besides the solution's gates. The words of the largest boundary
-    decrease, but not below `limit`. Returns `solution` if no gate can move."""
+    """Move gates to earlier boundaries without adding words to the frame.
+
+    `other_words` are the words at each boundary 0..N besides the solution's gates. The words of the
+    largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move."""
     frame, items = flatten(solution, problem, machine)
     try:
         run = TrackedRun(frame, items, budget)
@@ -53,13 +55,13 @@ def balance(
 
 
 def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
-    """The words of a solution's gates at each boundary 0..slots."""
+    """Return the words of a solution's gates at each boundary 0..slots."""
     frame, items = flatten(solution, problem, machine)
     return _Loads(frame, items, [0] * (slots + 1)).words
 
 
 class _Loads:
-    """Words at each boundary."""
+    """The number of words at each boundary."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], other_words: Sequence[int]
@@ -70,13 +72,13 @@ class _Loads:
         self.words = self.counted(items)
 
     def boundary(self, place: int) -> int:
-        """The boundary of a place."""
+        """Return the boundary of a place."""
         if place == OPENING:
             return 0
         return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
 
     def counted(self, items: Sequence[Item]) -> list[int]:
-        """The words at each boundary with these items."""
+        """Return the words at each boundary for these items."""
         words = list(self._other_words)
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
@@ -84,7 +86,7 @@ class _Loads:
 
 
 def _flatten_one(run: TrackedRun, loads: _Loads, most: int) -> bool:
-    """Move one gate away from each boundary with `most` words; False if that fails."""
+    """Move one gate away from each boundary with `most` words; return False if that fails."""
     # All gates must move, otherwise the largest boundary stays as large.
     full = [n for n, words in enumerate(loads.words) if words >= most]
     return all(_relieve(run, loads, n, most) for n in full)
@@ -106,7 +108,7 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
 
 
 def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
-    """(item, place, segment) at the ends of earlier answers with room for another word."""
+    """Return (item, place, segment) at the ends of earlier answers with room for another word."""
     places = []
     own_boundary = loads.boundary(run.items[k].place)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
@@ -122,8 +124,8 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
 
 
 def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
-    """Apply a rewriting if the boundary then has fewer than `most` words and no other boundary
-    grows to `most`."""
+    """Apply a rewriting if the boundary then has fewer than `most` words and no other reaches
+    `most`."""
     words = loads.counted(
         [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
     )

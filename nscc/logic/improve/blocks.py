@@ -2,8 +2,7 @@
 
 This is Re-Pair (Larsson and Moffat, Proc. IEEE 2000). Improving a whole sequence gains more than
 improving its segments separately. But every sequence that is treated separately has its own
-segments in the store.
-"""
+segments in the store."""
 
 from __future__ import annotations
 
@@ -20,8 +19,8 @@ FEWEST = 2
 
 @dataclass(frozen=True, slots=True)
 class SegmentToken:
-    """items[start:end] of a run: a segment, or one check. Tokens with the same `key` do the
-    same."""
+    """The items[start:end] of a run: a segment, or one check; tokens with equal `key` do
+    the same."""
 
     start: int
     end: int
@@ -29,11 +28,11 @@ class SegmentToken:
 
 
 Block = list[tuple[SegmentToken, ...]]
-"""Equal sequences of tokens, one for each place."""
+"""Equal sequences of tokens, one for each place where they occur."""
 
 
 def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
-    """The segments and checks of a run."""
+    """Return the segments and checks of a run as tokens."""
     tokens = []
     k = 0
     while k < len(items):
@@ -54,8 +53,9 @@ def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
 
 
 def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
-    """The distinct sequences, most words a frame first; all their segments take at most `room`
-    words. Without room, every segment is a sequence."""
+    """Return the distinct sequences, most words per frame first.
+
+    All their segments take at most `room` words. Without room, every segment is a sequence."""
     tokens = tokens_of(items)
     merger = _Merger(frame, items, tokens)
     while merger.merge(room):
@@ -71,7 +71,7 @@ def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Blo
 
 
 class _Merger:
-    """The run as a sequence of symbols, each of which stands for several tokens."""
+    """The run as a sequence of symbols, each of which represents several tokens."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], tokens: Sequence[SegmentToken]
@@ -85,7 +85,7 @@ class _Merger:
             self.words[number[token.key]] = words
 
     def merge(self, room: int) -> bool:
-        """Merge the most frequent pair of symbols; False if no pair is worth it."""
+        """Merge the most frequent pair of symbols; return False if no pair is worth it."""
         pairs = self._pairs()
         counts = Counter(self.sequence)
         stored = sum(self.words[symbol] for symbol in counts)
@@ -102,7 +102,8 @@ class _Merger:
         return False
 
     def _pairs(self) -> Counter[tuple[int, int]]:
-        """Counts of neighbouring pairs; overlapping pairs of equal symbols count once."""
+        """Return the counts of neighbouring pairs; overlapping pairs of equal symbols count
+        once."""
         pairs: Counter[tuple[int, int]] = Counter()
         run = 1
         for first, second in pairwise(self.sequence):

@@ -1,10 +1,9 @@
 """A solution as straight-line code on numbered registers, and back.
 
-Registers are numbered: planes, states, scratch, FLAG last. Since all shutters are known, the
+Registers are numbered in the order planes, states, scratch, FLAG. Since all shutters are known, the
 content of a register is a truth vector, or None if it is unknown. The code has no branches, so one
-run over truth vectors is exact: two values are equal if and only if their vectors are, and a change
-is checked by running on from it.
-"""
+run over truth vectors is exact: two values are equal if and only if their vectors are equal, and a
+change is checked by running on from it."""
 
 from __future__ import annotations
 
@@ -18,24 +17,24 @@ Content = int | None
 """The content of a register: a truth vector, None if unknown."""
 
 OPENING, CLOSING = -1, -2
-"""Places of operations that belong to no answer."""
+"""Places of operations that belong to no answer: before the first and after the last demand."""
 
 REFRESH_WORDS = 2
 """Words that the schedule adds for every plane that the frame does not write."""
 
 
 class Illegal(Exception):
-    """Operations that do not solve the problem, or that depend on unknown contents."""
+    """Raised for operations that do not solve the problem, or that depend on unknown contents."""
 
 
 @dataclass(frozen=True, slots=True)
 class GateOp:
-    """destination := OR(sources), or NOR if `inverted`; sources are ascending and distinct.
+    """An operation destination := OR(sources), or NOR if `inverted`; sources are ascending and
+    distinct.
 
-    `place` is the answer that the operation belongs to, OPENING or CLOSING; `segment` is its
+    `place` is the answer that the operation belongs to, or OPENING or CLOSING; `segment` is its
     segment there. `reads` is the bit mask of registers that the result depends on: sources and, if
-    masked, also mask and destination.
-    """
+    masked, also mask and destination."""
 
     inverted: bool
     destination: int
@@ -46,14 +45,15 @@ class GateOp:
 
     @property
     def function(self) -> tuple[bool, int, tuple[int, ...]]:
-        """What the operation does, without its place."""
+        """The operation without its place."""
         return self.inverted, self.destination, self.sources
 
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point at which FLAG must equal `need` (if not None), at the end of `place`. `forgets` is
-    the bit mask of registers whose contents are unknown afterwards."""
+    """A point, at the end of `place`, at which FLAG must equal `need` (if not None).
+
+    `forgets` is the bit mask of registers whose contents are unknown afterwards."""
 
     need: int | None
     forgets: int
@@ -68,9 +68,8 @@ class FrameContext:
     """The constants of an improvement: problem, registers, limits, initial state.
 
     Operations that write `masked` (if not None) are masked: they write only where `mask` is 1. For
-    a whole frame `ends` is None, and the planes must be restored at its end; for a part of a frame
-    it is the bit mask of registers that are read afterwards.
-    """
+    a whole frame `ends` is None, and the planes must be restored at its end. For a part of a frame
+    `ends` is the bit mask of registers that are read afterwards."""
 
     solution: Solution
     problem: Problem
@@ -86,7 +85,7 @@ class FrameContext:
 
     @property
     def flag(self) -> int:
-        """The number of FLAG."""
+        """The register number of FLAG."""
         return self.planes + self.states + self.scratch
 
     @property
@@ -95,20 +94,21 @@ class FrameContext:
         return (1 << self.planes) - 1 if self.ends is None else self.ends
 
     def words(self, item: Item) -> int:
-        """The words of an item."""
+        """Return the number of words of an item."""
         if isinstance(item, Check):
             return 0
         return 1 + (item.destination != self.flag and item.destination in item.sources)
 
     def total(self, items: Sequence[Item]) -> int:
-        """The words of a frame, including refresh of planes that are not written in all pixels."""
+        """Return the words of a frame, including refresh of planes that are not written in all
+        pixels."""
         left_alone = self.writes(items).count(0) if self.ends is None else 0
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def op(
         self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
     ) -> GateOp:
-        """An operation with sources in any order."""
+        """Return an operation; the sources may be in any order."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
         if destination == self.masked and self.mask is not None:
@@ -116,7 +116,7 @@ class FrameContext:
         return GateOp(inverted, destination, sources, place, segment, reads)
 
     def value(self, item: GateOp, state: Sequence[Content]) -> Content:
-        """The content of the destination after an operation; None if unknown."""
+        """Return the content of the destination after an operation; None if unknown."""
         disjunction = 0
         for source in item.sources:
             content = state[source]
@@ -132,7 +132,7 @@ class FrameContext:
         return None if mask is None or previous is None else result & mask | previous & ~mask
 
     def legal(self, item: GateOp) -> bool:
-        """Whether the machine has a word, or a pair of words, for an operation."""
+        """Return whether the machine has a word, or a pair of words, for an operation."""
         count = len(item.sources)
         if item.destination == self.flag:
             limit = self.machine.where_sources
@@ -156,7 +156,7 @@ class FrameContext:
         state[item.destination] = self.value(item, state)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """How often the items write each plane in every pixel."""
+        """Return how often the items write each plane in every pixel."""
         times = [0] * self.planes
         for item in items:
             if isinstance(item, GateOp) and item.destination < self.planes:
@@ -164,7 +164,7 @@ class FrameContext:
         return times
 
     def names(self) -> list[str]:
-        """The names of all registers."""
+        """Return the names of all registers."""
         kinds = (("p", self.planes), ("s", self.states), ("t", self.scratch))
         return [*(f"{kind}{i}" for kind, count in kinds for i in range(count)), "FLAG"]
 
@@ -172,8 +172,10 @@ class FrameContext:
 def flatten(
     solution: Solution, problem: Problem, machine: Machine
 ) -> tuple[FrameContext, list[Item]]:
-    """A solution as items, with as many scratch registers as the machine allows. If gates without
-    masks write the masked register, the items include SET of the mask before them."""
+    """Return a solution as items, with as many scratch registers as the machine allows.
+
+    If gates without masks write the masked register, the items include SET of the mask before them.
+    """
     planes, states = len(solution.planes), solution.states
     scratch, masked, mask = _room(solution, machine)
     everything = problem.everything
@@ -205,8 +207,9 @@ def flatten(
 
 
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | None]:
-    """The number of possible scratch registers, and the numbers of the masked register and of its
-    mask, if any."""
+    """Return the number of possible scratch registers, and the masked register and its mask.
+
+    The register numbers are None if the machine has no masked pair."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     room = machine.registers - planes - states
     mask = planes + states if scratch else None
@@ -227,7 +230,7 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | 
 
 
 def _forgotten(frame: FrameContext, coming: int) -> int:
-    """The registers whose contents are unknown when answer number `coming` begins."""
+    """Return the registers whose contents are unknown when answer number `coming` begins."""
     demands = frame.problem.demands
     forgets = 0
     if frame.solution.state_in_flag:
@@ -246,7 +249,7 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
 
 
 def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
-    """The solution of these items; raises Illegal if a demand's segment has no answer."""
+    """Return the solution of these items; raise Illegal if a demand's segment has no answer."""
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
@@ -290,7 +293,7 @@ def _gate(item: GateOp, names: Sequence[str], frame: FrameContext) -> Gate:
 
 
 def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:
-    """The state before every item, and after the last; raises Illegal for an invalid item."""
+    """Return the state before every item, and after the last; raise Illegal for an invalid item."""
     state = list(frame.start)
     states = []
     for item in items:

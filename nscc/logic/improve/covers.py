@@ -3,9 +3,8 @@
 A target is (ones, zeros): the shutters in which the result must be 1 and those in which it must be
 0. An OR computes it if its sources avoid `zeros` and together cover `ones`; a NOR if they avoid
 `ones` and cover `zeros`. So a gate exists if all sources that may be read cover the target. Covers
-are made small greedily; their size matters only if the number of sources is limited, since a word
-costs the same with any number.
-"""
+are made small greedily; their size matters only if the number of sources is limited, because a word
+costs the same with any number of sources."""
 
 from __future__ import annotations
 
@@ -18,8 +17,11 @@ from nscc.truth import union
 def cover(
     target: int, sources: Sequence[tuple[int, int]], limit: int | None
 ) -> tuple[int, ...] | None:
-    """Choose few `sources` (register, content) that cover `target`; None if all together do not. Of
-    equally good ones, earlier sources are taken. At most `limit` of them."""
+    """Return a small set of `sources` (register, content) that covers `target`, at most `limit` of
+    them.
+
+    None if all sources together do not cover it. Of equally good sources, earlier ones are taken.
+    """
     reachable = 0
     for _, content in sources:
         reachable |= content
@@ -52,8 +54,10 @@ def _irredundant(target: int, chosen: list[tuple[int, int]]) -> list[tuple[int, 
 
 
 def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
-    """Find at most `limit` sources that cover `target` by exhaustive search of depth `limit`: one
-    of the sources that contain the first uncovered shutter must be chosen."""
+    """Return at most `limit` sources that cover `target`, by exhaustive search; None if there are
+    none.
+
+    Each step tries the sources that contain the first uncovered shutter."""
     if not target:
         return ()
     if limit == 0:
@@ -77,11 +81,10 @@ def gate(
     inverted: tuple[bool, ...] = (False, True),
     fewest: int = 0,
 ) -> tuple[bool, tuple[int, ...]] | None:
-    """Find a gate over `readable` registers that is 1 on `ones` and 0 on `zeros`.
+    """Return a gate over `readable` registers that is 1 on `ones` and 0 on `zeros`, as (inverted,
+    sources).
 
-    Returns (inverted, sources), or None if there is no such gate.
-
-    With `fewest` 1 at least one source is read (WHERE cannot do without).
+    None if there is no such gate. With `fewest` 1 at least one source is read, as WHERE requires.
     """
     best: tuple[bool, tuple[int, ...]] | None = None
     for invert in inverted:
@@ -106,9 +109,10 @@ def inner(
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
 ) -> list[tuple[bool, int, int]]:
-    """Return the gates that are 1 on `ones` and 0 on `zeros` if one more source existed. Each is
-    (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1 and 0. The
-    gate also reads all other registers that it may read."""
+    """Return gates that would be 1 on `ones` and 0 on `zeros` with one additional source.
+
+    Each is (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1 and
+    0. The gate also reads all other registers that it may read."""
     ways = []
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)
@@ -121,7 +125,7 @@ def inner(
 def _avoiding(
     avoid: int, state: Sequence[Content], readable: Sequence[int]
 ) -> list[tuple[int, int]]:
-    """Those of `readable`, with their contents, that are 0 in all of `avoid`."""
+    """Return the `readable` registers, with their contents, that are 0 in all of `avoid`."""
     return [
         (register, content)
         for register in readable

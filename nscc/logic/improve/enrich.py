@@ -1,8 +1,7 @@
-"""Use free registers for values that the host loads before the frame.
+"""Use of free registers for values that the host loads before the frame.
 
 A plane that no word writes costs only its refresh, and can be in the masked register. So a free
-register can hold any truth vector from the start.
-"""
+register can hold any truth vector from the start."""
 
 from __future__ import annotations
 
@@ -34,7 +33,7 @@ HOLDER = "computed before the frame"
 
 
 def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """A solution with more planes and fewer words; `solution` if none is found."""
+    """Return a solution with more planes and fewer words; `solution` if none is found."""
     with suppress(GaveUp, Illegal):
         while (richer := _richer(solution, problem, machine, budget)) is not None:
             solution = richer
@@ -44,7 +43,7 @@ def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budge
 def _richer(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> Solution | None:
-    """The best solution with one more plane; None if it is not better."""
+    """Return the best solution with one more plane; None if it is not better."""
     slim = _with_room(solution, problem, machine)
     if slim is None:
         return None
@@ -69,7 +68,7 @@ def _richer(
 def _shortened(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> tuple[Solution, int]:
-    """A shortened solution, and its words."""
+    """Return a shortened solution, and its number of words."""
     run = TrackedRun(*flatten(solution, problem, machine), budget)
     shrink(run, NEAR)
     shorter = unflatten(run.frame, run.items)
@@ -79,7 +78,8 @@ def _shortened(
 
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
-    """The solution with a free register, obtained by recolouring if necessary."""
+    """Return the solution with a free register, obtained by recolouring if necessary; None if
+    impossible."""
     used = len(solution.planes) + solution.states + solution.scratch
     if used < machine.registers:
         return solution
@@ -93,7 +93,7 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
 
 
 def _promising(run: TrackedRun) -> list[int]:
-    """Truth vectors that would save words if loaded before the frame, most words first."""
+    """Return truth vectors that would save words if loaded before the frame, most words first."""
     frame = run.frame
     makers, feeds, readers = _flow(run)
     stored = set(frame.start[: frame.planes])
@@ -105,9 +105,11 @@ def _promising(run: TrackedRun) -> list[int]:
 
 
 def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
-    """The items that write each vector, the items whose values each item reads, and the number of
-    readers of each item. A plane whose final value an item writes counts as a reader. A plane that
-    holds an item's value at the end counts as one that reads it."""
+    """Return how values flow between items.
+
+    The result contains the items that write each vector, the items whose values each item reads,
+    and the number of readers of each item. A plane that holds an item's value at the end counts as
+    a reader."""
     frame = run.frame
     makers: dict[int, list[int]] = {}
     feeds: list[set[int]] = []
@@ -128,8 +130,9 @@ def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counte
 def _saved(
     run: TrackedRun, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
 ) -> int:
-    """The words of items that become unused if their results are available elsewhere. This is the
-    fan-out-free cone of the items."""
+    """Return the words of items that become unused if their results are available elsewhere.
+
+    This is the fan-out-free cone of the items."""
     readers_left: dict[int, int] = {}
     # FLAG must be loaded in any case.
     written = [item.destination for k in numbers if isinstance(item := run.items[k], GateOp)]

@@ -1,9 +1,8 @@
-"""Improve kernels so that equal segments stay equal: one rewriting serves all their places.
+"""Improvement of kernels that keeps equal segments equal: one rewriting serves all their places.
 
 The problem of a sequence of segments has one shutter for each pair of shutter and place: the truth
 vectors of all places are concatenated. A rewriting that is correct for these is correct in every
-place, and all passes work unchanged.
-"""
+place, and all passes work unchanged."""
 
 from __future__ import annotations
 
@@ -18,14 +17,15 @@ from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.truth import union
 
 Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
-"""A pass that shortens the items of a frame or a part of one."""
+"""A function that shortens the items of a frame or a part of a frame."""
 
 
 def improve_kernels(
     frame: FrameContext, items: list[Item], budget: Budget, shorten: Pass, room: int
 ) -> list[Item]:
-    """Shorten each kernel by the pass `shorten`, in the same way in all places. Sequences of
-    kernels are improved as one if `room` allows (see `blocks_of`)."""
+    """Shorten each kernel by the pass `shorten`, in the same way in all places.
+
+    Sequences of kernels are improved together if `room` allows (see `blocks_of`)."""
     run = TrackedRun(frame, items, budget)
     # The current items for each original item: rewriting a block replaces them.
     replacements: list[list[Item]] = [[item] for item in run.items]
@@ -45,7 +45,7 @@ def improve_kernels(
 def _shortened(
     frame: FrameContext, run: TrackedRun, block: Block, budget: Budget, shorten: Pass
 ) -> list[Item] | None:
-    """Shorter items for the first place of a block; None if not found."""
+    """Return shorter items for the first place of a block; None if not found."""
     size = (frame.everything.bit_length() + 7) // 8
     starts = [tokens[0].start for tokens in block]
     length = block[0][-1].end - starts[0]
@@ -69,7 +69,7 @@ def _shortened(
 
 
 def _joined(contents: Sequence[Content], size: int) -> Content:
-    """Concatenated truth vectors, each in `size` bytes; None if one of them is unknown."""
+    """Return concatenated truth vectors, each in `size` bytes; None if one of them is unknown."""
     known = [content.to_bytes(size, "little") for content in contents if content is not None]
     return int.from_bytes(b"".join(known), "little") if len(known) == len(contents) else None
 
@@ -80,7 +80,7 @@ def _moved(
     target_tokens: Sequence[SegmentToken],
     new: Sequence[Item],
 ) -> list[Item]:
-    """Items for the block's first place, moved to another place."""
+    """Return the items for a block's first place, moved to another place."""
     segments: dict[tuple[int, int], tuple[int, int]] = {}
     checks = []
     for token, target_token in zip(first, target_tokens, strict=True):

@@ -1,12 +1,12 @@
 """Register allocation: values written in place get free registers instead.
 
-NOT of a plane in place takes two words. NOT into a free register takes one, and frees the old
-register. So planes move in the frame, and are copied to their homes at the end.
+NOT of a plane in place takes two words. NOT into a free register takes one word, and frees the old
+register. So planes move in the frame, and are copied to their original registers ("homes") at the
+end.
 
 In straight-line code live ranges are intervals, so this is interval colouring from left to right
 (linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It fails only if registers are excluded or
-values have banned registers. The choice among free registers determines the words.
-"""
+banned for values. The choice among free registers determines the number of words."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ from nscc.truth import set_bits
 
 @dataclass(slots=True)
 class _Value:
-    """The result of an operation, or the initial content of a register. `last` is the last item
-    that reads it; `home` the register required at the end. `banned` is the bit mask of registers in
-    which it would be overwritten, or would block a mask."""
+    """The result of an operation, or the initial content of a register.
+
+    `last` is the last item that reads it; `home` the register required at the end, -1 if none.
+    `banned` is the bit mask of registers in which it would be overwritten, or would block a mask.
+    """
 
     first: int
     last: int
@@ -33,8 +35,9 @@ class _Value:
 
 
 def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
-    """The same operations with other registers; None if there are too few. Every result must be
-    read. The registers `without` (a bit mask) are not used."""
+    """Return the same operations with other registers; None if there are too few registers.
+
+    Every result must be read. The registers `without` (a bit mask) are not used."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]
@@ -48,7 +51,7 @@ def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> 
 
 
 def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
-    """All values, initial ones first, and for each item the number of its result."""
+    """Return all values, initial ones first, and for each item the index of its result."""
     values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
     holds = list(range(frame.flag + 1))
     written = []
@@ -87,7 +90,7 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
 
 
 class _Painter:
-    """Assigns registers from front to back."""
+    """An assignment of registers to values, made in execution order."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
@@ -105,7 +108,8 @@ class _Painter:
                 self.homing[value.home] = value.first
 
     def paint(self) -> list[Item] | None:
-        """The items with new registers and copies of planes to their homes."""
+        """Return the items with new registers and copies of planes to their homes; None if that
+        fails."""
         out: list[Item] = []
         for k, item in enumerate(self.items):
             if isinstance(item, Check):
@@ -164,12 +168,12 @@ class _Painter:
         return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
-        """Append copies of all displaced planes to their homes; None if a register is missing.
+        """Append copies of all displaced planes to their homes; return None if a register is
+        missing.
 
         This is a parallel move. A plane is copied after the plane in its home has left, which is a
-        topological order of the graph "plane -> plane in its home". The rest are cycles; one plane
-        of each waits in a free register.
-        """
+        topological order of the graph "plane -> plane in its home". For each cycle of this graph,
+        one plane waits in a free register."""
         frame = self.frame
         current_place = {
             value.home: self.place[number]
@@ -211,7 +215,7 @@ class _Painter:
 
 
 def _from_first(circle: list[int], rank: dict[int, int]) -> list[int]:
-    """The cycle, starting with its plane of lowest rank."""
+    """Return the cycle, starting with its plane of lowest rank."""
     first = min(range(len(circle)), key=lambda i: rank[circle[i]])
     return circle[first:] + circle[:first]
 

@@ -1,4 +1,4 @@
-"""How many improvement steps each of several solutions gets, at each level of effort."""
+"""Distribution of improvement steps over several solutions, at each optimisation level."""
 
 from __future__ import annotations
 
@@ -29,23 +29,23 @@ MOST_KEPT = 2
 
 
 Price = tuple[bool, float, int, int, int]
-"""Sort key of a solution, smallest first; the first part is False if everything fits."""
+"""Sort key of a solution, smallest first; the first item is False if the solution fits."""
 
 
 class Priced(Protocol):
-    """A solution with its price."""
+    """A solution with its costs."""
 
     @property
     def solution(self) -> Solution:
-        """The gates."""
+        """Return the gates."""
 
     @property
     def price(self) -> Price:
-        """What it costs."""
+        """Return the sort key."""
 
     @property
     def words_per_boundary(self) -> Sequence[int]:
-        """All words at each boundary 0..N."""
+        """Return the number of words at each boundary 0..N."""
 
 
 P = TypeVar("P", bound=Priced)
@@ -60,8 +60,9 @@ def refine(
     priced: Callable[[Solution], P],
     store_words: int,
 ) -> P:
-    """The best candidate after improvement, at levels 2 and 3. `store_words` is the number of words
-    that all kernels may take."""
+    """Return the best candidate after improvement, at levels 2 and 3.
+
+    `store_words` is the number of words that all kernels may take."""
     # With more demands than stored words, kernels must repeat: few distinct kernels matter more
     # than few words.
     scarce = len(problem.demands) > store_words
@@ -79,7 +80,7 @@ class _Refinery(Generic[P]):
     room: int
 
     def best(self, candidates: Sequence[P]) -> P:
-        """Improve all candidates a little, and the best of them more."""
+        """Improve all candidates a little, and the best of them more; return the best result."""
         steps = FIRST_STEPS[self.level]
         first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
         first.sort(key=lambda pair: pair[0].price)
@@ -91,8 +92,9 @@ class _Refinery(Generic[P]):
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
-        """(improved candidate, whether equal segments had to stay equal). Unless `patient`,
-        segments may differ, and a result that does not fit is given up."""
+        """Return the improved candidate, and whether equal segments had to stay equal.
+
+        Unless `patient`, segments may differ, and a result that does not fit is given up."""
         if self.scarce:
             return self._improve_keeping_kernels(candidate.solution, steps), True
         improved = self._form(self._improved(candidate.solution, steps))
@@ -116,7 +118,7 @@ class _Refinery(Generic[P]):
         return improve(solution, self.problem, self.machine, Budget(steps))
 
     def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
-        """Improve a solution so that equal segments stay equal, with and without room for more
+        """Improve a solution with equal segments kept equal, with and without room for more
         segments."""
         priced_solutions = []
         for room in sorted({self.room, 0}, reverse=True):
@@ -130,8 +132,8 @@ class _Refinery(Generic[P]):
         return min(priced_solutions, key=_PRICE)
 
     def _form(self, solution: Solution) -> P:
-        """Price a solution; if it does not fit, also with gates and analog words in separate
-        segments."""
+        """Compute a solution's costs; if it does not fit, also with gates and analog words
+        separated."""
         priced = self.priced(solution)
         return min(priced, self.priced(apart(solution)), key=_PRICE) if priced.price[0] else priced
 
@@ -148,7 +150,8 @@ class _Refinery(Generic[P]):
 
 
 def apart(solution: Solution) -> Solution:
-    """Separate gates from the segments before analog words, so that these are equal in all slots
-    and stored once."""
+    """Return the solution with gates separated from the segments before analog words.
+
+    These segments are then equal in all slots and stored once."""
     answers = tuple((*answer, ()) if answer else answer for answer in solution.answers)
     return replace(solution, answers=answers)

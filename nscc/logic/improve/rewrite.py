@@ -1,14 +1,13 @@
 """A local change, and the repair of the code after it.
 
-A change drops operations or inserts others. Then the code is followed with the changed registers.
-An operation whose result would change gets other sources, is preceded by a new gate in a free
+A change drops operations or inserts others. Then the changed registers are followed through the
+code. An operation whose result would change gets other sources, is preceded by a new gate in a free
 register, or is dropped if its register already holds the needed value. Only values that matter
 later must stay equal.
 
-This is resubstitution with don't-cares, and close to the transduction method for NOR networks
+This is resubstitution with don't-cares. It is close to the transduction method for NOR networks
 (Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989), which computes a gate's
-permissible functions first; here a change is tried and followed while it makes a difference.
-"""
+permissible functions first; here a change is tried and followed while it makes a difference."""
 
 from __future__ import annotations
 
@@ -22,7 +21,7 @@ from nscc.logic.improve.tracked_run import HORIZON, TrackedRun
 
 @dataclass(frozen=True)
 class Rewrite:
-    """Replacement of items[start:end] of a run by `items`, which saves `gain` words."""
+    """A replacement of items[start:end] of a run by `items`, which saves `gain` words."""
 
     start: int
     end: int
@@ -40,9 +39,10 @@ def rewrite(
     deepen: bool = False,
     order: Sequence[int] | None = None,
 ) -> Rewrite | None:
-    """Insert `lead` before item `start`, drop the items `dropped`, and repair; None if it does not
-    save `least` words. With `deepen`, the repair may insert gates. `order` lists the registers by
-    preference as sources."""
+    """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after them.
+
+    Returns None if this does not save `least` words. With `deepen`, the repair may insert gates.
+    `order` lists the registers by preference as sources."""
     return _Walk(run, start, least, deepen, order).go(lead, dropped)
 
 
@@ -94,7 +94,7 @@ class _Walk:
         return Rewrite(self.start, k, self.out, gain)
 
     def _compare(self, reference: Sequence[Content], register: int) -> None:
-        """Update `changed` after a possible write to `register` (-1: any)."""
+        """Update `changed` after a possible write to `register` (-1: any register)."""
         if register < 0:
             self.changed = 0
             for i, content in enumerate(self.state):
@@ -118,7 +118,7 @@ class _Walk:
         self.state[item.destination] = value
 
     def _follow(self, k: int, item: GateOp) -> bool:
-        """Process operation k in the current state: keep, drop or repair it."""
+        """Keep, drop or repair operation k in the current state; return whether that succeeded."""
         target = item.destination
         # In order: drop if the register already holds the result; keep if the result is equal; drop
         # if the old content is equivalent; keep if the new result is equivalent; find other
@@ -144,7 +144,9 @@ class _Walk:
         return self._repair(k, item, required & matters, matters & ~required)
 
     def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Find other sources for operation k, or another gate before it; updates `gain`."""
+        """Find other sources for operation k, or another gate before it, and update `gain`.
+
+        Returns whether that succeeded."""
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:
@@ -161,7 +163,9 @@ class _Walk:
 
     def _written(self, target: int, ones: int, zeros: int) -> tuple[int, int] | None:
         """Return (ones, zeros) that a gate must write so that `target` is 1 on `ones` and 0 on
-        `zeros`; None if a mask prevents it."""
+        `zeros`.
+
+        None if a mask prevents it."""
         frame = self.frame
         if target != frame.masked or frame.mask is None:
             return ones, zeros
@@ -193,7 +197,8 @@ class _Walk:
         return new if frame.legal(new) else None
 
     def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Insert a gate in a free register, then operation k with other sources."""
+        """Insert a gate in a free register, then operation k with other sources; return whether
+        that succeeded."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]

@@ -1,4 +1,4 @@
-"""The improvement passes in turn, while they save words and steps are left."""
+"""Repetition of the improvement passes, while they save words and steps are left."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 PAIR_SPAN = 8
 # Steps of one walk, half a second, before the next sweeps.
 WALK_STEPS = 50_000
-# Number of walks without gain before giving up.
+# Number of consecutive walks without improvement after which the search ends.
 PATIENCE = 6
 # Steps of a walk over one kernel.
 KERNEL_STEPS = 2_000
@@ -34,13 +34,12 @@ def improve(
     keep_kernels: bool = False,
     room: int = 0,
 ) -> Solution:
-    """A solution of the same problem with at most as many words a frame.
+    """Return a solution of the same problem with at most as many words per frame.
 
-    The encoding is unchanged. Deterministic: steps of `budget` are used until nothing is gained.
-    Equal segments may become different. With `keep_kernels` they stay equal: kernels are rewritten
-    in all places, and repeated sequences of kernels as one while all distinct segments take at most
-    `room` words.
-    """
+    The encoding is unchanged. The result is deterministic: steps of `budget` are used until nothing
+    is gained. Equal segments may become different. With `keep_kernels` they stay equal: kernels are
+    rewritten in all places, and repeated sequences of kernels together while all distinct segments
+    take at most `room` words."""
     frame, items = flatten(solution, problem, machine)
     try:
         if keep_kernels:
@@ -53,7 +52,7 @@ def improve(
 
 
 def _kernels(frame: FrameContext, items: list[Item], budget: Budget, room: int) -> list[Item]:
-    """Shorten kernels until nothing is gained, since shorter kernels leave more room."""
+    """Shorten kernels until nothing is gained, because shorter kernels leave more room."""
     words = frame.total(items) + 1
     while frame.total(items) < words and budget.left > 0:
         words = frame.total(items)
@@ -67,8 +66,10 @@ def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item
 
 
 def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
-    """The solution of `items` if valid and shorter than the frame's solution (with `as_long`: or
-    equal), else the frame's solution."""
+    """Return the solution of `items` if it is valid and shorter than the frame's solution, else the
+    latter.
+
+    With `as_long`, an equally long solution is returned too."""
     solution = frame.solution
     try:
         candidate = unflatten(frame, items)
@@ -82,8 +83,9 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
 
 
 def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
-    """The items after alternating sweeps and walks of `steps` steps, until the budget ends or
-    `patience` walks gain nothing."""
+    """Return the items after alternating sweeps and walks of `steps` steps.
+
+    The search ends with the budget or after `patience` walks without gain."""
     try:
         _sweep(run)
         idle = 0

@@ -1,7 +1,6 @@
 """Sweeps that drop one operation, or two nearby ones, and repair their readers.
 
-From back to front, because the readers of an early operation may be dropped first.
-"""
+A sweep goes from back to front, because the readers of an early operation may be dropped first."""
 
 from __future__ import annotations
 
@@ -26,7 +25,8 @@ def shrink(run: TrackedRun, span: int) -> None:
 
 
 def _drop(run: TrackedRun, *dropped: int) -> bool:
-    """Drop operations, starting repair at the first, if that saves words."""
+    """Drop operations, starting repair at the first, if that saves words; return whether it
+    does."""
     if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
     rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)

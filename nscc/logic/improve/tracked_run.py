@@ -1,11 +1,10 @@
 """Operations, with the state at every point, kept up to date under changes.
 
-Known are the content of every register, the registers that are still read (liveness, computed
-backwards), and for each operation the shutters in which its result matters (the complement of the
-observability don't-cares). The last is found by complementing the result and running on: it matters
-in the shutters where a demand or the frame's end changes. This is exact, since bits of different
-shutters do not interact.
-"""
+The state contains the content of every register and the registers that are still read (liveness,
+computed backwards). For each operation it contains the shutters in which the result matters (the
+complement of the observability don't-cares). These are found by complementing the result and
+running on: the result matters in the shutters where a demand or the frame's end changes. This is
+exact, because bits of different shutters do not interact."""
 
 from __future__ import annotations
 
@@ -22,8 +21,10 @@ STEP_SHUTTERS = 16384
 
 
 class TrackedRun:
-    """Items with their states; `before[k]` is the state before item k, `live[k]` the bit mask of
-    registers whose content there is read later or required at the end."""
+    """Items with their states.
+
+    `before[k]` is the state before item k. `live[k]` is the bit mask of registers whose content at
+    that point is read later or required at the end."""
 
     def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
         self.frame = frame
@@ -32,7 +33,7 @@ class TrackedRun:
         self.restart(items)
 
     def restart(self, items: Sequence[Item]) -> None:
-        """Replace all items; raises Illegal without a change if they are not a valid run."""
+        """Replace all items; raise Illegal without a change if they are not a valid run."""
         frame = self.frame
         self.before = states_before(frame, items)
         self.items = list(items)
@@ -43,31 +44,31 @@ class TrackedRun:
         self._settle(self._revive(0, len(items)), len(items))
 
     def words(self) -> int:
-        """The words of a frame, including refresh of unwritten planes."""
+        """Return the words of a frame, including refresh of unwritten planes."""
         return self.frame.total(self.items)
 
     def care(self, k: int) -> int:
-        """The shutters in which the result of operation k matters."""
+        """Return the shutters in which the result of operation k matters."""
         known = self._cares[k]
         if known is None:
             known = self._cares[k] = self._follow(k)
         return known[0]
 
     def free(self, k: int, besides: Collection[int | None]) -> list[int]:
-        """Digital registers that are not read from item k on, except the masked one and
+        """Return the digital registers that are not read from item k on, except the masked one and
         `besides`."""
         busy = (*besides, self.frame.masked)
         return [r for r in range(self.frame.flag) if r not in busy and not self.live[k] >> r & 1]
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
-        """The additional refresh words if `new` replaces `old`."""
+        """Return the additional refresh words if `new` replaces `old`."""
         if self.frame.ends is not None:
             return 0
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
 
     def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
-        """How often each plane is written after `new` replaces `old`."""
+        """Return how often each plane is written after `new` replaces `old`."""
         written = self.frame.writes
         changes = zip(self._writes, written(old), written(new), strict=True)
         return [count - removed + added for count, removed, added in changes]
@@ -88,8 +89,9 @@ class TrackedRun:
         self._settle(min(first, start), tail)
 
     def _settle(self, first: int, last: int) -> None:
-        """Recompute states from item `first` to `last`, and on while they change. Contents that are
-        not live may differ."""
+        """Recompute states from item `first` to `last`, and further while they change.
+
+        Contents that are not live may differ."""
         if first:
             state = list(self.before[first - 1])
             self.frame.apply(self.items[first - 1], state)
@@ -104,8 +106,9 @@ class TrackedRun:
                 self.frame.apply(self.items[k], state)
 
     def _revive(self, start: int, end: int) -> int:
-        """Recompute liveness backwards from `end`, beyond `start` while it changes. Drops
-        operations whose result is not live; returns the first changed place."""
+        """Recompute liveness backwards from `end`, beyond `start` while it changes.
+
+        Operations whose result is not live are dropped. Returns the first changed place."""
         frame = self.frame
         dead: list[int] = []
         for k in range(end - 1, -1, -1):
@@ -128,7 +131,7 @@ class TrackedRun:
         return dead[-1] if dead else end
 
     def _follow(self, k: int) -> tuple[int, int]:
-        """The shutters in which the result of operation k matters, and the number of items that it
+        """Return the shutters in which operation k's result matters, and the number of items it
         influences."""
         frame, items, before = self.frame, self.items, self.before
         everything, flag = frame.everything, frame.flag

@@ -1,11 +1,10 @@
-"""A random walk among solutions of equal price, in search of a cheaper one nearby.
+"""A random walk among solutions of equal cost, in search of a cheaper one nearby.
 
 Every step drops one to three operations, or moves one, and keeps the repaired result unless it
 costs more words. The random sequence is fixed.
 
 Most changes save nothing, but they move values to other registers and times, so that another point
-of the plateau may have a cheaper neighbour. Costlier neighbours are never accepted.
-"""
+of the plateau may have a cheaper neighbour. Costlier neighbours are never accepted."""
 
 from __future__ import annotations
 
@@ -21,7 +20,7 @@ SPAN = 12
 
 
 def wander(run: TrackedRun, seed: int, steps: int) -> int:
-    """Walk at most `steps` steps of the budget; returns the words saved."""
+    """Walk at most `steps` steps of the budget; return the number of words saved."""
     choose = random.Random(seed)
     until = max(run.budget.left - steps, 0)
     gained = 0
@@ -87,7 +86,7 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
 
 
 def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
-    """Operations of the same answer near k, without k."""
+    """Return operations of the same answer near k, without k."""
     operations: list[int] = []
     for indices in (
         range(k - 1, max(-1, k - SPAN), -1),
@@ -101,7 +100,7 @@ def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
 
 
 def _earlier(run: TrackedRun, k: int, choose: random.Random) -> int:
-    """A random place before k in the same answer."""
+    """Return a random place before k in the same answer."""
     low = k
     while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
         low -= 1

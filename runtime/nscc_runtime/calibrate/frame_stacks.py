@@ -22,10 +22,9 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc.npy import npz_arrays
+from nscc.npy import npy_header, npz_arrays
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.scenes.errors import size
-from nscc_runtime.scenes.light_arrays import NPY_HEADERS
 from nscc_runtime.scenes.mat_files import mat_arrays, mat_shapes
 
 Codes = NDArray[np.uint16]
@@ -170,11 +169,9 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
-    """Check the size of an array by its .npy header, before it is read."""
-    version = np.lib.format.read_magic(file)
-    if version in NPY_HEADERS:  # numpy refuses other versions
-        shape, _, dtype = NPY_HEADERS[version](file)
-        _check_size(path, key, shape, shape[-2:], dtype.itemsize)
+    """Check an array by its .npy header, before it is read."""
+    _, shape, _, dtype = npy_header(file)
+    _check_size(path, key, shape, shape[-2:], dtype.itemsize)
 
 
 def _check_size(

@@ -30,7 +30,7 @@ from nscc_runtime.loop import (
 )
 
 _COMBINE, _STORE = int(Step.COMBINE), int(Step.STORE)
-_BUS2, _BUS4, _DIVIDE, _COPY = int(Step.BUS2), int(Step.BUS4), int(Step.DIVIDE), int(Step.COPY)
+_BUS2, _DIVIDE, _COPY = int(Step.BUS2), int(Step.DIVIDE), int(Step.COPY)
 _COMPARE, _COMPARE_MASKED, _BUS = int(Step.COMPARE), int(Step.COMPARE_MASKED), int(Step.BUS)
 
 _NONE, _SOME, _ALL = 0, 1, 2
@@ -117,22 +117,6 @@ def _bus2(
 
 
 @compiled
-def _bus4(
-    rows: Floats, out: int, a: int, b: int, c: int, d: int, planes: Words, flag: int, words: int
-) -> None:
-    """Set the row at `out` to -(a + b + c + d) where FLAG = 1; `out` is none of the sources."""
-    for g in range(words):
-        word = planes[flag + g]
-        if word == _ZERO:
-            continue
-        for j in range(64):
-            i = 64 * g + j
-            old = rows[out + i] + 0.0
-            new = -(rows[a + i] + rows[b + i] + rows[c + i] + rows[d + i])
-            rows[out + i] = new if (word >> np.uint64(j)) & _ONE else old
-
-
-@compiled
 def _bus(
     rows: Floats,
     out: int,
@@ -212,7 +196,7 @@ def _run_steps(
     for s in range(first, stop):
         at = s * COLUMNS
         code, out = steps[at], steps[at + 1]
-        a, b, c, d = steps[at + 2], steps[at + 3], steps[at + 4], steps[at + 5]
+        a, b, c = steps[at + 2], steps[at + 3], steps[at + 4]
         if code == _COMBINE:
             _combine(planes, words, out * words, operands, a, b, _FULL if c else _ZERO)
             if out == flag_plane:
@@ -231,9 +215,6 @@ def _run_steps(
             continue
         elif code == _BUS2:
             _bus2(rows, out * pixels, a * pixels, b * pixels, planes, flag, words, state)
-        elif code == _BUS4:
-            x, y, z, u = a * pixels, b * pixels, c * pixels, d * pixels
-            _bus4(rows, out * pixels, x, y, z, u, planes, flag, words)
         elif code == _BUS:
             _bus(rows, out * pixels, operands, a, b, planes, flag, words)
         elif code == _DIVIDE:

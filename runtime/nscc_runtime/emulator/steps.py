@@ -33,21 +33,19 @@ class Step(IntEnum):
     """(plane, mask): plane := the other plane, where the mask plane is 1."""
     BUS2 = 2
     """(a, b): row := -(a + b) where FLAG = 1."""
-    BUS4 = 3
-    """(a, b, c, d): row := -(a + b + c + d) where FLAG = 1."""
-    DIVIDE = 4
+    DIVIDE = 3
     """(a, divisor): row := a / divisor where FLAG = 1."""
-    COPY = 5
+    COPY = 4
     """(a): row := a in every pixel."""
-    COMPARE = 6
+    COMPARE = 5
     """(first, count): FLAG := the sum of the rows operands[first : first + count] > 0."""
-    COMPARE_MASKED = 7
+    COMPARE_MASKED = 6
     """(first, count): like COMPARE, but FLAG stays 0 where it was 0."""
-    BUS = 8
+    BUS = 7
     """(first, count): row := -(sum of the rows operands[first : first + count]) where FLAG = 1."""
 
 
-COLUMNS = 6
+COLUMNS = 5
 
 
 @dataclass(frozen=True)
@@ -167,13 +165,10 @@ class _Translator:
         divisor = op.operation.divisor
         direct = divisor == 1 and len(op.destinations) == 1
         out = rows[op.destinations[0] if direct else "sum"]
-        # Up to four sources, padded with the row of zeros.
-        four, count = [rows[name] for name in (*op.sources, *("IN",) * 4)[:4]], len(op.sources)
+        two, count = [rows[name] for name in (*op.sources, "IN", "IN")[:2]], len(op.sources)
         steps: list[tuple[int, ...]] = [
-            (Step.BUS2, out, *four[:2])
+            (Step.BUS2, out, *two)
             if count <= 2
-            else (Step.BUS4, out, *four)
-            if count <= 4
             else (Step.BUS, out, *self._listed(op.sources, rows))
         ]
         if not direct:

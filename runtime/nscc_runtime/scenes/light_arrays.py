@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.npy import npy_header_2
+from nscc.npy import npy_header
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, size
 from nscc_runtime.scenes.mat_files import mat_array, mat_names
@@ -24,14 +24,6 @@ from nscc_runtime.scenes.mat_files import mat_array, mat_names
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
-NPY_HEADERS: dict[
-    tuple[int, int], Callable[[IO[bytes]], tuple[tuple[int, ...], bool, np.dtype[Any]]]
-] = {
-    (1, 0): np.lib.format.read_array_header_1_0,
-    (2, 0): npy_header_2,
-}
-"""Functions that read shape, order and type of an .npy file, by format version."""
-
 Check = Callable[[tuple[int, ...]], None]
 """A function that raises Rejected for a shape of light that does not fit the program."""
 
@@ -148,10 +140,7 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
 
 
 def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
-    version = np.lib.format.read_magic(file)
-    if version not in NPY_HEADERS:
-        raise ValueError(f"npy format version {version}")
-    shape, fortran, dtype = NPY_HEADERS[version](file)
+    _, shape, fortran, dtype = npy_header(file)
     check_type(path, KEY, dtype)
     check(shape)
     if fortran:  # one block: the first axis is strided over the whole file

@@ -46,11 +46,17 @@ _BUILTINS = ("hdr", "motion", "dark")
 
 @dataclass(frozen=True)
 class _Request:
-    """A scene to load: name, slots, array and options (None: not set). `warn` receives notes."""
+    """A scene to load, and what it is loaded for; None stands for an option not given.
+
+    Options are those of `nscc_runtime.scenes.scene.Scene`, parsed. `slot_us` are the lengths of
+    slots in microseconds. `channel`: red, green or blue (0 to 2) of a colour picture instead of its
+    luminance. `factor`: electrons per unit of the scene, instead of an exposure. `warn` gets notes
+    on changes of the scene (NS0740, NS0773, NS0776), `progress` the frames as they are read.
+    """
 
     name: str
-    slot_us: tuple[float, ...]
     window: Window
+    slot_us: Sequence[float]
     exposure: ExposureLevel | None = None
     transfer: Transfer | None = None
     fps: float | None = None
@@ -116,71 +122,20 @@ class PlacedLight:
 
 
 def laid_scene(
-    spec: str,
-    *,
-    slot_us: Sequence[float],
-    rows: int,
-    cols: int,
-    exposure: ExposureLevel | None = None,
-    transfer: Transfer | None = None,
-    fps: float | None = None,
-    crop: tuple[int, int] | None = None,
-    frames_are: FramesAre = "integrals",
-    fit: Fit = "crop",
-    first: int = 0,
-    single: bool = False,
-    channel: int | None = None,
-    factor: float | None = None,
-    white: float | None = None,
-    skip: bool = False,
-    bracket: bool = False,
-    times: tuple[float, ...] | None = None,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
-    progress: Progress = unseen,
+    spec: str, *, rows: int, cols: int, crop: tuple[int, int] | None = None, **options: Any
 ) -> PlacedLight:
-    """Load a scene.
+    """Load a scene (a file, a folder of pictures or `builtin:NAME`) for an array; `options` are
+    fields of `_Request`, of which `slot_us` is needed.
 
-    Parameters
-    ----------
-    spec : str
-        A file, a folder of pictures or `builtin:NAME`.
-    slot_us : sequence of float
-        Slot lengths in microseconds.
-    rows, cols : int
-        Size of the array.
-    exposure : ExposureLevel, optional
-        Electrons of a scene without units.
-    transfer, fps, crop, fit, white, skip, bracket, times
-        See `nscc_runtime.scenes.scene.Scene`; `times` are exposures in seconds.
-    frames_are : {"integrals", "samples"}
-        "samples" declares that the scene moves within a frame. That motion is an effect of the
-        sensor model (`Light.motion`). Without the effect, a sample is used for its whole frame,
-        like an integral.
-    first, single
-        The frame that a clip begins with; with `single` this frame is used as a still.
-    channel : int, optional
-        Expose red, green or blue (0 to 2) of a colour picture instead of its luminance.
-    factor : float, optional
-        Electrons per unit of the scene, instead of an exposure.
-    warn : callable
-        Called with notes on changes of the scene: NS0740, NS0773, NS0776.
-    progress : callable
-        Wraps the iterator of frames while they are read.
+    "samples" as `frames_are` declares that the scene moves within a frame. That motion is an effect
+    of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
+    an integral.
 
-    Returns
-    -------
-    PlacedLight
-
-    Raises
-    ------
-    Rejected
-        NS0730 to NS0739, status 2.
+    Raises Rejected (NS0730 to NS0739, status 2).
     """
-    request = _Request(
-        spec, tuple(slot_us), Window(rows, cols, crop), exposure, transfer, fps, crop, frames_are,
-        fit, first, single, channel, factor, checked_white(white), skip, bracket, times,
-        warn, progress,
-    )  # fmt: skip
+    request = _Request(spec, Window(rows, cols, crop), crop=crop, **options)
+    checked_white(request.white)
+    exposure, fit = request.exposure, request.fit
     if crop is not None and fit != "crop":
         _refuse(request, f"--fit {fit} exposes the whole picture", "crop")
     if spec.startswith("builtin:"):
@@ -192,14 +147,14 @@ def laid_scene(
         if light.kind != "still":
             _refuse(request, why, "single")
         return PlacedLight(light, request.on_array)
-    if not bracket:
+    if not request.bracket:
         _refuse(request, "the exposure times are those of a bracket", "times")
     else:
         from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
 
         _refuse(request, "a bracket is one still", "first", "transfer", "white")
         files = bracket_files(spec)
-        return _still(request, lambda: merged_bracket(files, times), "linear")
+        return _still(request, lambda: merged_bracket(files, request.times), "linear")
     return _load_path(request, _existing(spec))
 
 
@@ -210,7 +165,7 @@ def light_of_array(
 
     float32 arrays are not copied, and must not be modified while the light is in use. Raises
     Rejected (status 2, NS0733 to NS0736) for arrays that do not fit or that are not light."""
-    request = _Request(name, tuple(slot_us), Window(rows, cols))
+    request = _Request(name, Window(rows, cols), slot_us)
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
     request.check_light(values.shape)

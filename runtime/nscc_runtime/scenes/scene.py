@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
@@ -91,31 +91,16 @@ class Scene:
         It is the luminance, or three lights (red, green and blue) at the exposure of the luminance.
         Raises Rejected like `laid_scene`."""
 
-        def load(tell: Callable[[Diagnostic], None], **options: Any) -> PlacedLight:
-            return laid_scene(
-                self.name,
-                slot_us=slot_us,
-                rows=target.rows,
-                cols=target.cols,
-                exposure=None if self.exposure is None else parse_exposure(self.exposure),
-                transfer=self.transfer,
-                fps=self.fps,
-                crop=None if self.crop is None else parse_crop(self.crop),
-                frames_are=self.frames_are,
-                fit=self.fit,
-                first=self.first,
-                single=self.single,
-                white=self.white,
-                skip=self.skip,
-                bracket=self.bracket,
-                times=None if self.times is None else parse_times(self.times),
-                warn=tell,
-                progress=progress,
-                **options,
-            )
-
+        options = vars(self) | {
+            "exposure": None if self.exposure is None else parse_exposure(self.exposure),
+            "crop": None if self.crop is None else parse_crop(self.crop),
+            "times": None if self.times is None else parse_times(self.times),
+            "slot_us": slot_us, "rows": target.rows, "cols": target.cols, "progress": progress,
+        }  # fmt: skip
+        del options["name"], options["color"]
+        load = partial(laid_scene, self.name, **options)
         diagnostics: list[Diagnostic] = []
-        grey = load(diagnostics.append)
+        grey = load(warn=diagnostics.append)
         in_colours = self.color and grey.colour
         if self.color and not grey.colour:
             diagnostics.append(no_colours(self.name))
@@ -125,4 +110,4 @@ class Scene:
         if not in_colours:
             return (grey,)
         factor = grey.light.exposure_scale_e
-        return tuple(load(lambda _: None, channel=k, factor=factor) for k in range(3))
+        return tuple(load(channel=k, factor=factor) for k in range(3))

@@ -1,8 +1,8 @@
-"""Clips and stills from a frame of any code, by weights that no code was trained for.
+"""Decoder for any code: reconstructs clips and stills without training for their code.
 
-`measured` is what is known of the light: frames, masks, noise, saturation. `network` is a denoiser
-that sees it, `stages` alternates both, `readouts` joins several of which one was always open, and
-`lessons` are what `nscc train` made the weights of.
-"""
+`measured` describes the measurement: frames, masks, noise, saturation. `network` is a denoiser that
+also receives the measurement. `stages` alternates a step towards the frames with the denoiser.
+`readouts` combines several readouts if one of them was always open. `lessons` are the training
+examples from which `nscc train` learned the weights."""
 
 from __future__ import annotations

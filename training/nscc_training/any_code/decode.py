@@ -1,4 +1,4 @@
-"""Light from frames of any code, by the weights that come with nscc."""
+"""Reconstruction from frames with any code, with the weights that come with nscc."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _BRIGHT = 0.995
 
 @cache
 def shipped(kind: str) -> ClipDenoiser:
-    """The denoiser for `clip` or `still` with its weights."""
+    """Return the denoiser for clips or stills, `kind` "clip" or "still", with its weights."""
     from safetensors.torch import load_file
 
     with as_file(files(__package__) / WEIGHTS) as path:
@@ -38,7 +38,7 @@ def shipped(kind: str) -> ClipDenoiser:
 
 
 def write_shipped(clip: Path, still: Path, out: Path) -> None:
-    """Write the weights of two runs as nscc ships them, in half precision."""
+    """Write the weights of a clip run and a still run in half precision, as nscc ships them."""
     from safetensors.torch import load_file, save_file
 
     state = {
@@ -52,14 +52,11 @@ def write_shipped(clip: Path, still: Path, out: Path) -> None:
 
 @torch.no_grad()
 def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
-    """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages;
-    at last it is led to the frames once more.
+    """Reconstruct the clip (batch, N, rows, cols) from frames, in their unit, in `count` stages.
 
-    Where one of several frames was always open, `joined` takes what stands still from all of them.
-
-    The whites of the light need not be 1 here, as a denoiser wants them: what the brightest pixels
-    say is taken for that.
-    """
+    If one of several readouts was always open, `joined` adds static content from all readouts. A
+    last step brings the clip closer to the frames. The denoiser expects white to be 1, so the
+    measurement is first divided by an estimate of white."""
     unit = white(measured)
     measured = measured.over(unit)
     number = always_open(measured)
@@ -71,8 +68,9 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
 
 
 def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
-    """Return the mean of the clips after stage `first` to `count`, led to the frames; the unit of
-    light has a white of 1."""
+    """Return the mean of the clips after stages `first` to `count`, corrected towards the frames.
+
+    White is 1 in the unit of light."""
     clip, target = gap_tv_of(measured)
     mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
@@ -86,9 +84,9 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
 
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
-    """The light over the frame (batch, rows, cols) of frames of any code, in their unit, after
-    `count` stages."""
-    # A well is filled by the largest value there is, nearly: by 1, as the stages want it.
+    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, in `count`
+    stages."""
+    # Scale so that nearly the largest value is 1, as the stages require.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
     light = started_still(measured)
@@ -99,12 +97,13 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
 
 
 def white(measured: Measured[Tensor]) -> Tensor:
-    """Return the light (batch,) that all but the brightest half percent of the pixels have on
-    average, of those that are ever open; 1 where none is."""
+    """Return an estimate of white (batch,): the light at the 99.5 % quantile of the opened pixels.
+
+    The result is 1 if no pixel is ever open."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)
-    # Pixels that never open come first, and do not count.
+    # Pixels that never open are sorted to the front and not counted.
     ordered = torch.where(opened, mean.flatten(1), -torch.inf).sort(dim=1).values
     count = opened.sum(dim=1)
     closed = ordered.shape[1] - count

@@ -1,4 +1,4 @@
-"""`decoder.name = "any"`: runs whose decoder begins with what was learned for any code."""
+"""The decoder `any` for training: runs start from the weights of the decoder for any code."""
 
 from __future__ import annotations
 
@@ -18,23 +18,26 @@ from nscc_training.sensor_model import laid, shared_out
 
 _STAGES = {"paper": 8, "small": 4}
 _NOISE = (1e-5, 3e-5)
-"""Variance of a dark pixel, and what it gains up to a full one, over the square of a full well:
-about that of a well of 30,000 electrons read with 8 bits. Runs learn their own."""
+"""Variance of a dark pixel, and its increase up to a full pixel, relative to the squared full well.
+
+The values fit a full well of 30,000 electrons and 8 bits. Runs use their own noise."""
 
 
 def any_code(channels: Sequence[int], task: DecoderTask, size: str) -> AnyCode:
-    """The declared decoder `any`."""
+    """Build the declared decoder `any`."""
     return AnyCode(channels, task.kind == "still", _STAGES[size])
 
 
 class AnyCode(nn.Module):
-    """`stages` of the data term and a denoiser, with the weights of nscc's to begin with.
+    """The decoder for any code as a network: `stages` times a step towards the frames and a
+    denoiser.
 
-    Frames (batch, rows, cols), of two buckets (batch, 2, rows, cols), on 1 for a full well,
-    saturated from there on; shutters (N, r, c), those of the first bucket, a tile. Gives light in
-    full wells over the frame (batch, rows, cols), or of clips full wells / N a slot (batch, N,
-    rows, cols). Clips begin with GAP-TV, which no gradient passes.
-    """
+    It starts from nscc's weights.
+
+    Inputs: frames (batch, rows, cols), or of two buckets (batch, 2, rows, cols), in full wells and
+    saturated at 1; shutters (N, r, c) of the first bucket, as a tile. Output: light in full wells
+    over the frame (batch, rows, cols), or for clips in full wells / N per slot (batch, N, rows,
+    cols). Clips start from GAP-TV, which passes no gradient."""
 
     def __init__(self, channels: Sequence[int], still: bool, stages: int) -> None:
         super().__init__()
@@ -44,7 +47,7 @@ class AnyCode(nn.Module):
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
     def begin_anew(self) -> None:
-        """Replace the weights that come with nscc by random ones."""
+        """Replace nscc's weights by random weights."""
         self.denoiser = ClipDenoiser(self.denoiser.widths)
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:

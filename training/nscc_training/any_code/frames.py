@@ -1,4 +1,4 @@
-"""Frame files as measurements: what `nscc run` knows of codes, sensor and noise, used."""
+"""Conversion of frame files into measurements with their shutters, noise and saturation."""
 
 from __future__ import annotations
 
@@ -26,19 +26,19 @@ from nscc_training.measured import Measured
 from nscc_training.problems import one_line, why_no_arrays
 
 _TOP = 255
-"""The last code, where a frame does not say what is saturated."""
+"""The largest converter code, used as saturated if a frame does not mark saturated pixels."""
 _MOST_VALUES = 1 << 28
-"""Slots times pixels of a clip: 4096 slots of 256 x 256 pixels."""
+"""Largest number of slots times pixels of a clip: 4096 slots of 256 x 256 pixels."""
 
 
 @dataclass(frozen=True, eq=False)
 class CodedFrame:
-    """A frame file as light is found from it; all in electrons, B buckets.
+    """A frame with B buckets, prepared for reconstruction, in electrons.
 
-    `value_e`, `variance_e2` (B, rows, cols): the light of open slots and how sure that is;
-    `saturated` bool: it may be more. `opened` bool (shutters, B, N) are the shutters, `row` (rows,
-    cols) which of them a pixel has, `slot_us` (N,) how long slots are.
-    """
+    `value_e` and `variance_e2` (B, rows, cols) are the light of the open slots and its variance.
+    `saturated` (B, rows, cols) marks values that are lower limits. `opened` (shutters, B, N)
+    contains the shutters, `row` (rows, cols) the index of each pixel's shutter, `slot_us` (N,) the
+    slot lengths."""
 
     value_e: NDArray[np.float32]
     variance_e2: NDArray[np.float32]
@@ -49,12 +49,12 @@ class CodedFrame:
 
     @property
     def is_still(self) -> bool:
-        """Whether all shutters open with the frame, and differ in when they close alone (class b):
-        codes for light, not for motion."""
+        """Return whether all shutters open at the start and differ only in their end (class b).
+
+        Such codes are for stills with a high dynamic range, not for motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
-        """A rectangle of its pixels."""
         return replace(
             self,
             value_e=self.value_e[:, rows, cols],
@@ -64,17 +64,18 @@ class CodedFrame:
         )
 
     def clip(self) -> Measured[NDArray[Any]]:
-        """As the frames of a clip, whose unit is electrons in a slot of mean length."""
+        """Return the measurement of a clip, in electrons per slot of mean length."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
         return self._measured(weights)
 
     def still(self) -> Measured[NDArray[Any]]:
-        """As the frames of a still, whose unit is electrons over the whole frame."""
+        """Return the measurement of a still, in electrons over the whole frame."""
         share = self.opened @ (self.slot_us / self.slot_us.sum())
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """`weights` (shutters, B, N)."""
+        """Return the measurement with shutter weights (shutters, B, N); raise ValueError if it is
+        too large."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -86,12 +87,13 @@ def read_coded_frames(
     path: Path, program: Path | None = None, dark: Path | None = None,
     warn: Callable[[Diagnostic], None] = lambda _doubt: None,
 ) -> tuple[CodedFrame, ...]:  # fmt: skip
-    """A frame file of any program: one frame, or those of red, green and blue. Rejected: NS0819 for
-    a file that is none, or holds no shutters and `program`, the container or text that it was
-    exposed with, is not named; and what loading that raises. Repeats count as one frame, their
-    mean. With `dark`, a frame file of the same program without light, what each pixel reads there
-    is taken off, in place of what its words add in the mean; `warn` is told doubts about it.
-    """
+    """Read a frame file of any program: return one frame, or the frames of red, green and blue.
+
+    Repeated frames are averaged. `program` is the container or text that exposed the frame, needed
+    if the file contains no shutters. `dark` is a frame file of the same program without light: each
+    pixel's dark value replaces the mean offset of the words. `warn` receives warnings about `dark`.
+    Raises Rejected: NS0819 for an invalid file or missing shutters, and the errors of loading
+    `program`."""
     try:
         arrays, meta = read_frame_arrays(
             path, lambda name: name == "saturated" or name.startswith("decode_")
@@ -138,12 +140,15 @@ def _dark_of(
     path: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
     warn: Callable[[Diagnostic], None],
 ) -> NDArray[np.float64]:  # fmt: skip
-    """What an array (B, rows, cols) reads without light, for a frame with these arrays: of as many
-    buckets and pixels, or laid of such arrays. Rejected (NS0819) for another, or for one of another
-    program, or with light."""
+    """Return the dark value (B, rows, cols) of each pixel of an array, for a frame with these
+    arrays.
+
+    The number of buckets and pixels must match the frame or, for a frame that consists of several
+    arrays, one array. Raises Rejected (NS0819) for another size or program, or a frame with light.
+    """
     dark_frame = read_dark(path, arrays["decode_shutter"].shape[-2])
     frame_pixels, dark = arrays["frame"].shape[-2:], dark_frame.offset.shape[-2:]
-    # A picture that was laid on arrays may end within the last of them.
+    # A picture that was exposed in parts may end within the last part.
     laid = meta.get("laid")
     needed = [-(-most // side) for most, side in zip(frame_pixels, dark, strict=True)]
     fits = isinstance(laid, dict) and needed == laid.get("arrays")
@@ -164,9 +169,10 @@ def coded_frame(
     arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
     dark: NDArray[np.float64] | None = None,
 ) -> CodedFrame:  # fmt: skip
-    """What a frame file with these arrays and this meta holds: one frame, or repeats; `dark` (B,
-    rows, cols) is what an array reads without light, in codes above the ADC's offset. KeyError,
-    ValueError, IndexError or TypeError for arrays that are missing or do not fit together."""
+    """Convert the arrays and `meta` of a frame file, of one frame or of repeated frames.
+
+    `dark` (B, rows, cols) is the array's dark value in codes above the ADC's offset. Raises
+    KeyError, ValueError, IndexError or TypeError for arrays that are missing or do not match."""
     codes = arrays["frame"]
     codes = codes[None] if codes.ndim == 3 else codes
     saturated = arrays.get("saturated", arrays["frame"] == _TOP)
@@ -207,7 +213,8 @@ def coded_frame(
 
 
 def _counts_photons(meta: Mapping[str, Any]) -> bool:
-    """Whether light came as photons: always, but in frames simulated without."""
+    """Return whether the frame has photon noise; only simulations without the effect `shot`
+    do not."""
     plan = meta.get("plan")
     if plan is None:
         return True
@@ -215,7 +222,7 @@ def _counts_photons(meta: Mapping[str, Any]) -> bool:
 
 
 def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
-    """What frame files of today hold, from the program and what older ones hold."""
+    """Return the decode table that an older frame file lacks, computed from its program."""
     container = with_pixels(load_container(program)[0], program)
     values = meta.get("sensor", default_sensor(container.target).values)
     try:
@@ -236,8 +243,10 @@ def _is_exposed_by(
     program: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
     table: Mapping[str, NDArray[Any]],
 ) -> bool:  # fmt: skip
-    """Whether a frame has the shutters of a program, whose arrays are `table`: by the shutters that
-    the frame holds, else by its digest of the program, compiled at any level."""
+    """Return whether the frame was exposed with the shutters of the program, whose arrays are
+    `table`.
+
+    Compares the shutters in the frame file, or the digest of the program if the file has none."""
     if "decode_row" in arrays:
         same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
         opened, table_shutters = (
@@ -254,7 +263,7 @@ def _is_exposed_by(
 
 
 def nocoded_frame(path: Path, reason: str, help_text: str | None = None) -> Exception:
-    """NS0819 for a file that no light can be found from."""
+    """Return NS0819 for a file from which no light can be reconstructed."""
     return rejected(
         "NS0819",
         f"'{path}' is not a frame that can be reconstructed",

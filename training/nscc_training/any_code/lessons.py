@@ -1,6 +1,6 @@
-"""Lessons of the decoder for any code: noisy clips, and clips and stills behind codes of any kind.
-What is drawn of a lesson, light and shutters, depends on seed and step; noise is drawn on the
-device that the network learns on."""
+"""Training examples ("lessons") of the decoder for any code: noisy clips, coded clips and stills.
+
+Seed and step determine light and shutters. Noise is drawn on the device of the training."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Light = NDArray[np.float32]
 
 _NOISE = (3 / 255, 40 / 255)
 _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
-"""Frames of a clip; eight most often, as the benchmark has."""
+"""Numbers of frames of a clip; 8 is most frequent because the benchmark has 8."""
 _FILM_LENGTHS = (8, 16, 16)
 _FULL_WELL_E = (2_000.0, 60_000.0)
 _READ_LSB = (0.2, 2.0)
@@ -34,12 +34,12 @@ _TOP = 255.0
 
 
 class Lesson(NamedTuple):
-    """What is drawn for a step: clips (batch, T, rows, cols) on 0..1 as a display shows them, or
-    the light of stills in full wells (batch, 1, rows, cols), behind masks of that shape.
+    """The examples of one training step.
 
-    `exact`: they are measured without noise, as benchmarks are. `filmed`: as a camera takes them,
-    linear light whose white is guessed.
-    """
+    `light` is a batch of clips (batch, T, rows, cols) from 0 to 1 in display encoding, or of stills
+    (batch, 1, rows, cols) in full wells; `mask` has the same shape. `exact` means that there is no
+    measurement noise, as in benchmarks. `filmed` means linear light with unknown white, as a camera
+    records it."""
 
     light: Tensor
     mask: Tensor
@@ -49,7 +49,7 @@ class Lesson(NamedTuple):
 
 
 class LessonSet(Dataset[Lesson]):
-    """The lessons of a run by step: as many clips as come to the batch of eight frames."""
+    """The lessons of a run, by step; longer clips come in smaller batches."""
 
     def __init__(
         self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
@@ -79,7 +79,7 @@ class LessonSet(Dataset[Lesson]):
 
 
 def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Return clips with noise, and its standard deviation (batch,)."""
+    """Return clips with noise, and the standard deviation of the noise (batch,)."""
     low, high = _NOISE
     sigma = low + (high - low) * uniform(clip, generator, clip.shape[:1])
     drawn = torch.randn(clip.shape, generator=generator, device=generator.device).to(clip)
@@ -89,13 +89,12 @@ def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
 def measured_lesson(
     lesson: Lesson, generator: torch.Generator
 ) -> tuple[Tensor, Measured[Tensor], Tensor | None]:
-    """Return the truth of a lesson, what is measured of it, and the display's white (batch,).
+    """Return the ground truth of a lesson, its measurement, and the display's white (batch,).
 
-    The white is given for filmed lessons, in whose unit errors are counted as a display shows them.
-    The full well of these holds about what always open pixels gather at the brightest percent of
-    places, as protocol video-v1 exposes: behind short shutters dark places are lost in noise and
-    rounding. Of a still the full well is 1; of others some pixels may reach it.
-    """
+    White is only returned for filmed lessons, whose errors are measured in display encoding. Their
+    full well is set near the light of an always open pixel at the brightest percent of places, as
+    in protocol video-v1, so that noise is realistic for short shutters. The full well of a still is
+    1; in other lessons some pixels may saturate."""
     light, mask = lesson.light, lesson.mask
     if lesson.filmed:
         light = srgb_inverse(light)
@@ -118,14 +117,14 @@ def measured_lesson(
 
 
 def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
-    """Return a still in full wells, with some part of it saturated if it were open, and stops."""
+    """Return a random still in full wells, part of which would saturate if open, and its stops."""
     light = _light_drawn(pictures, generator, size)
     level = max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6)
     return np.asarray(light / level, np.float32), _stops_drawn(generator, size)
 
 
 def _light_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> Light:
-    """A part of a picture, turned, shrunk by half or not, its contrast changed."""
+    """Return a random part of a picture, rotated, maybe halved in size, with changed contrast."""
     picture = pictures[int(generator.integers(len(pictures)))]
     step = int(generator.integers(1, 3))
     row, col = (int(generator.integers(side - step * size + 1)) for side in picture.shape)
@@ -136,7 +135,7 @@ def _light_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
 
 
 def _stops_drawn(generator: Generator, size: int) -> Mask:
-    """The part of the frame (size, size) that each pixel is open for."""
+    """Return the random fraction of the frame for which each pixel is open (size, size)."""
     tile = int(generator.choice((1, 2, 2, 4, 4, 8, size)))
     lowest = generator.uniform(-8, -1)
     stops = np.exp2(generator.uniform(lowest, 0, (tile, tile)))
@@ -147,8 +146,9 @@ def _stops_drawn(generator: Generator, size: int) -> Mask:
 
 
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
-    """The shutters (frames, size, size) of a code of some class: bits, bumps, tiles, rows of a
-    codebook, stops; a pixel that would never open opens once."""
+    """Return random shutters (frames, size, size) of some class; every pixel opens at least once.
+
+    The classes are bits, bumps, tiles of bumps, codebooks and stops."""
     kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
@@ -161,7 +161,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
         length = int(generator.integers(1, frames))
         begin = generator.integers(0, frames - length + 1, places)
         if generator.random() < 0.3:
-            # Around the end of the frame, as a cyclic code has it.
+            # The bump continues at the start of the frame, as in a cyclic code.
             begin = generator.integers(0, frames, places)
         opened = (slot - begin) % frames < length
     elif kind == "bumps":
@@ -179,8 +179,10 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Half of them of any class; the others bumps of a quarter of the frame that open one after
-    the other in a small tile: within the frame, in two phases, or around its end."""
+    """Return random shutters: with probability 1/2 of any class, otherwise bumps in a 4 x 4 tile.
+
+    The bumps take a quarter of the frame and open one after another: within the frame, in two
+    phases, or wrapping around its end."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)
@@ -201,12 +203,15 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
 def _read_out(
     value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None
 ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """Return frames (batch, 1, rows, cols) as some sensor reads each: the fields of `Measured`.
-    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none."""
+    """Simulate a random sensor's readout of frames (batch, 1, rows, cols); return fields of
+    `Measured`.
+
+    `full` (batch,) is the value of a full well; without it, the well is drawn so that some pixels
+    may saturate."""
     wide = (-1, 1, 1, 1)
 
     def drawn(limits: tuple[float, float]) -> Tensor:
-        """Return numbers (batch, 1, 1, 1), all ratios within limits as likely."""
+        """Return random numbers (batch, 1, 1, 1), uniform in the logarithm within the limits."""
         low, high = np.log(limits)
         return torch.exp(low + (high - low) * uniform(value, generator, (len(value),))).reshape(
             wide
@@ -214,7 +219,7 @@ def _read_out(
 
     well_e, read_lsb = drawn(_FULL_WELL_E), drawn(_READ_LSB)
     if full is None:
-        # The part of pixels that saturate: none, for most.
+        # The fraction of saturated pixels: 0 for most lessons.
         shares = 0.15 * uniform(value, generator, (len(value),))
         shares = shares * (uniform(value, generator, (len(value),)) < 0.4)
         reached = quantiles(value.flatten(1), 1 - shares).to(value).clamp(min=1e-3)

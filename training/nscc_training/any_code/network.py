@@ -1,4 +1,4 @@
-"""A denoiser of clips of any length: a U-Net whose blocks look at the frame before and after."""
+"""A denoiser for clips of any length: a U-Net whose blocks exchange channels between frames."""
 
 from __future__ import annotations
 
@@ -11,20 +11,19 @@ from torch.nn import functional
 
 WIDTHS = (32, 64, 96)
 SEEN = 3
-"""Planes beside the noisy clip: mask, measurement over the mask's sum, its noise."""
+"""Input channels besides the noisy clip: mask, measurement divided by the mask's sum, its noise."""
 _FOLD = 2
-"""Pixels a side that the network takes for one place with as many more channels."""
+"""Side in pixels of the squares that are folded into channels at the input."""
 
 
 class ClipDenoiser(nn.Module):
-    """Takes away noise, or what an iteration has left, from a clip of any length and size.
+    """A network that removes noise or reconstruction errors from a clip of any length and size.
 
-    The clip (batch, T, rows, cols) is on about 0..1, its errors of a standard deviation of about
-    `sigma` (batch,); `seen` (batch, SEEN, T, rows, cols) is what the measurement says, zeros
-    where nothing is known. Each block gives a quarter of its channels to the next frame and a
-    quarter to the one before (after the temporal shift of Lin, Gan and Han, ICCV 2019): with that,
-    plane convolutions see motion, and weights have no number of frames in them.
-    """
+    The clip (batch, T, rows, cols) has values of about 0 to 1 and errors with the standard
+    deviation `sigma` (batch,). `seen` (batch, SEEN, T, rows, cols) describes the measurement; it is
+    0 if unknown. Each block moves a quarter of its channels to the next frame and a quarter to the
+    previous one (temporal shift; Lin, Gan and Han, ICCV 2019). Thereby 2D convolutions respond to
+    motion, and the weights do not depend on the number of frames."""
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
         super().__init__()
@@ -46,7 +45,7 @@ class ClipDenoiser(nn.Module):
         nn.init.zeros_(self.last.weight)
         nn.init.zeros_(self.last.bias)  # type: ignore[arg-type]
         with torch.no_grad():
-            # Denoising is learned first, without a measurement to look at.
+            # Denoising is learned first, without a measurement.
             self.first.weight[:, planes:-1] = 0
 
     def forward(self, clip: Tensor, measured_planes: Tensor, sigma: Tensor) -> Tensor:
@@ -63,7 +62,7 @@ class ClipDenoiser(nn.Module):
         x = x.contiguous(memory_format=torch.channels_last)
         x = self._through(self.first(x), frames)
         residual = functional.pixel_shuffle(x.float(), _FOLD)[..., :rows, :cols]
-        # In units of sigma, so that every level of noise teaches alike.
+        # In units of sigma, so that all noise levels have the same weight.
         return clip + residual.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
 
     def _through(self, x: Tensor, frames: int) -> Tensor:
@@ -84,7 +83,8 @@ class ClipDenoiser(nn.Module):
 
 
 class FrameExchangeBlock(nn.Module):
-    """Two convolutions that add to what they see, after channels went to the frames beside."""
+    """A residual block of two convolutions after an exchange of channels between neighbouring
+    frames."""
 
     def __init__(self, width: int) -> None:
         super().__init__()
@@ -98,14 +98,17 @@ class FrameExchangeBlock(nn.Module):
 
 
 def exchanged(x: Tensor, frames: int) -> Tensor:
-    """(batch * T, channels, rows, cols) where a quarter of the channels is the frame before's and a
-    quarter the frame after's; the first and the last frame stand in for those that are missing."""
+    """Return `x` (batch * T, channels, rows, cols) with half of its channels moved between frames.
+
+    A quarter of the channels comes from the previous frame and a quarter from the next. At the ends
+    of the clip, the first and last frames replace the missing ones."""
     output: Tensor = _Exchanged.apply(x, frames)  # type: ignore[no-untyped-call]
     return output
 
 
 class _Exchanged(torch.autograd.Function):
-    """`exchanged` with a gradient of its own: that of five slices takes a fifth of a training."""
+    """`exchanged` with its own gradient, because the gradient of slices takes a fifth of the
+    training."""
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
@@ -138,6 +141,7 @@ def _pair(width: int) -> nn.ModuleList:
 
 
 def bf16_where_multiplied() -> AbstractContextManager[object]:
-    """Autocast to bfloat16 on processors that multiply it; elsewhere it would take longer."""
+    """Return an autocast to bfloat16 on processors with bfloat16 multiplication, else no
+    autocast."""
     knows = [torch.cpu._is_avx512_bf16_supported(), torch.cpu._is_amx_tile_supported()]
     return torch.autocast("cpu", torch.bfloat16) if any(knows) else nullcontext()

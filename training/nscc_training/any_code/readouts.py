@@ -1,9 +1,8 @@
-"""Several readouts of one exposure, one of them always open: what stands still, and what moves.
+"""Combination of several readouts of one exposure, one of which is always open.
 
-Where nothing moves all readouts tell of the same light, and together more surely than an ordinary
-camera. Where they contradict each other by more than their noise, the clip of the coded ones is
-taken. Nothing is learned for this: the noise of every readout is known.
-"""
+Without motion all readouts measure the same light, and their mean has less noise than an ordinary
+frame. If they differ by more than their noise, the clip decoded from the coded readouts is used.
+This needs no training, because the noise of every readout is known."""
 
 from __future__ import annotations
 
@@ -14,17 +13,20 @@ from torch.nn import functional
 from nscc_training.measured import Measured
 
 FIRST_STAGE = 4
-"""The clip is the mean of those of this stage and all after it. Their errors differ, as stages see
-the clip mirrored in different ways: worth 0.2 dB where things move, and 4 dB where nothing does."""
+"""The first stage whose clip enters the mean of clips.
+
+The errors of the stages differ, because each sees the clip mirrored in another way. The mean gains
+0.2 dB in moving and 4 dB in static regions."""
 _WIDE, _NARROW, _AROUND = 9, 5, 15
-"""Windows of pixels a side: of two measures of motion, and of how wrong the clip's mean is."""
+"""Window sides in pixels: for two measures of motion, and for the error of the clip's mean."""
 _STILL, _MOVING = 0.25, 0.6
-"""Below the first measure of motion nothing moves, above the second everything does."""
+"""Limits of the motion measure: below the first all is static, above the second all is moving."""
 
 
 def always_open(measured: Measured[Tensor]) -> int | None:
-    """Return the number of the readout whose shutters never close, if there is one beside others
-    that do."""
+    """Return the index of the readout whose shutters never close; None if there is no such readout.
+
+    None is also returned if all readouts are always open."""
     opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
     if bool(opened.all()) or not bool(opened.any()):
         return None
@@ -32,13 +34,12 @@ def always_open(measured: Measured[Tensor]) -> int | None:
 
 
 def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
-    """Return the clip (batch, N, rows, cols) that is still where the readouts agree, and elsewhere
-    as `clip` is; readout `number` is always open.
+    """Return the clip (batch, N, rows, cols), static where the readouts agree, elsewhere `clip`.
 
-    The still light is the mean of all readouts by precision. It shrinks towards the clip's mean as
-    far as the difference of both is no larger than the noise of the first: so it is never much less
-    sure than the readouts, and nearly as smooth as the clip where the clip is right.
-    """
+    Readout `number` is always open. The static light is the mean of all readouts, weighted by
+    precision. It is moved towards the mean of `clip` if their difference is within the noise. Its
+    error is therefore close to the noise of the readouts at most, and it is smooth if `clip` is
+    right."""
     opened = measured.mask.sum(dim=2)
     light = measured.value / opened.clamp(min=1e-9)
     variance = measured.variance / opened.clamp(min=1e-9).square()
@@ -53,7 +54,7 @@ def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
     apart = _around((still - smooth).square(), _AROUND)
     share = (1 - _around(noise.clamp(max=1), _AROUND) / apart.clamp(min=1e-12)).clamp(0, 1)
     steady = smooth + share * (still - smooth)
-    # The mean has a part of each readout's own noise; it is no other light than one that is alone.
+    # The mean contains a part of each readout's noise, so their difference has less noise.
     spread = (variance - noise).clamp(min=1e-3 * variance.clamp(min=1e-9)).sqrt()
     deviation = torch.where(known, (light - mean) / spread, 0.0)
     coded = [k for k in range(light.shape[1]) if k != number]
@@ -62,9 +63,11 @@ def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
 
 
 def motion(deviation: Tensor) -> Tensor:
-    """Return how far coded readouts contradict what stands still (batch, rows, cols), from their
-    deviations (batch, B, rows, cols): the mean square in a wide window beyond 1, and the square of
-    the mean in a narrow one."""
+    """Return a measure of motion (batch, rows, cols) from deviations (batch, B, rows, cols).
+
+    A deviation is the difference of a coded readout from the static prediction, in standard
+    deviations. The measure adds the mean square in a wide window minus 1 and the squared mean in a
+    narrow one."""
     wide = _around(deviation.square(), _WIDE) - 1
     return (wide + _around(deviation, _NARROW).square()).mean(dim=1)
 

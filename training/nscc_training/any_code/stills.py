@@ -1,8 +1,8 @@
-"""Stills from frames of any code: neighbours say what a pixel's own exposure does not.
+"""Stills from frames of any code, using neighbours where a pixel's own exposure is not enough.
 
-A still is denoised as `log(1 + light / floor)`, where errors of bright and dark pixels weigh alike.
-Its frames have masks of one slot: the part of the frame that each pixel was open for.
-"""
+A still is denoised as `log(1 + light / floor)`, in which errors of bright and dark pixels have
+equal weight. Its frames have masks of one slot: the fraction of the frame for which a pixel was
+open."""
 
 from __future__ import annotations
 
@@ -17,20 +17,21 @@ from nscc_training.decoders.guess import averaged
 from nscc_training.measured import Measured
 
 STILL_STAGES = 1
-"""More add nothing, with the weights that are shipped."""
+"""Number of stages; more stages do not improve results with the shipped weights."""
 _SIGMA = (0.05, 0.02)
-"""How wrong the logarithm is taken to be before the first stage and before the last of several."""
+"""Assumed error of the logarithm before the first and the last stage, if there are several."""
 _FLOOR = 1e-3
-"""Of the light that is 1: about what fills a well over the whole frame."""
+"""Floor of the logarithm, relative to the light 1, which about fills a well over the whole
+frame."""
 _SPAN = log(1 + 200 / _FLOOR)
-"""The logarithm of light that few scenes reach; 1 for the denoiser."""
+"""Scale that maps the logarithm of the light 200, which few scenes exceed, to 1."""
 
 
 def started_still(measured: Measured[Tensor]) -> Tensor:
-    """Light over the frame (batch, rows, cols): every pixel's is the mean of what it and those
-    around it say, each by its precision; a saturated pixel has at least the light that saturates
-    it.
-    """
+    """Return a first estimate of the light over the frame (batch, rows, cols).
+
+    Each pixel is the mean of its own and its neighbours' measurements, weighted by precision. A
+    saturated pixel has at least the light at which it saturates."""
     mask = measured.mask[:, :, 0]
     opened = (mask > 0).expand_as(measured.value)
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0)
@@ -46,20 +47,21 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
 
 
 def still_schedule(count: int) -> list[float]:
-    """Sigma of each of `count` stages."""
+    """Return the assumed error (sigma) before each of `count` stages."""
     return [float(sigma) for sigma in np.linspace(*_SIGMA, count)]
 
 
 def still_stage(
     measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, sigma: float
 ) -> Tensor:
-    """Light after a stage: the most likely one between what it was and what the frames say, then
-    denoised. The unit is such that a well is filled by light of about 1."""
+    """Return the light after one stage: the most likely light given estimate and frames, denoised.
+
+    The unit of light is such that about 1 fills a well."""
     spread = sigma * _SPAN * (light + _FLOOR)
     mask = measured.mask[:, :, 0]
     data_precision = mask.square() / measured.variance.clamp(min=1e-12)
     gap = measured.missing(mask * light.unsqueeze(1), measured.value)
-    # What saturated pixels have anyhow tells nothing more.
+    # The values of saturated pixels contain no further information.
     data_precision = torch.where(measured.saturated & (gap <= 0), 0.0, data_precision)
     step = (data_precision * gap / mask.clamp(min=1e-9)).sum(dim=1)
     light = (light + step / (spread.pow(-2) + data_precision.sum(dim=1))).clamp(min=0)
@@ -69,18 +71,20 @@ def still_stage(
 
 
 def coded_light(light: Tensor) -> Tensor:
-    """The logarithm of light, as the denoiser has it."""
+    """Return the scaled logarithm of light that the denoiser takes."""
     return torch.log1p(light.clamp(min=0) / _FLOOR) / _SPAN
 
 
 def light_of(coded: Tensor) -> Tensor:
-    """The inverse of `coded_light`."""
+    """Return the inverse of `coded_light`."""
     return torch.expm1(coded.float().clamp(0, 1.5) * _SPAN) * _FLOOR
 
 
 def _planes(measured: Measured[Tensor]) -> Tensor:
-    """(batch, 3, 1, rows, cols): how long pixels were open, what they say alone, and how sure that
-    is, all as logarithms; where several frames say something, the surest."""
+    """Return the denoiser's inputs (batch, 3, 1, rows, cols) from a measurement.
+
+    These are the open fraction, the light of each pixel alone, and its noise, all as logarithms; of
+    several frames the one with the least noise is used at each pixel."""
     mask = measured.mask[:, :, 0]
     opened = mask > 0
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)

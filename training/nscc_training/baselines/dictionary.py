@@ -31,8 +31,10 @@ def dictionary_clip(
     measurement: NDArray[np.float32], mask: Clip, atoms: Matrix, sparsity: int = SPARSITY
 ) -> Clip:
     """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), averaging overlapping
-    blocks. `atoms` (T * SIDE * SIDE, K) come from `learned`. ValueError for a picture smaller than
-    a block, or atoms of another length."""
+    blocks.
+
+    `atoms` (T * SIDE * SIDE, K) come from `learned`. Raises ValueError for a picture smaller than a
+    block, or atoms of another length."""
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
         raise ValueError(f"{mask.shape} with atoms of {len(atoms)} numbers")
@@ -50,9 +52,10 @@ def dictionary_clip(
 
 
 def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArray[np.float64]:
-    """Solve matrix @ weights = right with at most `sparsity` weights (K,), by orthogonal matching
-    pursuit. It ends early when the residual is small, and never selects a column that depends on
-    the others."""
+    """Solve matrix @ weights = right with at most `sparsity` nonzero weights (K,).
+
+    Orthogonal matching pursuit stops when the residual is small, and never selects a column that
+    depends linearly on the selected ones."""
     weights = np.zeros(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
@@ -112,8 +115,9 @@ def made_dictionary(frames: int) -> Matrix:
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
     """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together.
-    Each round adds the best atom and solves for all weights, using the inner products of the
-    atoms."""
+
+    Each round adds the best atom and solves for all weights, using the inner products of the atoms.
+    """
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
     chosen = np.zeros((count, 0), np.int64)
@@ -137,5 +141,6 @@ def _unit(atoms: Matrix) -> Matrix:
 
 
 def _places(size: int) -> list[int]:
-    """Return the first pixels of blocks: every `STRIDE`, and the last that fits the picture."""
+    """Return the first pixel of each block along an axis: every `STRIDE`, and the last that
+    fits."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

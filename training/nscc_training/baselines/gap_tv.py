@@ -21,17 +21,11 @@ def gap_tv_of(
     measured: Measured[Array], iterations: int = START, *, weight: float = WEIGHT,
     start: Array | None = None,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Generalised alternating projection with total variation (Yuan 2016), accelerated.
+    """Reconstruct by accelerated generalised alternating projection with total variation (Yuan
+    2016).
 
-    The default start is a static clip, with each pixel's light spread over the frame: from a dark
-    start, slots that no pixel recorded would stay about a fifth too dark (64 slots).
-
-    Returns
-    -------
-    tuple
-        The clip (batch, N, rows, cols), and its target as `gap_step` takes it. Frames may have
-        several buckets, saturated and noisy pixels.
-    """
+    The default start is a static clip, with each pixel's light spread over the frame. From a dark
+    start, slots that no pixel recorded would stay about a fifth too dark (64 slots)."""
     of, target = namespace(measured.value), measured.value
     sigma: Array = of.full_like(measured.value[:, 0, 0, 0], _FAR)
     if start is None:

@@ -21,8 +21,7 @@ def merged(
     `open_share` is the open fraction of the frame of each pixel. The light of a pixel is the mean
     of the measurements around it, weighted by precision; saturated measurements have weight 0. The
     neighbourhood grows until it contains a measurement. A saturated pixel has at least the light
-    that saturates it.
-    """
+    that saturates it."""
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
     usable = ~saturated & (open_share > 0)
@@ -37,8 +36,7 @@ def merged(
 def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Picture:
     """Return the mean of the light around each pixel, weighted by precision, and at least `least`.
 
-    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0.
-    """
+    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0."""
     weighted = precision * light
     result = np.full(light.shape, np.nan)
     reach = 2

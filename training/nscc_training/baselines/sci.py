@@ -20,7 +20,7 @@ def gap_tv(
     measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:  # fmt: skip
-    """GAP-TV that begins with the measurement, spread over the open frames of each pixel."""
+    """Reconstruct a clip by GAP-TV, starting from the measurement spread over the open frames."""
     measured = Measured.exact(measurement[None], mask[None])
     start = adjoint(measurement, mask)[None]
     clips, _ = gap_tv_of(measured, iterations, weight=weight, start=start)
@@ -31,7 +31,7 @@ def admm_tv(
     measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:  # fmt: skip
-    """Alternating direction method of multipliers with TV."""
+    """Reconstruct a clip by the alternating direction method of multipliers (ADMM) with TV."""
     energy = _energy(mask) + np.float32(_RIDGE)
     clip = mask * (measurement / energy)
     dual = np.zeros_like(clip)
@@ -45,19 +45,20 @@ def admm_tv(
 
 
 def from_dictionary(measurement: NDArray[np.float32], mask: Clip) -> Clip:
-    """Sparse coding with a dictionary of procedural scenes; see
-    `nscc_training.baselines.dictionary`."""
+    """Reconstruct a clip by sparse coding (`nscc_training.baselines.dictionary`)."""
     return dictionary_clip(measurement, mask, made_dictionary(len(mask)))
 
 
 def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
-    """Return S^T E over the number of open frames: the start of decoders."""
+    """Return S^T E divided by the number of open frames of each pixel: the start of decoders."""
     return np.asarray(mask * (measurement / _energy(mask)), np.float32)
 
 
 def bilinear(clip: Clip, mask: Clip) -> Clip:
-    """Interpolate the coded volume, before integration, frame by frame with tent weights. A
-    yardstick that sees the truth. A tent grows until it contains a sample."""
+    """Interpolate each coded frame, before integration, with tent weights that grow until they find
+    data.
+
+    This is a reference method: it uses the ground truth instead of the measurement."""
     return np.stack(
         [
             _inpainted(frame * open_mask, open_mask)
@@ -70,8 +71,9 @@ _STEP = 4
 
 
 def thin_out(clip: Clip) -> Clip:
-    """Keep every fourth pixel in x and y at full rate, and interpolate linearly; a yardstick as
-    well."""
+    """Keep every fourth pixel in x and y in all frames, and interpolate linearly.
+
+    This is a reference method: it uses the ground truth instead of the measurement."""
     rows, cols = clip.shape[1:]
     down, right = _between(rows, _STEP), _between(cols, _STEP)
     return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)

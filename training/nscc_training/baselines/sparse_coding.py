@@ -33,8 +33,10 @@ def sparse_coded(
     coarse: Picture, measured: Picture, confidence: Picture, filters: Tensor,
     iterations: int = ITERATIONS, weight: float = WEIGHT,
 ) -> Picture:  # fmt: skip
-    """Return a picture near `measured` where `confidence` (0..1) is high, and near `coarse`,
-    blurred, elsewhere. All are square roots of light relative to a full well, (rows, cols).
+    """Return a picture that follows `measured` where `confidence` (0..1) is high, else `coarse`,
+    blurred.
+
+    All three are (rows, cols); the pictures are square roots of light relative to a full well.
     `filters` (K, 1, side, side) come from `made_filters`."""
     base = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
@@ -60,8 +62,7 @@ def coded_still(
     result.
 
     Photon noise of the square root of light depends on the open time alone, which is the confidence
-    of a pixel. A saturated pixel has confidence 0, and at least the light that saturates it.
-    """
+    of a pixel. A saturated pixel has confidence 0, and at least the light that saturates it."""
     share = np.where(open_share > 0, open_share, 1.0)
     relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
@@ -92,18 +93,18 @@ def made_filters(seed: int = 0) -> Tensor:
 
 
 def summed(maps: Tensor, filters: Tensor) -> Tensor:
-    """Return the picture (1, 1, rows, cols) of maps (1, K, rows, cols), each convolved with its
-    filter."""
+    """Return the picture (1, 1, rows, cols): the sum of maps (1, K, rows, cols) convolved with
+    filters."""
     return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
 
 
 def spread(picture: Tensor, filters: Tensor) -> Tensor:
-    """Return the adjoint of `summed`."""
+    """Return the maps (1, K, rows, cols) of a picture: the adjoint of `summed`."""
     return functional.conv2d(picture, filters, padding=SIDE // 2)
 
 
 def blurred(picture: Tensor) -> Tensor:
-    """Blur (1, 1, rows, cols) by a Gaussian; beyond the edge the picture is repeated."""
+    """Blur a picture (1, 1, rows, cols) by a Gaussian, with its edge pixels repeated outside."""
     reach = round(3 * _COARSE)
     line = torch.exp(-0.5 * (torch.arange(-reach, reach + 1) / _COARSE) ** 2)
     line = line / line.sum()
@@ -113,8 +114,8 @@ def blurred(picture: Tensor) -> Tensor:
 
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
-    """Return an upper bound of the largest eigenvalue of the masked sum times its adjoint, by
-    iteration."""
+    """Return an upper bound of the largest eigenvalue of the masked sum of filters times its
+    adjoint."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):

@@ -11,9 +11,10 @@ from nscc_training.baselines.tv import tv_denoised_arrays
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return clips (batch, T, rows, cols) denoised as `nscc_training.baselines.tv.tv_denoise` does.
-    On the CPU a compiled loop goes over the pixels, because torch's operators go over the memory
-    fifteen times as often; on other devices they are used. No gradient passes."""
+    """Denoise clips (batch, T, rows, cols) as `nscc_training.baselines.tv.tv_denoise` does.
+
+    On the CPU a compiled loop is used, because torch's operators read the memory fifteen times as
+    often. Other devices use torch's operators. No gradient passes."""
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
@@ -30,7 +31,7 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return the result of `tv_denoised` by torch's operators, on any device."""
+    """Denoise clips like `tv_denoised`, but with torch's operators, on any device."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     step = 1.0 / (4.0 + 2.0 * time * time)
@@ -56,10 +57,10 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
 
 
 def _before(values: Tensor, axis: int) -> Tensor:
-    """Return all but the last along an axis."""
+    """Return `values` without the last element along an axis."""
     return values.narrow(axis, 0, values.shape[axis] - 1)
 
 
 def _after(values: Tensor, axis: int) -> Tensor:
-    """Return all but the first along an axis."""
+    """Return `values` without the first element along an axis."""
     return values.narrow(axis, 1, values.shape[axis] - 1)

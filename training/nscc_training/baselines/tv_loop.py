@@ -1,4 +1,4 @@
-"""The loop of total variation; `nscc_training.baselines.tv` calls it."""
+"""The compiled loop of total variation denoising, for `nscc_training.baselines.tv`."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ def _primal_row(
     cols: int, at: int, plane: int, links: int, time: np.float32,
     image: Floats32, later: Floats32, down: Floats32, right: Floats32, out: Floats32,
 ) -> None:  # fmt: skip
-    """out = image + div(field) in the row that begins at `at`. `links` are bits for existing
-    neighbours: 1 above, 2 in the frame before."""
+    """Compute out = image + div(field) in the row that begins at `at`.
+
+    `links` are bits for existing neighbours: 1 for the row above, 2 for the frame before."""
     if links == 3:
         for k in range(at + 1, at + cols):
             out[k] = (
@@ -50,8 +51,9 @@ def _dual_row(
     time: np.float32, out: Floats32, later: Floats32, down: Floats32, right: Floats32,
 ) -> None:  # fmt: skip
     """Take a descent step of the field in one row, projected back into the ball of radius `weight`.
-    `links` are bits for existing neighbours: 1 below, 2 in the frame after. Without a neighbour,
-    that component of the field stays 0."""
+
+    `links` are bits for existing neighbours: 1 for the row below, 2 for the frame after. Without a
+    neighbour, that component of the field stays 0."""
     end = at + cols - 1
     last_down, last_later = _ZERO, _ZERO
     if links & 1:
@@ -141,7 +143,9 @@ def denoise(
     volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
     right: Written[_Clip], out: Written[_Clip],
 ) -> None:  # fmt: skip
-    """Chambolle's projection (2004) of each clip: minimise |out - image|^2 / 2 + weight TV(out).
+    """Denoise each clip by Chambolle's projection (2004): minimise |out - image|^2 / 2 + weight
+    TV(out).
+
     `later`, `down` and `right` are the dual field, updated in place; 0 where a neighbour is
     missing."""
     for clip in range(volume.clips):

@@ -1,4 +1,4 @@
-"""Exposures of scenes, drawn from seed and step alone, cut on the run's device."""
+"""Random exposures of scenes, determined by seed and step, and cut on the run's device."""
 
 from __future__ import annotations
 
@@ -17,12 +17,11 @@ from nscc_training.protocols import load_protocol
 from nscc_training.settings import DataSettings
 
 _TRIES = 20
-"""Most draws of a region, if the regions are too dark to saturate."""
+"""Most random draws of a region, if the regions are too dark to saturate."""
 EXPOSED = 256
-"""Rows and columns exposed together; a patch may be its dark or its bright part."""
+"""Rows and columns of a region that is exposed together; a patch is a part of a region."""
 _POLES = 8
-"""A panorama loses 1/8 of its rows at the top and at the bottom, which are stretched unlike any
-lens."""
+"""1/8 of a panorama's rows is removed at the top and at the bottom, where it is distorted."""
 _WHITE = 0.999
 """The quantile of a still's light that metrics and losses count as 1."""
 
@@ -57,12 +56,12 @@ class Batch:
 
     @cached_property
     def goal(self) -> Tensor:
-        """The truth over the peak, clipped to 1."""
+        """Return the ground truth divided by the peak, clipped to 1."""
         return self._relative.clamp(max=1)
 
     @cached_property
     def most(self) -> Tensor:
-        """Upper limit of predictions over the peak: 1 where the truth reaches the peak, else
+        """Return the upper limit of predictions over the peak: 1 where the truth reaches it, else
         infinity."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
@@ -72,13 +71,12 @@ class Batch:
 
 
 class Exposures(NamedTuple):
-    """E exposures of square regions, drawn for a batch before anything is cut.
+    """E random exposures of square regions for a batch, before patches are cut.
 
-    `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is rotated by
-    `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
+    `light` is (E, rows, cols) for stills and (E, N, rows, cols) for clips. Each exposure is rotated
+    by `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
     power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
-    exposure `source[k]` at `corner[k]` (row, column).
-    """
+    exposure `source[k]` at `corner[k]` (row, column)."""
 
     light: Tensor
     share: Tensor
@@ -92,7 +90,7 @@ class Exposures(NamedTuple):
 
 
 class ExposureSet(Dataset[Exposures]):
-    """The exposures of a run by step."""
+    """The exposures of a run, by training step."""
 
     def __init__(
         self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int
@@ -142,8 +140,8 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return the light of a region, the fraction of a still's pixels that saturates, and the
-        place."""
+        """Return the light of a random region, the fraction of a still's pixels that saturates, and
+        its place."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
@@ -220,12 +218,13 @@ def _cut(
 
 
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
-    """Return the quantile (a number, or (batch,)) of each row of values (batch, count). The result
-    is float64, interpolated as numpy does."""
+    """Return the quantile of each row of `values` (batch, count), float64 (batch,).
+
+    `quantile` is a number or (batch,). The result is interpolated as by numpy."""
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)
-        most = values.topk(last - below + 1, dim=1).values.double()  # from the largest down
+        most = values.topk(last - below + 1, dim=1).values.double()  # in descending order
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
         return low + (high - low) * (quantile * last - below)
     place = quantile.double() * last

@@ -1,6 +1,7 @@
-"""Clips made of pictures: layers that pan, rotate, zoom, bend and cross one another. Little video
-may be used freely, but many photographs may. They provide detail; the layers provide independent
-motion of parts, with edges that cover and uncover."""
+"""Synthetic clips made of photographs: layers that pan, rotate, zoom, bend and cross one another.
+
+Few videos have a free licence, but many photographs do. The photographs provide detail. The layers
+provide independent motion, with edges that cover and uncover the background."""
 
 from __future__ import annotations
 
@@ -21,22 +22,23 @@ Generator = np.random.Generator
 
 _SHORT = 1000
 _LOOKED_AT = 3
-"""Places of a picture that are tried; the one with most detail is used, because skies teach little.
-"""
+"""Number of random places of a picture; the one with most detail is used."""
 _SPEEDS = (0.03, 6.0)
 """Slowest and fastest speed in pixels per frame, drawn uniformly in the logarithm."""
 _STILL = 0.15
 """Fraction of layers that stand still."""
 _BLURRED = 3
-"""Moments averaged for a frame of a clip with motion blur."""
+"""Number of moments that are averaged for a frame with motion blur."""
 
 
 def moving(
     pictures: Sequence[Picture], generator: Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
-    """Return a clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than
-    `size`. A background and up to three objects in front of it come from different pictures; half
-    of the clips have motion blur. Values are as stored or, raised to a power, like light."""
+    """Return a clip (frames, size, size) with values from 0 to 1, composed of parts of `pictures`.
+
+    Pictures have 8 bits and are larger than `size`. The background and up to three objects come
+    from different pictures. Half of the clips have motion blur. The values are in display encoding,
+    or raised to a random power."""
     layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
         layers.append(_Layer.drawn(pictures, generator, size, background=False))
@@ -56,9 +58,11 @@ def moving(
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """A moving picture. At moment t, place p of the clip shows `picture` at centre + turn(t) (p -
-    size / 2 - velocity t) * scale * zoom^t, distorted by waves. `outline` is a polygon of radii
-    around `middle`; None for a background."""
+    """A moving picture.
+
+    At time t, place p of the clip shows `picture` at centre + turn(t) (p - size / 2 - velocity t) *
+    scale * zoom^t, distorted by waves. `outline` contains the radii of a polygon around `middle`;
+    it is None for a background."""
 
     picture: Picture
     centre: NDArray[np.float64]
@@ -140,7 +144,7 @@ class _Layer:
 
 
 def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.float64]:
-    """Return the place (row, column) with most detail of some random places of a picture."""
+    """Return the place (row, column) with the most detail among some random places of a picture."""
     places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
     def detail(place: NDArray[np.float64]) -> float:
@@ -152,7 +156,7 @@ def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.f
 
 
 def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
-    """Return the layers at a moment, each painted over those before it, 0..255."""
+    """Return the layers at a moment as a picture 0..255; each layer covers those before it."""
     image = layers[0].picture_at(moment, size)
     for layer in layers[1:]:
         cover = layer.cover_at(moment, size)
@@ -162,7 +166,8 @@ def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np
 
 
 def pictures_below(folder: Path) -> list[Path]:
-    """Return the pictures in a folder and in folders below it. Rejected (NS0811) without any."""
+    """Return all pictures in a folder and its subfolders; raise Rejected (NS0811) if there are
+    none."""
     files = sorted(
         path for path in folder.rglob("*") if path.suffix.lower() in PICTURES and path.is_file()
     )
@@ -177,8 +182,9 @@ def pictures_below(folder: Path) -> list[Path]:
 
 
 def light_of_picture(path: Path) -> NDArray[np.float32]:
-    """Return the light of a picture, halved until its shorter side is below 1000 pixels. That gives
-    detail as sharp as that of small cameras."""
+    """Return the light of a picture, halved until its shorter side is below 1000 pixels.
+
+    The reduction gives as much detail per pixel as small cameras have."""
     import cv2
 
     light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)
@@ -189,6 +195,6 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
 
 
 def shown_picture(light: NDArray[np.float32]) -> Picture:
-    """Return the picture on a display whose white is the 98 % quantile of the light."""
+    """Return the 8-bit display picture of light; white is the 98 % quantile of the light."""
     level = max(float(np.percentile(light, 98)), 1e-30)
     return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)

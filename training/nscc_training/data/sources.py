@@ -37,18 +37,19 @@ _MOST_SIDE = 512
 _CAMERA_SIDE = 256
 """Minimum rows and columns of the clips made of a panorama."""
 _MOST_LIGHT = 1e32
-"""Sums of light over all slots beyond this overflow."""
+"""Largest valid light; larger values would overflow in sums over all slots."""
 _LIT_SHARE = 0.01
-"""The exposure of a clip follows from its brightest hundredth."""
+"""Fraction of a clip's pixels, the brightest ones, whose light determines its exposure."""
 _VALIDATION = 5
 """Every fifth file is for validation if no folder is named for it."""
 
 
 @dataclass(frozen=True, eq=False)
 class SourceScene:
-    """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit. For clips of
-    display files 1 is white. `sha256` is the digest of the file, or of the array if there is no
-    file."""
+    """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
+
+    White is 1 in clips from display files. `sha256` is the digest of the file, or of the array if
+    there is no file."""
 
     name: str
     sha256: str
@@ -74,13 +75,12 @@ def load_scenes(
     settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False,
     tell: Callable[[str], object] = lambda _text: None,
 ) -> Scenes:  # fmt: skip
-    """Load the scenes that a configuration names.
+    """Load the training and validation scenes that a configuration names.
 
-    With `pictures`, the training scenes are the light of all pictures below a folder. `tell` is
-    called with a message on the validation split, and on changes of a scene. Raises Rejected:
-    NS0811 for a folder without scenes of the kind, or if training and validation would share a
-    scene; NS0812 for an import path.
-    """
+    With `pictures`, the training scenes are the light of all pictures in a folder and its
+    subfolders. `tell` is called with messages on the validation split and on changes of a scene.
+    Raises Rejected: NS0811 for a folder without suitable scenes, or if training and validation
+    would share a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
     if settings.val or pictures or settings.train == "procedural":
@@ -125,7 +125,7 @@ class _Kind:
     tell: Callable[[str], object] = lambda _text: None
 
     def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
-        """Return the light of a stored picture, by the rules of `nscc run`."""
+        """Return the light of a stored picture, converted as by `nscc run`."""
         return picture_light(
             stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )
@@ -195,8 +195,9 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
 def _turned(
     panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
 ) -> list[SourceScene]:
-    """Return the clips of a panorama; file and seed determine the camera's paths. If stored values
-    of clips count as light, the values of a display camera are used here too."""
+    """Return clips of a camera that turns in a panorama; file and seed determine its paths.
+
+    The clips are in display encoding if the settings treat stored values as light."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
     for index, generator in enumerate(_generators(digest, kind)):
@@ -209,8 +210,9 @@ def _turned(
 
 
 def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
-    """Return the clips of a photograph, with all layers cut from it, so that clips of different
-    files stay separate."""
+    """Return synthetic clips whose layers all come from one photograph.
+
+    Clips of different files share no content, so that training and validation stay separate."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     picture = shown_picture(light_of_picture(path))
     transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
@@ -255,7 +257,7 @@ def _centre(frame: NDArray[Any]) -> NDArray[Any]:
 
 
 def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
-    """Return why no exposure suits a scene, because too few pixels are lit; "" otherwise."""
+    """Return why a scene cannot be exposed because too few pixels are lit; "" if it can."""
     share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
     lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
     return "" if lit >= share else (
@@ -265,7 +267,7 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
-    """Return the scene; Rejected (NS0811) if training cannot use it."""
+    """Return the scene; raise Rejected (NS0811) if training cannot use it."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"

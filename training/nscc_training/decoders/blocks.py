@@ -1,4 +1,4 @@
-"""FC-net: blocks of 2 x 2 tiles through fully connected layers, at every shift by a tile."""
+"""FC-net: fully connected layers on blocks of 2 x 2 tiles, at every shift by a tile."""
 
 from __future__ import annotations
 
@@ -27,8 +27,9 @@ def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
 
 def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
     """Return the sums of overlapping blocks in pictures (batch, *size): the adjoint of
-    `unfold_blocks`. A step is a block or a whole fraction of one, and the blocks fill the
-    pictures."""
+    `unfold_blocks`.
+
+    The block size is a multiple of the step, and the blocks fill the pictures."""
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
     again = block[0] // step[0], block[1] // step[1]
@@ -71,13 +72,11 @@ def fcnet(channels: Sequence[int], task: DecoderTask, size: str) -> BlockNet:
 
 
 class BlockNet(nn.Module):
-    """Fully connected layers from every block of 2 x 2 tiles of the frame to N pictures of that
-    block.
+    """Fully connected layers that map every block of 2 x 2 tiles of the frame to N pictures of it.
 
     Blocks overlap by a tile in both directions; each pixel is the average over the blocks that
-    contain it. The network sees no code, but blocks always begin at the corner of a tile.
-    `overlapping` (down, across) may be switched off after training for fewer blocks.
-    """
+    contain it. The network does not receive the code, but blocks always begin at the corner of a
+    tile. `overlapping` (down, across) may be switched off after training to use fewer blocks."""
 
     def __init__(self, hidden: int, slots: int, tile: tuple[int, int]) -> None:
         super().__init__()
@@ -109,7 +108,7 @@ class BlockNet(nn.Module):
 
     @property
     def step(self) -> tuple[int, int]:
-        """Distance between blocks in pixels, down and across."""
+        """Return the distance between blocks in pixels, down and across."""
         down, across = self.overlapping
         return (self.tile if down else self.block)[0], (self.tile if across else self.block)[1]
 

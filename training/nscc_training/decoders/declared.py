@@ -13,9 +13,11 @@ SIZES = ("paper", "small")
 
 @dataclass(frozen=True)
 class DecoderTask:
-    """The task of a decoder. `kind` is "still" or "clip", of `slots` slots, coded by a tile (rows,
-    cols) in one or two `buckets`. `sees_code`: the network gets the shutters as input. `guess`: a
-    U-Net starts from a first guess (None: depends on the size)."""
+    """The task of a decoder.
+
+    `kind` is "still" or "clip". The frame has `slots` slots, coded by a tile (rows, cols), in one
+    or two `buckets`. `sees_code` means that the network receives the shutters as input. `guess`
+    means that a U-Net starts from a first guess; None leaves this to the decoder's size."""
 
     kind: str
     slots: int

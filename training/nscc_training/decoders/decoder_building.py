@@ -14,10 +14,9 @@ from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, DecoderTas
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 
 SMALL = 600_000
-"""Parameters that a small decoder has at most."""
+"""Largest number of parameters of a small decoder."""
 _PARTS = 24
-"""If slots or tile are so large that a small decoder exceeds SMALL, its widths are reduced in
-24ths."""
+"""Widths of a small decoder that exceeds SMALL are reduced in steps of 1/24."""
 
 
 def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
@@ -94,7 +93,7 @@ def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
 def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
     """Build a decoder whose layers have `width` times the declared channels, at least one."""
     module, _, function = declared.network.partition(":")
-    # rounded first: 24ths of whole numbers are to come out whole
+    # rounded first, so that the width is exactly a multiple of 1/24
     channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
     network: nn.Module = getattr(import_module(module), function)(channels, task, size)
     return network
@@ -110,7 +109,7 @@ def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
         )  # fmt: skip
     if not isinstance(network, nn.Module):
         raise ValueError(f"'{name}' returned a {type(network).__name__}, not a torch module")
-    # Not a module around it: weights keep the names that they have in the user's own.
+    # The module is not wrapped, so the weights keep their names in the user's module.
     network.forward = partial(_called, network, network.forward, name, task)
     return network
 

@@ -16,8 +16,12 @@ def divided(channels: Sequence[int], task: DecoderTask, size: str) -> Divided:
 
 
 class Divided(nn.Module):
-    """Light of stills (batch, rows, cols) from a frame and shutters (N, r, c), without weights and
-    neighbours."""
+    """A decoder that divides a frame by the open fraction of each pixel.
+
+    It has no weights and uses no neighbours.
+
+    The frame is (batch, rows, cols), the shutters are (N, r, c); returns light (batch, rows, cols).
+    """
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         share = laid(shutters.mean(dim=-3), *frame.shape[-2:])

@@ -1,5 +1,6 @@
-"""First guesses without learning, from a frame and its code, which networks improve. Both are
-normalised averages: each pixel is the weighted mean of the measurements around it. Where weights
+"""First guesses from a frame and its code, without training, which networks improve.
+
+Each pixel is a weighted mean of the measurements around it (normalised averaging). Where weights
 are small, wider neighbourhoods count more. Gradients pass."""
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ SHOT_VARIANCE = 1 / 30000
 _OWN = 8.0
 """Weight of a pixel's own measurement relative to that of a direct neighbour."""
 _FAINT = 0.01
-"""Weight of the wider neighbourhood; below that of any measurement of a still."""
+"""Weight of the wider neighbourhood, smaller than that of any measurement of a still."""
 
 
 def still_guess(frame: Tensor, share: Tensor) -> Tensor:
@@ -28,8 +29,7 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
 
     `share` is the open fraction of the frame of each pixel, of the same shape or without the batch.
     Measurements are weighted by their precision. Saturated measurements have weight 0; a saturated
-    pixel gets at least the light that saturates it.
-    """
+    pixel gets at least the light that saturates it."""
     opened = share.clamp(min=1e-6)
     alone = frame / opened
     refuse_not_finite(frame, "frame")
@@ -52,8 +52,9 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
 
 
 def refuse_not_finite(values: Tensor, name: str) -> None:
-    """ValueError for values that are not finite: averages would spread them over the picture."""
-    # A sum is finite only of finite values; one that overflows is looked at again. What is compiled
+    """Raise ValueError for values that are not finite; averages would spread them over the
+    picture."""
+    # A finite sum has only finite values; an infinite sum is checked in detail. Compiled code
     # cannot branch on values.
     if not torch.compiler.is_compiling() and not bool(torch.isfinite(values.detach().sum())):
         count = int((~torch.isfinite(values.detach())).sum())
@@ -65,9 +66,10 @@ def refuse_not_finite(values: Tensor, name: str) -> None:
 
 
 def averaged(values: Tensor, weights: Tensor) -> Tensor:
-    """Return the weighted mean around every pixel; both arguments are (batch, channels, rows,
-    cols). It is computed in their own precision, whatever the precision of the surrounding
-    network."""
+    """Return the weighted mean around every pixel of `values` (batch, channels, rows, cols).
+
+    `weights` has the same shape. Autocast is switched off, so that the inputs' precision is kept.
+    """
     with torch.autocast(values.device.type, enabled=False):
         return _averaged(values, weights)
 

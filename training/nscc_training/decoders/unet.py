@@ -16,7 +16,7 @@ from nscc_training.sensor_model import laid, lifted, shared_out
 
 LOG_FLOOR = 1e-3
 """Networks predict stills as log(1 + light / LOG_FLOOR)."""
-# The paper's networks start from nothing; the small ones train too briefly for that.
+# The networks of the paper have no first guess; the small ones train too briefly without one.
 _GUESSES = {"paper": False, "small": True}
 
 
@@ -36,9 +36,10 @@ def _guesses(task: DecoderTask, size: str) -> bool:
 
 
 class UNet(nn.Module):
-    """A U-Net with `widths` channels from the finest level to the coarsest. The input is padded to
-    a multiple of 2 ** (levels - 1) by repeating its edge, and the result is cut to the size of the
-    input."""
+    """A U-Net with `widths` channels from the finest level to the coarsest.
+
+    The input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the result is
+    cut to the size of the input."""
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
         super().__init__()
@@ -62,17 +63,17 @@ class UNet(nn.Module):
         self.multiple = 2 ** (len(widths) - 1)
         for layer in self.modules():
             if isinstance(layer, convolution) and layer.bias is not None:
-                # He et al. 2015: without it the signal fades on the way through so many layers.
+                # He et al. 2015: with another initialisation, the signal fades in this many layers.
                 nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
                 nn.init.zeros_(layer.bias)
         if dimensions == 3:
-            # On CPUs a step takes half the time that it takes in the usual order.
+            # With this memory format, a step on a CPU takes half the time.
             self.to(memory_format=torch.channels_last_3d)  # type: ignore[call-overload]
 
     def forward(self, x: Tensor) -> Tensor:
-        """(batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
+        """Map an input (batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
         sizes = x.shape[2:]
-        # Its edges, repeated up to the next multiple.
+        # Repeat the edge pixels up to the next multiple.
         margins = [margin for size in reversed(sizes) for margin in (0, -size % self.multiple)]
         if any(margins):
             x = functional.pad(x, margins, mode="replicate")
@@ -91,8 +92,10 @@ class UNet(nn.Module):
 
 
 class _Convolution3d(nn.Conv3d):
-    """A convolution in float32 if only two slots remain, on CPUs. In bfloat16 some gradients of its
-    weights are uninitialised memory (torch 2.13 on processors with AVX512-BF16)."""
+    """A 3D convolution that uses float32 on CPUs if only two slots remain.
+
+    In bfloat16, torch 2.13 returns uninitialised memory for some gradients of its weights on
+    processors with AVX512-BF16."""
 
     def forward(self, x: Tensor) -> Tensor:
         if x.device.type != "cpu" or x.shape[2] != 2:
@@ -102,15 +105,15 @@ class _Convolution3d(nn.Conv3d):
 
 
 class StillUNet(nn.Module):
-    """2D U-Net.
+    """A 2D U-Net.
 
-    Inputs: the frame, or the frames of two buckets. With `sees_code` also, for stills, the open
-    fraction of each pixel and its light alone; for clips S^T E, a channel per slot.
+    Inputs: the frame, or the frames of two buckets. With `sees_code`, stills have two further
+    inputs, the open fraction of each pixel and the frame divided by it; clips have S^T E as input,
+    with one channel per slot. Output: the logarithm of the light of a still, or one channel per
+    slot of a clip (`slots`).
 
-    Output: the logarithm of the light of a still, or a channel per slot of a clip (`slots`). With
-    `guesses` the first guess is another input, and the network predicts a correction to it, for
-    clips also a gain (`gated`); this needs `sees_code`.
-    """
+    With `guesses`, the first guess is another input, and the network predicts a correction to it,
+    for clips also a gain (`gated`); this needs `sees_code`."""
 
     def __init__(
         self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False,
@@ -154,9 +157,10 @@ class StillUNet(nn.Module):
 
 
 class ClipUNet(nn.Module):
-    """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters. With
-    `guesses` the first guess is another input, and the network predicts its correction and its gain
-    (`gated`)."""
+    """A 3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
+
+    With `guesses`, the first guess is another input, and the network predicts its correction and
+    its gain (`gated`)."""
 
     def __init__(
         self, widths: Sequence[int], slots: int, guesses: bool = False, buckets: int = 1
@@ -175,16 +179,18 @@ class ClipUNet(nn.Module):
 
 
 def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
-    """Return `guess * (1 + extra_share) + added`. A clip's guess contains the pattern of the code.
-    Removing it by addition would make the network reproduce the pattern; a gain removes it with one
-    number."""
+    """Return `guess * (1 + extra_share) + added`.
+
+    A clip's guess contains the pattern of the code. Removing it by addition would make the network
+    reproduce the pattern; a gain removes it with one number."""
     return added + guess * (1 + extra_share)
 
 
 def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
-    """Return S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows,
-    cols). The buckets stay separate: their sum has light in every slot and hides which bucket got
-    it."""
+    """Return S^T E (batch, N, rows, cols) of each bucket, and the shutters of the buckets (N, rows,
+    cols).
+
+    The buckets stay separate, because their sum has light in every slot."""
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
     array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
     opened = (
@@ -199,6 +205,6 @@ def _added(volumes: Sequence[Tensor]) -> Tensor:
 
 
 def begin_with_nothing(network: UNet) -> UNet:
-    """Set the last layer to zero, so that the network starts by adding nothing."""
+    """Set the last layer to zero, so that the untrained network adds nothing to the guess."""
     nn.init.zeros_(network.last.weight)
     return network

@@ -1,4 +1,4 @@
-"""Unrolled projections: a few steps of GAP whose denoisers are learned, for clips of any code."""
+"""Unrolled GAP: alternates projections and learned denoisers, for clips of any code."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def refined(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
 
 
 class Unrolled(nn.Module):
-    """Alternate a projection and a 2D U-Net, `stages` times.
+    """A decoder that alternates a projection and a 2D U-Net, `stages` times.
 
     The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
     on Imaging Sciences 2014): it distributes the difference between the frame and the clip's own
@@ -37,8 +37,7 @@ class Unrolled(nn.Module):
     shutters.
 
     The clip starts from the first guess, or from `tv_iterations` of GAP-TV. The latter is better,
-    but passes no gradient to the codes.
-    """
+    but passes no gradient to the codes."""
 
     def __init__(
         self, widths: Sequence[int], slots: int, stages: int, tv_iterations: int = 0

@@ -1,4 +1,4 @@
-"""`nscc demo`: from a photo or a clip to a sheet of what a coded exposure makes of it."""
+"""`nscc demo`: expose a photo or a clip, reconstruct it, and draw a sheet of pictures."""
 
 from __future__ import annotations
 

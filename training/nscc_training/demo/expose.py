@@ -1,4 +1,5 @@
-"""A scene exposed: with a run's shutters, by an ordinary camera, and both without light."""
+"""Exposure of a demo's scene: with coded shutters, with an ordinary camera, and dark frames of
+both."""
 
 from __future__ import annotations
 
@@ -34,25 +35,27 @@ from nscc_training.design.text import frame_text
 from nscc_training.run_files import RunCapture, run_capture
 
 RUNS = {True: Path("hdr"), False: Path("clip")}
-"""The run for stills, and that for clips, whose exposure and sensor the programs below have too."""
+"""The shipped runs for stills (True) and clips (False), which define exposure and sensor."""
 CLIPS = {1: "searched_bits", 2: "two_readouts", 3: "three_readouts", 4: "four_readouts"}
-"""The example that a clip is exposed through, by the number of readouts."""
+"""The example program for clips, by the number of readouts."""
 BEST_READOUTS = 4
-"""Of these the number with the largest PSNR."""
+"""The number of readouts with the highest PSNR."""
 LOOKING = "float_pixel"
-"""The example whose pixels look at the light: what a still is exposed through beside the run."""
+"""The example whose pixels look at their light, with which a still is exposed as well."""
 DARK_FRAMES, DARK_SEED = 16, 1 << 20
-"""Frames without light, whose mean is taken from every other, and how far their seed is off."""
+"""Number of dark frames, whose mean is subtracted, and the distance of their seed from the
+scene's."""
 _BRIGHTER = ("@99", "@100")
-"""Where the run's pixel of a scene is dark, one of these is given its electrons."""
+"""Percentiles tried for the exposure if the scene is dark at the run's percentile."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How a scene is shown. `exposure` is text as `--exposure` takes it (None: the run's), `tone` a
-    curve (None: sRGB for what was made for screens, a logarithm for light), `learned` decodes by
-    the run's network, which needs
-    torch; else frames are merged."""
+    """The settings of a demo.
+
+    `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
+    uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
+    which needs torch; otherwise neighbours are merged."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -64,14 +67,16 @@ class Settings:
 
     @property
     def program(self) -> Path:
-        """The program for clips."""
+        """The path of the program for clips."""
         return examples()[CLIPS[(self.readouts or BEST_READOUTS) if self.learned else 1]]
 
 
 @dataclass(frozen=True, eq=False)
 class Looked:
-    """A still through pixels that look: `light`, electrons over the frame, as truth is; `open_us`
-    (rows, cols), how long each was open, in colours the mean of them; `seconds` that it took."""
+    """A still exposed by pixels that look.
+
+    `light` is in electrons over the frame. `open_us` (rows, cols) is the open time of each pixel,
+    averaged over colours. `seconds` is the simulation time."""
 
     light: NDArray[np.float64]
     open_us: NDArray[np.float64]
@@ -80,13 +85,14 @@ class Looked:
 
 @dataclass(frozen=True, eq=False)
 class Exposed:
-    """What was exposed, and how: `scene` with its exposure on the arrays (`laid`, one for each
-    colour), the coded frame (`coded_capture`) and that of always open pixels (`usual`), each with
-    its frames without light; `seconds` that the coded frame took; `looked`, a still as pixels that
-    look have it; `fair`, what an ordinary camera does at its best, and that without light: a still
-    at the one stop that suits its light, a clip in a burst of as many frames as `program` has
-    readouts, if these are several. `run` is a still's, None for a clip.
-    """
+    """The exposures of a demo's scene.
+
+    `run` is the run for a still, None for a clip. `laid` contains the placed light of each colour.
+    `coded_capture` is the coded frame and `usual` a frame with always open pixels; `dark` and
+    `usual_dark` are their dark frames. `seconds` is the simulation time of the coded frame.
+    `looked` is a still exposed by pixels that look. `fair` is a frame and dark frames of an
+    ordinary camera at its best: a still with the best single stop, or a clip in a burst of as many
+    frames as `program` has readouts, if there are several."""
 
     run: Path | None
     program: Path
@@ -104,11 +110,13 @@ class Exposed:
 
     @property
     def still(self) -> bool:
-        """Whether it is a still."""
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:
-        """Electrons over the frame (rows, cols), or a slot (T, rows, cols); colours last."""
+        """Return the true light: electrons over the frame (rows, cols), or per slot (T, rows,
+        cols).
+
+        Colours are the last axis."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid
@@ -116,36 +124,37 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """Return the electrons of white (per frame; per slot for clips) of a picture that was made
-        for screens.
-        """
+        """Return the electrons of a display picture's white: over the frame for stills, per slot
+        for clips."""
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 
     @property
     def readouts(self) -> int:
-        """How many readouts the coded frame has."""
+        """The number of readouts of the coded frame."""
         return len(self.container.table.shutters[0])
 
     def codes(self, capture: Taken, readout: int = 0) -> NDArray[np.uint8]:
-        """A readout's codes (rows, cols), or (rows, cols, 3) in colours."""
+        """Return the converter codes of a readout, (rows, cols) or with colours (rows, cols, 3)."""
         codes = capture.simulated.frame.frame[..., readout, :, :]
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
     def files(self) -> tuple[FrameFile, FrameFile]:
-        """The coded frame, with its truth if it has one colour, and its frames without light."""
+        """Return the files of the coded frame and its dark frames; a grey frame includes the ground
+        truth."""
         keep = ("truth",) if len(self.laid) == 1 else ()
         return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 
 
 def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
-    """A still through its run, a clip through the program with the asked for readouts, under the
-    default sensor, with the effects that it calls for. Raises Rejected for a scene that is dark or
-    cannot be read."""
+    """Expose a still with its run's program, or a clip with the program for its number of readouts.
+
+    Uses the default sensor and the effects that `auto` selects. Raises Rejected for a scene that is
+    dark or cannot be read."""
     like = run_capture(RUNS[subject.still])
     program = like.program if subject.still else settings.program
     compiled = compile_file(program, Options()).container
-    assert compiled is not None  # what comes with nscc has compiled before
+    assert compiled is not None  # programs that come with nscc compile
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
@@ -174,13 +183,13 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
 
 
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
-    """A still through the example whose pixels look; no decoder has a part in its light."""
+    """Expose a still with the example whose pixels look."""
     container = compile_file(examples()[LOOKING], Options()).container
-    assert container is not None  # an example has compiled before
+    assert container is not None  # example programs compile
     begin = working_s()
     laid = scene.laid(container.slot_us, container.target, progress=listener.progress)
     frame_arrays = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
-    # The buckets are the last but two axes; of colours there is one more.
+    # The bucket axis is the third from the end; colours add an axis in front.
     look_arrays = (
         frame_arrays[key].reshape(-1, *frame_arrays[key].shape[-3:])
         for key in (LIGHT, DEVIATION, OPEN)
@@ -198,7 +207,7 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 def _laid(
     subject: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
 ) -> tuple[tuple[PlacedLight, ...], Scene]:
-    """The scene's light, and the scene with the exposure that it was given."""
+    """Return the placed light of the scene, and the scene with the chosen exposure."""
     scene = replace(subject.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")
     exposures = (settings.exposure,) if settings.exposure else (
@@ -220,7 +229,7 @@ def _laid(
 def _metered(
     laid: Sequence[PlacedLight], container: Container, sensor: Sensor, curve: Curve
 ) -> int:
-    """Return the slots for which a camera with automatic exposure opens."""
+    """Return the number of slots for which a camera with automatic exposure opens."""
     light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
     return best_stop(DesignChip.of(container.target, sensor), light_e, container.slots, curve)
 
@@ -228,8 +237,10 @@ def _metered(
 def camera(
     slots: int, slot_us: float, target: str | None = None, frames: int = 1, stop: int | None = None
 ) -> Container:
-    """An ordinary camera: every shutter is open in all `slots` of `slot_us`, or until `stop`; or
-    they are shared out to so many `frames`, one after the other."""
+    """Return the program of an ordinary camera with `slots` of `slot_us`.
+
+    All shutters are open in all slots, or until slot `stop`. With several `frames`, the slots are
+    divided among consecutive buckets."""
     rules = f"open when n < {stop or slots}\n"
     if frames > 1:
         ends = [slots * k // frames for k in range(frames + 1)]
@@ -237,12 +248,12 @@ def camera(
                         for k in range(frames))  # fmt: skip
     text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
     compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
-    assert compiled.container is not None  # one shutter fits wherever any does
+    assert compiled.container is not None  # a single shutter fits every chip
     return compiled.container
 
 
 def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
-    """Frames without light, with other noise than the scene's."""
+    """Return dark frames, with noise independent of the scene's."""
     night = Scene("builtin:dark").laid(container.slot_us, container.target)
     seed = settings.seed + DARK_SEED
     request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)

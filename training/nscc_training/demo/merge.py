@@ -1,4 +1,4 @@
-"""Reconstruction without a decoder: exposures of neighbours merged, clips by total variation."""
+"""Reconstruction without a network: merged neighbours for stills, total variation for clips."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from nscc_training.baselines.sci import gap_tv
 
 
 def dark_codes(dark: Taken) -> NDArray[np.float64]:
-    """What the array (rows, cols) reads without light, from repeated frames of one bucket."""
+    """Return the mean dark value of each pixel (rows, cols), in converter codes, for one bucket."""
     return np.asarray(dark.simulated.frame.frame[:, 0].mean(axis=0))
 
 
 def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """The array's offsets (rows, cols) under codes (rows, cols) or (rows, cols, colours) of arrays
-    side by side."""
+    """Return the array's offsets (rows, cols), repeated to the size of `codes`.
+
+    `codes` (rows, cols) or (rows, cols, colours) may cover several arrays side by side."""
     size = codes.shape[:2]
     times = [-(-side // most) for side, most in zip(size, offset.shape, strict=True)]
     tiled = np.tile(offset, times)[: size[0], : size[1]]
@@ -31,13 +32,13 @@ def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[
 def merged_light(
     capture: Taken, offset: NDArray[np.float64], sensor: Sensor
 ) -> tuple[NDArray[np.float32], str]:
-    """The light of a frame of one bucket: electrons over the frame (rows, cols) of a still, a slot
-    (T, rows, cols) of a clip, with colours last; and by what it was found.
+    """Return the light of a frame with one bucket, and the name of the method.
 
-    `offset` is what the array reads without light, in codes.
-    """
+    The light is in electrons over the frame (rows, cols) for a still, or per slot (T, rows, cols)
+    for a clip; colours are the last axis. `offset` is the dark value of the array in converter
+    codes."""
     frame, container = capture.simulated.frame, capture.container
-    assert container.pixel_codes is not None  # it has been exposed
+    assert container.pixel_codes is not None  # the frame has been exposed
     lanes = container.table.shutter_of_code[container.pixel_codes]
     codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
     lsb_e, size = sensor.electrons_per_lsb, codes.shape[-2:]

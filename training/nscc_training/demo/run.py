@@ -1,4 +1,4 @@
-"""A scene through a run that comes with nscc: exposed, reconstructed, drawn, written."""
+"""The demo: expose, reconstruct, draw and write a scene."""
 
 from __future__ import annotations
 
@@ -22,15 +22,16 @@ from nscc_training.demo.subject import subject
 from nscc_training.run_files import run_capture
 
 BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
-"""What is shown to those who name nothing."""
+"""The built-in scenes that are shown if the user names none."""
 
 
 @dataclass(frozen=True)
 class Demo:
-    """What a demo left: its `files`, the sheet first, PSNR in dB of the always open pixels, of the
-    reconstruction, of a still through pixels that look, and of an ordinary camera at its best: a
-    still at one stop for the scene, a clip in a burst of as many frames as `readouts`; and the
-    commands that make the same step by step."""
+    """The results of a demo.
+
+    `files` are the written files, the sheet first. PSNR in dB is given for always open pixels, the
+    reconstruction, a still with pixels that look, and an ordinary camera at its best (one stop for
+    a still, a burst of `readouts` frames for a clip). `commands` do the same step by step."""
 
     files: tuple[Path, ...]
     open_db: float
@@ -44,13 +45,11 @@ class Demo:
 def demo(
     scene: Scene, out: Path, settings: Settings | None = None, listener: Listener | None = None
 ) -> Demo:
-    """Expose a scene with a run that comes with nscc, reconstruct it, and write both into `out`.
+    """Expose a scene with a shipped run, reconstruct it, and write both into the folder `out`.
 
-    A still leaves `picture_sheet.png`, `picture.hdr` and `picture.png`, a clip `clip_sheet.png`,
-    `clip.mp4`, `clip.gif` and its program `clip.nsl`; both their frame files, `.._frame.npz` and
-    `.._dark.npz`. Raises
-    Rejected for scenes that cannot be read or are dark.
-    """
+    For a still, writes `picture_sheet.png`, `picture.hdr` and `picture.png`; for a clip,
+    `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
+    `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark."""
     settings, listener = settings or Settings(), listener or Listener()
     clips = run_capture(Path("clip"))
     scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
@@ -90,7 +89,8 @@ def demo(
 def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
-    """The light, in the shape of the truth; the seconds that it took; by what."""
+    """Return the light in the shape of the ground truth, the seconds it took, and the method's
+    name."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 
@@ -119,7 +119,7 @@ def _reconstructed(
 def _commands(
     exposed_scene: Exposed, settings: Settings, files: tuple[Path, ...]
 ) -> tuple[str, ...]:
-    """What does the same step by step."""
+    """Return the commands that do the same as the demo, step by step."""
     scene = exposed_scene.scene
     program = (
         quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"

@@ -1,4 +1,4 @@
-"""The sheet of a demo: truth, an ordinary camera, readout, reconstruction, error, and PSNR."""
+"""The sheet of a demo: ground truth, ordinary camera, readout, reconstruction, error, and PSNR."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _SIDE_PIXELS = 512
-"""A panel has so many pixels a side, or a little more or less: pictures are magnified by whole
-numbers."""
+"""Approximate side of a panel in pixels; pictures are magnified by whole numbers."""
 _SIDE_INCHES = 3.6
 _MOMENTS = 4
 _CORNER = 16
-"""Rows or columns of the array, at most, whose shutters are shown."""
+"""Most rows and columns of the array whose shutters are shown."""
 _ERROR_TOP = 64
-"""Errors of so many of 255 greys have the last colour of the scale."""
+"""Error, in grey levels of 255, that has the last colour of the scale."""
 _PEAK_PERCENTILE = 99.9
-"""Light relative to which errors of stills of high dynamic range count, as in protocol hdr-v1."""
+"""Percentile of light that is the peak of PSNR for HDR stills, as in protocol hdr-v1."""
 
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """What a sheet shows: `exposed_scene`, and `light`, its reconstruction in the shape of the
-    truth; `how` names what found it, in so many seconds (`decode_s`). `display` says that the scene
-    was made for screens, `tone` names a curve.
-    """
+    """The content of a sheet.
+
+    `light` is the reconstruction of `exposed_scene`, in the shape of the ground truth. `how` names
+    the method, which took `decode_s` seconds. `display` means that the scene is in display
+    encoding. `tone` names a tone curve."""
 
     exposed_scene: Exposed
     display: bool
@@ -49,17 +49,16 @@ class Shown:
 
     @property
     def still(self) -> bool:
-        """Whether it is a still."""
         return self.exposed_scene.still
 
     @cached_property
     def truth(self) -> NDArray[Any]:
-        """Electrons over the frame, or a slot."""
+        """The ground truth in electrons, over the frame or per slot."""
         return self.exposed_scene.truth()
 
     @property
     def white_e(self) -> float | None:
-        """What a screen shows as white, of what was made for screens."""
+        """The electrons of white; None if the scene is not in display encoding."""
         return self.exposed_scene.white_e() if self.display else None
 
     @property
@@ -69,12 +68,12 @@ class Shown:
 
     @cached_property
     def fitted(self) -> Tone:
-        """The curve for light, fitted to the truth."""
+        """The tone curve, fitted to the ground truth."""
         return fitted(self.curve, self.truth, self.white_e)
 
     @cached_property
     def usual_light(self) -> NDArray[np.float64]:
-        """The light that always open pixels tell of, in the shape of the truth."""
+        """The light estimated from always open pixels, in the shape of the ground truth."""
         usual = self.exposed_scene.codes(self.exposed_scene.usual)
         dark = laid_like(dark_codes(self.exposed_scene.usual_dark), usual)
         light = (usual - dark) * self.exposed_scene.sensor.electrons_per_lsb
@@ -84,8 +83,10 @@ class Shown:
 
     @cached_property
     def fair_light(self) -> NDArray[np.float64] | None:
-        """The light that an ordinary camera at its best tells of, in the shape of the truth; the
-        frames of a burst are shown for as long as they were open. None if that is `usual_light`."""
+        """The light estimated by an ordinary camera at its best, in the shape of the ground truth.
+
+        Each frame of a burst is shown for as long as it was open. None if there is no such camera.
+        """
         if self.exposed_scene.fair is None:
             return None
         capture, dark = self.exposed_scene.fair
@@ -100,33 +101,36 @@ class Shown:
 
     @property
     def fair_db(self) -> float | None:
-        """Of an ordinary camera at its best, a still's stop or a clip's burst."""
+        """The PSNR of an ordinary camera at its best, in dB; None if there is none."""
         return None if self.fair_light is None else self.decibels(self.fair_light)
 
     @property
     def psnr_db(self) -> float:
-        """Of the reconstruction."""
+        """The PSNR of the reconstruction, in dB."""
         return self.decibels(self.light)
 
     @property
     def open_db(self) -> float:
-        """Of what always open pixels tell."""
+        """The PSNR of the light estimated from always open pixels, in dB."""
         return self.decibels(self.usual_light)
 
     @property
     def looked_db(self) -> float | None:
-        """Of the light that pixels tell that look; None of a clip."""
+        """The PSNR of the light estimated by pixels that look, in dB; None for a clip."""
         looked = self.exposed_scene.looked
         return None if looked is None else self.decibels(looked.light)
 
     @property
     def measure(self) -> str:
-        """What `decibels` counts."""
+        """The name of the measure that `decibels` returns."""
         return "PSNR" if self.display or not self.still else "PSNR-mu"
 
     def decibels(self, light: NDArray[Any]) -> float:
-        """In display encoding for clips and what was made for screens, mean of the frames; mu-law
-        over the truth's 99.9th percentile for light of high dynamic range."""
+        """Return the PSNR of `light` in dB.
+
+        Clips and display scenes are compared in display encoding, averaged over frames. Linear
+        light with a high dynamic range is compared by mu-law PSNR, with the 99.9th percentile as
+        peak."""
         truth = np.asarray(self.truth, np.float64)
         if self.measure == "PSNR-mu":
             peak = float(np.percentile(truth, _PEAK_PERCENTILE)) or float(truth.max()) or 1.0
@@ -145,7 +149,7 @@ class Shown:
 
 
 def demo_sheet(shown: Shown) -> Figure:
-    """The sheet; its headline is the best picture on it, beside that of an ordinary camera."""
+    """Draw the sheet; its headline compares the best reconstruction with an ordinary camera."""
     name = shown.exposed_scene.scene.name
     results = [(shown.psnr_db, shown.how)]
     if shown.looked_db is not None:
@@ -161,7 +165,7 @@ def demo_sheet(shown: Shown) -> Figure:
 
 
 def _readout(shown: Shown) -> Image:
-    """The coded readout, of several the last."""
+    """Return the image of the coded readout; of several readouts, the last."""
     exposed_scene, last = shown.exposed_scene, shown.exposed_scene.readouts - 1
     codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
     title = "readout" if last == 0 else f"the last of {readouts_text(exposed_scene.readouts)}"
@@ -178,7 +182,7 @@ def _tone(shown: Shown) -> str:
 
 
 def _still_rows(shown: Shown) -> list[list[Image]]:
-    """Truth and an ordinary camera; pixels that look; the shutters of the run."""
+    """Return the panel rows for a still: truth and ordinary camera; pixels that look; the run."""
     truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
     rows = [
         [Image(_fit(light), "reconstruction", _decoder_text(shown)), _error(truth, light),
@@ -200,7 +204,7 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _clip_rows(shown: Shown) -> list[list[Image]]:
-    """An ordinary camera, readout and shutters; moments of truth, reconstruction and burst."""
+    """Return the panel rows for a clip: camera, readout, shutters; truth, reconstruction, burst."""
     exposed_scene = shown.exposed_scene
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
@@ -222,7 +226,7 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
-    """The light of pixels that look, its error, and when they closed."""
+    """Return panels for pixels that look: the light, its error, and the closing times."""
     light = shown.fitted(looked.light)
     note = (
         f"exposures over their times, no decoder: {shown.measure} {shown.looked_db:.1f} dB, in "
@@ -238,13 +242,13 @@ def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Im
 
 
 def readouts_text(count: int) -> str:
-    """The number of readouts in words."""
+    """Return "N readouts of one exposure", with N as a word."""
     words = {1: "one readout", 2: "two readouts", 3: "three readouts", 4: "four readouts"}
     return f"{words[count]} of one exposure"
 
 
 def _time(seconds: float) -> str:
-    """With a space that lines are not broken at."""
+    """Return the time with a no-break space before the unit."""
     return f"{seconds:.2g}\N{NO-BREAK SPACE}s"
 
 
@@ -256,7 +260,7 @@ def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Im
 
 
 def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
-    """Differences of the greys that are shown, in colours."""
+    """Return a panel of the differences between displayed grey levels, as colours."""
     difference = np.abs(truth.astype(np.float64) - light)
     if difference.ndim == 3:
         difference = difference.mean(axis=-1)
@@ -267,12 +271,12 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 
 def _shutters(shown: Shown) -> Image:
-    """How long, or when, pixels of the corner are open: of a picture's shape, as the others are."""
+    """Return a panel of when, or how long, the pixels in the array's corner are open."""
     container, size = (
         shown.exposed_scene.container,
         shown.exposed_scene.codes(shown.exposed_scene.coded_capture).shape[:2],
     )
-    assert container.pixel_codes is not None  # it has been exposed
+    assert container.pixel_codes is not None  # the frame has been exposed
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
     # The last readout: the first of several is always open.
@@ -298,7 +302,7 @@ def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """An image of about `_SIDE_PIXELS` a side: magnified by a whole number, or reduced."""
+    """Magnify an image by a whole number, or reduce it, to about `_SIDE_PIXELS` a side."""
     side = max(image.shape[:2])
     if side > 1.5 * _SIDE_PIXELS:
         import cv2

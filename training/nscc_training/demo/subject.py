@@ -1,4 +1,4 @@
-"""What somebody wants to see exposed: a still or a clip, and which part of a clip."""
+"""Classification of a demo's scene: still or clip, and the part of a clip to use."""
 
 from __future__ import annotations
 
@@ -25,17 +25,19 @@ from nscc_runtime.scenes.picture_files import (
 )
 
 _MOST_FRAMES = 600
-"""Frames of a clip that are looked through for the part in which most moves."""
+"""Most frames of a clip that are searched for the part with the most motion."""
 _SIDE = 64
-"""Motion is looked for in frames reduced to so many pixels a side."""
+"""Side in pixels of the reduced frames in which motion is measured."""
 _CUT = 4.0
-"""A step from frame to frame that is so much larger than both beside it is a cut, no motion."""
+"""A change between frames that is this factor larger than both neighbouring changes is a cut."""
 
 
 @dataclass(frozen=True)
 class Subject:
-    """A scene without its exposure: whether it is `still`, its curve, and what was `chosen` of it
-    (a sentence, or nothing); `in_electrons` says that it has units of its own."""
+    """A scene before its exposure is chosen.
+
+    `still` tells a still from a clip. `chosen` describes the chosen part of a clip, or is empty.
+    `in_electrons` means that the scene is in electrons and needs no exposure."""
 
     scene: Scene
     still: bool
@@ -45,9 +47,10 @@ class Subject:
 
 
 def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
-    """What a scene is; a clip has to fill `slots` in `frame_s` seconds. Of a longer clip the frames
-    in which most moves are taken, one a slot; a shorter one is slowed down. Raises Rejected as the
-    scenes' readers do; what is wrong with a scene that is read later is said then."""
+    """Classify a scene; a clip must fill `slots` in `frame_s` seconds.
+
+    In a longer clip, the frames with the most motion are chosen, one per slot; a shorter clip is
+    slowed down. Raises Rejected as the scene readers do."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):
@@ -99,8 +102,10 @@ def _of_clip(
 
 
 def liveliest(frames: NDArray[np.float32], count: int) -> int:
-    """The first of `count` frames in a row in which most moves, of (T, rows, cols); no cut is
-    among them if there is such a part."""
+    """Return the first of `count` consecutive frames with the most motion in a clip (T, rows,
+    cols).
+
+    Parts without cuts are preferred."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])

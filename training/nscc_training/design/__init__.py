@@ -1,10 +1,9 @@
-"""`nscc design`: programs made for scenes, from their statistics and a sensor's figures.
+"""`nscc design`: compute programs for scenes from the scenes' light and the sensor's noise.
 
 from nscc_training.design import Frame, design_looks
 
 made = design_looks([light_e], 5, Frame(slots=256, slot_us=125))
-print(made.text)
-"""
+print(made.text)"""
 
 from __future__ import annotations
 

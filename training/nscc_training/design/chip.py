@@ -1,4 +1,4 @@
-"""How well a chip tells light: what one exposure is worth, and how sure an answer is."""
+"""Noise of a chip: the error of one exposure, and the uncertainty of a comparison."""
 
 from __future__ import annotations
 
@@ -22,21 +22,23 @@ Values = NDArray[np.float64]
 Curve = Literal["mu", "linear", "log"]
 CURVES: tuple[Curve, ...] = get_args(Curve)
 PERCENTILE = 99.9
-"""Light is measured in this percentile of its scene's, as hdr-v1 does."""
+"""Percentile of a scene's light that counts as its peak, as in protocol hdr-v1."""
 
 _POINTS, _REACH = 37, 4.5
-"""Of the sum over noise, and how many standard deviations it goes: what is clipped has a kink, at
-which a rule of few points that is exact for polynomials is off by a percent."""
+"""Number of points of the sum over noise, and its range in standard deviations.
+
+A Gauss-Hermite rule with few points would be wrong by 1 %, because clipping has a kink."""
 _READS, _WORDS = 2, 3
-"""An exposure is PIX less its reset level: each is read once, and three words bring them together,
-four where shutters open again."""
+"""Reads and words of an exposure: PIX and its reset level are each read once, with three words.
+
+Four words are needed if shutters open again."""
 _COPIES = 2
-"""Words that a look's light goes through: PIX, and its reset level, come as one copy each."""
+"""Copies that a look compares: PIX, and its reset level."""
 
 
 @dataclass(frozen=True, eq=False)
 class DesignChip:
-    """A target with its sensor, and the effects that act on it."""
+    """A target with its sensor and the effects that act on the sensor."""
 
     target: Target
     sensor: Sensor
@@ -44,32 +46,32 @@ class DesignChip:
 
     @classmethod
     def of(cls, target: Target, sensor: Sensor) -> DesignChip:
-        """With every effect that there is."""
+        """Return the chip with all effects."""
         return cls(target, sensor, everything())
 
     @property
     def code_e(self) -> float:
-        """Electrons of one code of the converter: less light than that over a whole frame is as
-        good as none."""
+        """Electrons of one converter code; less light over a whole frame counts as dark."""
         return self.sensor.electrons_per_lsb
 
     @cached_property
     def gain(self) -> float:
-        """What two words leave of an exposure."""
+        """The gain of two analog words."""
         words = self.effects.find_part(WordGain)
         return 1.0 if words is None else words.gain(self.sensor) ** 2
 
     @cached_property
     def full_e(self) -> float:
-        """The most electrons that an exposure tells: of a well, of the converter's codes, or of a
-        register that is still linear."""
+        """The largest exposure in electrons, limited by full well, converter codes, and register
+        linearity."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
         soft = self.effects.find_part(Soft)
         return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
     def exposed_sd_e(self, electrons: Values) -> Values:
-        """The standard deviation of an exposure's estimate, in electrons on PIX."""
+        """Return the standard deviation of an exposure's estimate, in electrons at the
+        photodiode."""
         sensor, effects = self.sensor, self.effects
         fixed_e2 = converter_e2(sensor, effects)
         times = {"reads": _READS, "words": _WORDS, "resets": 0}
@@ -80,8 +82,10 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
-        """The mean square error (groups, shares) of light (groups,), electrons over the frame,
-        that is told by an exposure of these shares of it, on a curve of light."""
+        """Return the mean square error (groups, shares) of estimating light from exposures.
+
+        `light_e` (groups,) is in electrons over the frame; an exposure collects a `share` of it.
+        The error is measured on `curve`."""
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)
@@ -97,11 +101,12 @@ class DesignChip:
 
     @cached_property
     def offset_e(self) -> float:
-        """The standard deviation over the pixels of what a comparison is off by, for good."""
+        """The standard deviation over pixels of the comparator offset, in electrons."""
         return self.sensor.comparator_offset_fraction * self.sensor.full_well_e
 
     def compared_sd_e(self, electrons: Values) -> Values:
-        """The standard deviation of what is compared in one look: comparator, copies, counts."""
+        """Return the standard deviation of one comparison, from comparator, copies and photon
+        noise."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
         copies = sum(_COPIES * errors.sigma_e(self.sensor) ** 2 for errors in self._small())
         return np.sqrt(noise_e**2 + copies + electrons)
@@ -111,25 +116,27 @@ class DesignChip:
 
     @cached_property
     def levels(self) -> NDArray[np.int64]:
-        """The steps of IN that a look may compare with."""
+        """The levels to try, in steps of IN."""
         most = most_steps(self.target, self.sensor.full_well_e)
         return np.unique(np.linspace(1, most, _MOST_LEVELS).round().astype(np.int64))
 
 
 def most_steps(target: Target, well_e: float) -> int:
-    """The largest step of IN that a look may compare with: below a full well and register."""
+    """Return the largest level in steps of IN: below full well and register maximum."""
     full_e = min(target.full_well_e, target.register_max_e, well_e)
     below = math.ceil(full_e / target.electrons_per_step) - 1
     return max(1, min(target.in_high, below))
 
 
 _MOST_LEVELS = 64
-"""Finer than comparators tell apart, whose noise is a percent and more of a well."""
+"""Most levels that are tried; comparators have a noise of 1 % of a full well or more."""
 
 
 def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Values:
-    """Light on the curve on which it is compared: mu-law or linear over the peak, clipped to 0..1;
-    or its natural logarithm, what is below `dark_e` as that."""
+    """Return light on the curve on which errors are measured.
+
+    "mu" and "linear" divide by the peak and clip to 0..1. "log" is the natural logarithm, limited
+    below at `dark_e`."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)
@@ -137,6 +144,6 @@ def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Va
 
 
 def hermite(points: int) -> tuple[Values, Values]:
-    """Places and weights of the Gauss-Hermite rule for a standard normal number."""
+    """Return points and weights of the Gauss-Hermite rule for the standard normal distribution."""
     places, weights = np.polynomial.hermite_e.hermegauss(points)
     return places, weights / weights.sum()

@@ -1,11 +1,10 @@
-"""Where to look and at which level: the schedule of least expected error, found by search.
+"""Search for the times and levels of looks with the smallest expected error.
 
-A pixel closes at the first look at which it is above that look's level. Of a steady light x, the
-model follows the part S of pixels that are still open, for each of a few comparator offsets o:
-look k closes the part p = P(x t + o + noise > level) of them, which then tell x by an exposure of
-t.
-The expected error is the mean over the scene's light of sum over k of S p e(x, t).
-"""
+A pixel closes at the first look that finds its light above the look's level. For constant light x
+and each of several comparator offsets o, the model follows the fraction S of pixels that are still
+open. Look k at time t closes the fraction p = P(x t + o + noise > level) of them. Their light is
+then estimated from the exposure of length t, with the error e(x, t). The expected error is the
+mean over the scene's light of the sum over k of S p e(x, t)."""
 
 from __future__ import annotations
 
@@ -23,16 +22,16 @@ Values = NDArray[np.float64]
 
 _OFFSETS = 5
 _MOST_TRIED = 12
-"""So many moments are tried for one look in a round; between them, the next round tries."""
+"""Most times tried for one look in a round; the next round tries times between them."""
 _ROUNDS = 12
 _WEIGHINGS = 2
 _MOST_KEPT = 128
-"""Tables of moments, a third of a megabyte each."""
+"""Most cached tables of closing fractions, each a third of a megabyte."""
 
 
 @dataclass(frozen=True)
 class LookSchedule:
-    """Looks at boundaries `at`, from early to late, each with its level in steps of IN."""
+    """Looks at boundaries `at`, in increasing order, and their levels `steps` in steps of IN."""
 
     at: tuple[int, ...]
     steps: tuple[int, ...]
@@ -40,15 +39,17 @@ class LookSchedule:
 
 @dataclass(frozen=True)
 class Expected:
-    """What a schedule is expected to do: the mean square error on each curve, and which part of the
-    pixels closes at each look, the frame's end last."""
+    """The expected mean square error of a schedule on each curve, and the fractions of closing
+    pixels.
+
+    `closing` has one value for each look; the last value is for the end of the frame."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]
 
 
 class LookModel:
-    """The expected error of schedules on a chip, in a frame of slots with these lengths."""
+    """A model of a chip and a frame that computes the expected error of schedules."""
 
     def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
         self.chip, self.scene, self._slot_us = chip, scene, slot_us
@@ -62,7 +63,8 @@ class LookModel:
         self._closed: dict[int, NDArray[np.float32]] = {}
 
     def exposure_errors(self, curve: Curve) -> Values:
-        """The error (groups, slots + 1) of exposures up to each boundary; of none, infinite."""
+        """Return the error (groups, slots + 1) of exposures up to each boundary; infinity at
+        boundary 0."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -71,7 +73,8 @@ class LookModel:
         return self._exposure_errors[curve]
 
     def closed(self, at: int) -> NDArray[np.float32]:
-        """The part of pixels (levels, groups, offsets) that a look there finds above each level."""
+        """Return the fraction of pixels (levels, groups, offsets) above each level at boundary
+        `at`."""
         if at not in self._closed:
             if len(self._closed) == _MOST_KEPT:
                 self._closed.clear()
@@ -83,7 +86,7 @@ class LookModel:
         return self._closed[at]
 
     def expected(self, schedule: LookSchedule) -> Expected:
-        """What a schedule does."""
+        """Return the expected errors and closing fractions of a schedule."""
         open_, closing = self._start, []
         errors = dict.fromkeys(CURVES, 0.0)
         ways = [*zip(schedule.at, self._rows(schedule), strict=True), (self.slots, None)]
@@ -103,8 +106,7 @@ class LookModel:
         The search begins with several geometric schedules. It moves one look after the other and
         gives it the best level, with the other looks fixed, until no move reduces the error. The
         best result is returned; the same input gives the same schedule. With several scenes, each
-        scene's error is divided by its error before the search, so that no scene dominates.
-        """
+        scene's error is divided by its error before the search, so that no scene dominates."""
         worth, schedule = min(
             (self._descended(start, curve) for start in self._starts(looks)),
             key=lambda outcome: outcome[0],
@@ -120,7 +122,7 @@ class LookModel:
         return schedule
 
     def _descended(self, schedule: LookSchedule, curve: Curve) -> tuple[float, LookSchedule]:
-        """The error and the schedule where rounds end."""
+        """Improve a schedule in rounds until the error stays; return error and schedule."""
         worth = np.inf
         for _ in range(_ROUNDS):
             schedule, now = self._round(schedule, curve)
@@ -130,7 +132,7 @@ class LookModel:
         return worth, schedule
 
     def _by_scene(self, schedule: LookSchedule, curve: Curve) -> Values:
-        """The mean square error of every scene (scenes,)."""
+        """Return the mean square error of every scene (scenes,)."""
         rows = self._rows(schedule)
         after = self._after(list(schedule.at), rows, -1, curve)
         group_errors = (self._start * after).sum(axis=1)
@@ -139,11 +141,13 @@ class LookModel:
         )
 
     def _rows(self, schedule: LookSchedule) -> list[int]:
-        """The places of a schedule's levels among those of the chip."""
+        """Return the indices of a schedule's levels among the chip's levels."""
         return [int(np.abs(self.chip.levels - steps).argmin()) for steps in schedule.steps]
 
     def _starts(self, looks: int) -> list[LookSchedule]:
-        """Geometric moments from several first ones, looking at half of what the next may hold."""
+        """Return initial schedules: geometric times from several first times, with equal levels.
+
+        The level lets the exposure at the next look nearly fill the well."""
         starts: dict[tuple[int, ...], LookSchedule] = {}
         first = 1
         while first == 1 or first * 4 <= self.slots:
@@ -156,7 +160,7 @@ class LookModel:
         return list(starts.values())
 
     def _round(self, schedule: LookSchedule, curve: Curve) -> tuple[LookSchedule, float]:
-        """Each look in turn, the last one first, and the error then."""
+        """Optimise each look in turn, starting with the last; return the schedule and its error."""
         at, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
         for k in reversed(range(len(at))):
@@ -177,7 +181,7 @@ class LookModel:
         return LookSchedule(tuple(at), steps), worth
 
     def _so_far(self, at: list[int], rows: list[int], k: int, curve: Curve) -> float:
-        """The error of the pixels that close before look k."""
+        """Return the summed error of the pixels that close before look k."""
         open_, error = self._start, 0.0
         for number in range(k):
             closing_pixels = open_ * self.closed(at[number])[rows[number]]
@@ -186,7 +190,7 @@ class LookModel:
         return error
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
-        """The error (groups, offsets) of a pixel that is open after look k."""
+        """Return the error (groups, offsets) of a pixel that is open after look k."""
         exposure_errors = self.exposure_errors(curve)
         error = np.repeat(exposure_errors[:, -1:], _OFFSETS, axis=1)
         for number in range(len(at) - 1, k, -1):
@@ -195,7 +199,7 @@ class LookModel:
         return error
 
     def _moments(self, at: list[int], k: int) -> list[int]:
-        """Moments to try for look k between its neighbours, its own among them."""
+        """Return the times to try for look k between its neighbours, including its current time."""
         low = at[k - 1] + 1 if k else 1
         high = at[k + 1] - 1 if k + 1 < len(at) else self.slots - 1
         if high - low < _MOST_TRIED:
@@ -205,7 +209,7 @@ class LookModel:
 
 
 def _spread(moments: Values, slots: int) -> tuple[int, ...]:
-    """Whole moments in 1 .. slots - 1, no two the same."""
+    """Return distinct whole times from 1 to slots - 1, close to `moments`."""
     count, spread_moments = len(moments), [0]
     for k, moment in enumerate(moments.round().astype(int).tolist()):
         spread_moments.append(min(max(moment, spread_moments[-1] + 1), slots - count + k))

@@ -1,4 +1,4 @@
-"""Programs made for scenes: designed, compiled, proved."""
+"""Programs for scenes: design, compile, prove."""
 
 from __future__ import annotations
 
@@ -33,8 +33,10 @@ Scenes = Sequence[NDArray[np.floating]]
 
 @dataclass(frozen=True)
 class Frame:
-    """What is designed for: `slots` equal slots of `slot_us` on a target, a name or a file, with
-    its sensor (None: the default one). `level` is the compiler's."""
+    """The frame for which a program is designed.
+
+    It has `slots` equal slots of `slot_us`. `target` is a chip's name or file, `sensor` its sensor
+    (None: the default sensor), and `level` the compiler's optimisation level."""
 
     slots: int = 256
     slot_us: float = 125.0
@@ -43,19 +45,21 @@ class Frame:
     level: int = 2
 
     def chip(self) -> DesignChip:
-        """The target with its sensor; Rejected for a target that is none."""
+        """Return the target with its sensor; raise Rejected for an invalid target."""
         target = load_target(self.target, Path())
         return DesignChip.of(target, self.sensor or default_sensor(target))
 
     def compiled(self, name: str, text: str) -> Compiled:
-        """The program, compiled and proved."""
+        """Compile and prove a program."""
         file = self.target if self._from_file else None
         return compile_source(Source(name, text), Path(), Options(level=self.level, target=file))
 
     @property
     def named(self) -> str | None:
-        """The target as a program names it: a file's path is relative to where the user works, not
-        to the program, and is an option of the compiler then."""
+        """The target's name for the program text; None for a file, which is a compiler option
+        instead.
+
+        A program would resolve the file's path relative to itself instead of the working folder."""
         return None if self._from_file else self.target
 
     @property
@@ -65,8 +69,8 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A program for scenes: its `text`, what the compiler made of it, and lines that say what was
-    chosen and what is expected of it."""
+    """A designed program: its `text`, the compiler's result, and `lines` that describe the
+    design."""
 
     text: str
     compiled: Compiled
@@ -75,7 +79,7 @@ class Design:
 
 @dataclass(frozen=True, eq=False)
 class LookingDesign(Design):
-    """One whose pixels look."""
+    """A design whose pixels look."""
 
     schedule: LookSchedule
     expected: Expected
@@ -83,7 +87,7 @@ class LookingDesign(Design):
 
 @dataclass(frozen=True, eq=False)
 class PatternDesign(Design):
-    """A program of the `pattern` that a search chose; `ranked` are all patterns, the best first."""
+    """A design with the best `pattern` of stops; `ranked` contains all patterns, the best first."""
 
     pattern: Pattern
     ranked: tuple[Pattern, ...]
@@ -91,7 +95,7 @@ class PatternDesign(Design):
 
 @dataclass(frozen=True, eq=False)
 class TileDesign(Design):
-    """One of fixed stops."""
+    """A design with a fixed 2 x 2 tile of stops."""
 
     tile: Tile
 
@@ -99,12 +103,11 @@ class TileDesign(Design):
 def design_looks(
     scenes: Scenes, exposures: int, frame: Frame | None = None, curve: Curve = "mu"
 ) -> LookingDesign:
-    """The program of so many exposures a pixel, the frame's end being the last of them, that is
-    expected to tell the scenes' light best on a curve, without a decoder.
+    """Design the program of looks with the smallest expected error on a curve, without a decoder.
 
-    `scenes` are (rows, cols), electrons over the frame that an always open pixel gathers; each
-    counts the same. Raises Rejected: NS0824 for a scene without light, and as the compiler.
-    """
+    Each pixel has one of `exposures` exposure times; the last ends with the frame. `scenes` are
+    (rows, cols), in electrons of an always open pixel over the frame, and have equal weight. Raises
+    Rejected: NS0824 for a scene without light, and the compiler's errors."""
     frame = frame or Frame()
     chip = frame.chip()
     slot_us = [frame.slot_us] * frame.slots
@@ -129,8 +132,9 @@ def design_looks(
 
 
 def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
-    """The program of the 2 x 2 tile of stops with the least risk (`nscc_training.design.tile`) on a
-    curve. `scenes` and what is raised as for `design_looks`."""
+    """Design the 2 x 2 tile of stops with the least risk (`nscc_training.design.tile`) on a curve.
+
+    `scenes` and errors are as for `design_looks`."""
     frame = frame or Frame()
     chip = frame.chip()
     tile, tile_count = best_tile(chip, scenes, frame.slots, curve)
@@ -151,9 +155,10 @@ def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu")
 def design_pattern(
     scenes: Scenes, frame: Frame | None = None, progress: Progress = iter
 ) -> PatternDesign:
-    """The program of the pattern of stops that is best by merging under every effect, its words
-    weighed, of all that `nscc_training.design.stop_patterns` tries. `scenes` and what is raised as
-    for `design_looks`."""
+    """Design the pattern of stops with the highest PSNR after merging, minus a cost for its words.
+
+    The PSNR is simulated with all effects. `nscc_training.design.stop_patterns` lists the patterns.
+    `scenes` and errors are as for `design_looks`."""
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
@@ -164,7 +169,7 @@ def design_pattern(
 
     def container_of(stop: int) -> Container:
         container = made_of([[stop]]).container
-        assert container is not None  # what does not fit is rejected
+        assert container is not None  # programs that do not fit are rejected
         return container
 
     def words_of(pattern: Pattern) -> int:
@@ -204,7 +209,7 @@ _CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarit
 
 
 def expected_text(errors: dict[Curve, float]) -> str:
-    """Mean square errors as people read them."""
+    """Return the mean square errors in a readable form: dB, or percent for the logarithm."""
     texts = []
     for curve in CURVES:
         if curve not in errors:

@@ -1,4 +1,4 @@
-"""What of scenes a design hangs on: how much light there is, and how often."""
+"""Statistics of scenes for a design: histograms of light."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nscc_training.design.chip import PERCENTILE, Curve, DesignChip
 Values = NDArray[np.float64]
 
 _GROUPS = 256
-"""Of all scenes together: a tenth of a stop each, over 25 stops."""
+"""Number of histogram groups for all scenes together: a tenth of a stop each, over 25 stops."""
 _FEWEST = 24
 
 
@@ -22,10 +22,9 @@ _FEWEST = 24
 class Histogram:
     """The pixels of scenes in groups of nearly equal light; arrays are (groups,).
 
-    `light_e` are the electrons over the frame of an always open pixel, `peak_e` those of the bright
-    end of the group's scene, `weight` the group's part of all pixels: every scene counts the same.
-    `scene` is the number of the group's scene.
-    """
+    `light_e` is the light of the group in electrons over the frame, `peak_e` the peak of its scene,
+    `weight` its fraction of all pixels, with equal weight for every scene. `scene` is the index of
+    its scene."""
 
     light_e: Values
     peak_e: Values
@@ -33,19 +32,21 @@ class Histogram:
     scene: NDArray[np.int64]
 
     def weighed(self, by: Values) -> Histogram:
-        """The same, its scenes weighed by these numbers (scenes,)."""
+        """Return the histogram with scenes weighted by `by` (scenes,)."""
         weight = self.weight * by[self.scene]
         return replace(self, weight=weight / weight.sum())
 
 
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
-    """Of scenes (rows, cols), electrons over the frame. Rejected (NS0824) for one without light."""
+    """Return the histogram of scenes (rows, cols), in electrons over the frame.
+
+    Raises Rejected (NS0824) for a scene without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
     histograms = []
     for number, scene in enumerate(scenes):
         light = np.asarray(scene, np.float64).reshape(-1)
         peak = peak_of(light, number)
-        # Below a billionth of the peak no shutter tells anything.
+        # Light below a billionth of the peak cannot be measured with any shutter.
         logs = np.log(np.maximum(light, 1e-9 * peak))
         low, high = float(logs.min()), float(logs.max())
         place = np.minimum(
@@ -60,11 +61,11 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
 
 
 def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
-    """Return the slots that an ordinary camera opens all its pixels for: of half stops, from one
-    slot to all, the one of least expected error on `curve` over the light's histogram.
+    """Return the exposure time, in slots, that an ordinary camera would choose for all pixels.
 
-    `light_e` (rows, cols) are electrons over all slots. Raises Rejected as `histogram`.
-    """
+    Of half stops from one slot to all slots, it has the smallest expected error on `curve` over the
+    light's histogram. `light_e` (rows, cols) is in electrons over all slots. Raises Rejected as
+    `histogram` does."""
     light = histogram([light_e])
     stops = stops_tried(slots)
     errors = chip.errors(light.light_e, light.peak_e, np.array(stops) / slots, curve)
@@ -72,13 +73,13 @@ def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve
 
 
 def stops_tried(slots: int) -> list[int]:
-    """Return half stops from one slot to all of them."""
+    """Return exposure times in half stops, from one slot to all slots."""
     count = int(2 * np.log2(slots)) + 1
     return sorted({slots, *(round(2 ** (k / 2)) for k in range(count))})
 
 
 def peak_of(light: Values, number: int = 0) -> float:
-    """The light that counts as white. Rejected (NS0824) for a scene that has none."""
+    """Return the light that counts as white; raise Rejected (NS0824) for a scene without light."""
     peak = float(np.percentile(light, PERCENTILE))
     if peak <= 0:
         peak = float(light.max())

@@ -1,10 +1,9 @@
-"""The best fixed pattern of stops for stills: a search over the whole space of simple patterns.
+"""Search for the best fixed pattern of exposure times (stops) for stills.
 
-A search that goes from code to code by small steps never changes the number of exposure levels.
-Here every pattern of 1 to 8 geometric levels is tried, and merging neighbours, which favours no
-pattern, decides. Pixels of class b do not depend on each other's shutters, so the frame of a
-pattern is put together from frames of the emulator in which all pixels have one stop.
-"""
+Searches that change codes in small steps never change the number of exposure levels. This search
+tries every pattern of 1 to 8 geometric levels and compares them by merging neighbours, which
+favours no pattern. Pixels of class b do not depend on each other's shutters. The frame of a pattern
+is therefore composed of emulated frames in which all pixels have the same stop."""
 
 from __future__ import annotations
 
@@ -29,16 +28,16 @@ Levels = NDArray[np.int64]
 Progress = Callable[[Sequence[int]], Iterable[int]]
 
 _HALF_STOPS = (2, 3, 4, 5, 6, 7, 8)
-"""From level to level: factors of 2 to 16."""
+"""Ratios between neighbouring levels in half stops: factors of 2 to 16."""
 _FINALISTS = 8
 _DB_PER_WORD = 0.005
-"""What a word of the frame costs in the objective: 28 words, those of a 2 x 2 tile, 0.14 dB."""
+"""Cost of a word in the objective, in dB; the 28 words of a 2 x 2 tile cost 0.14 dB."""
 _ORDERED = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
 
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """A tile of stops (rows, cols), and what it reaches: mean PSNR over scenes, in dB."""
+    """A tile of stops (rows, cols), and its mean PSNR over scenes, in dB."""
 
     name: str
     stops: Levels
@@ -47,12 +46,13 @@ class Pattern:
 
     @property
     def mean_db(self) -> float:
-        """The mean of both measures: no pattern is to win by one alone."""
+        """The mean of linear and mu-law PSNR, so that a pattern must be good in both."""
         return (self.linear_db + self.mu_db) / 2
 
 
 def shapes() -> dict[str, Levels]:
-    """Return the level of every place of a tile, 0 the longest, by the pattern's name."""
+    """Return the level of every place of a tile, by the pattern's name; 0 is the longest
+    exposure."""
     levels_of_shape = {
         "uniform": np.array([[0]]),
         "checkerboard": np.array([[0, 1], [1, 0]]),
@@ -67,7 +67,7 @@ def shapes() -> dict[str, Levels]:
 
 
 def patterns(slots: int) -> list[Pattern]:
-    """Return all that are tried: each shape with each ratio of its levels and longest stop."""
+    """Return all patterns: each shape with each ratio of levels and each longest stop."""
     stops = np.array(stops_tried(slots))
     candidates = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
@@ -83,11 +83,10 @@ def judged(
     chip: DesignChip, scenes: Sequence[Values], slots: int, slot_us: float,
     compiled: Callable[[int], Container], progress: Progress,
 ) -> list[Pattern]:  # fmt: skip
-    """Return all patterns with what they reach by merging under every effect, the best first.
+    """Return all patterns with their PSNR after merging, simulated with all effects, best first.
 
-    `scenes` are electrons over the frame (rows, cols); `compiled` makes the program in which all
-    pixels have one stop.
-    """
+    `scenes` are in electrons over the frame (rows, cols). `compiled` returns the program in which
+    all pixels have a given stop."""
     candidates = patterns(slots)
     sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):
@@ -106,7 +105,7 @@ def judged(
 
 
 def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Pattern:
-    """Return the pattern of the largest objective among the best ones: decibels less its words."""
+    """Return the pattern with the highest PSNR minus the cost of its words, among the best ones."""
     return max(ranked[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
 
 
@@ -114,7 +113,7 @@ def _frames(
     chip: DesignChip, light_e: Values, slots: int, slot_us: float,
     compiled: Callable[[int], Container], number: int,
 ) -> dict[int, tuple[Values, NDArray[np.bool_]]]:  # fmt: skip
-    """Return exposures in electrons, and what is saturated of them, by stop."""
+    """Return for each stop the exposures in electrons and the saturated pixels."""
     seconds = np.full(slots, slot_us * 1e-6)
     target, sensor = chip.target, chip.sensor
     rows, cols = light_e.shape
@@ -137,7 +136,7 @@ def _merged(
     pattern: Pattern,
     slots: int,
 ) -> Values:
-    """Return the light over the frame that merging makes of a pattern."""
+    """Return the light over the frame that merging reconstructs from a pattern."""
     rows, cols = next(iter(frames.values()))[0].shape
     repeats = [
         -(-side // period) for side, period in zip((rows, cols), pattern.stops.shape, strict=True)

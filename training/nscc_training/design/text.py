@@ -1,4 +1,4 @@
-"""Designs as programs that a person can read."""
+"""Program texts of designs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nscc.syntax.format import format_source
 from nscc_training.design.looking import LookSchedule
 
 SLOT_DECIMALS = 6
-"""Of a slot's microseconds in a program's text: far below a chip's clock, and readable."""
+"""Decimals of a slot length in microseconds, finer than a chip's clock."""
 
 
 def looking_text(
@@ -23,8 +23,9 @@ def looking_text(
     chip: str | None,
     remark: str,
 ) -> str:
-    """The program whose pixels close at the first look that finds them above its level; `chip` is
-    the target's name, None where the compiler's options say it."""
+    """Return the program whose pixels close at the first look above its level.
+
+    `chip` is the target's name; None leaves the target to the compiler's options."""
     levels = [level_text(steps, target) for steps in schedule.steps]
     level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
     at = ", ".join(map(str, schedule.at))
@@ -43,7 +44,7 @@ def looking_text(
 def tile_text(
     stops: Sequence[Sequence[int]], slots: int, slot_us: float, chip: str | None, remark: str
 ) -> str:
-    """The program of a fixed tile of stops, row by row."""
+    """Return the program of a fixed tile of stops, given row by row."""
     rows = [f"[{', '.join(map(str, row))}]" for row in stops]
     return _formatted([
         *_head("nsl 1", remark, chip, slots, slot_us),
@@ -55,20 +56,21 @@ def tile_text(
 
 
 def level_text(steps: int, target: Target) -> str:
-    """A level of so many steps of IN in percent of a full well, with the fewest decimals that the
-    compiler rounds to it."""
+    """Return a level of `steps` steps of IN as percent of a full well.
+
+    It has the fewest decimals from which the compiler gets the same number of steps."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
     candidates = (f"{percent:.{digits}f}" for digits in count())
     return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)
 
 
 def _formatted(lines: Sequence[str]) -> str:
-    """The program in the one style, as `nscc fmt` writes it."""
+    """Return the program in the standard style, as `nscc fmt` writes it."""
     return format_source(Source("design.nsl", "\n".join(lines) + "\n"))
 
 
 def frame_text(slots: int, slot_us: float) -> str:
-    """The statement of a frame of equal slots."""
+    """Return the `frame` statement for equal slots."""
     told_us = f"{slot_us:.{SLOT_DECIMALS}f}".rstrip("0").rstrip(".")
     return f"frame {slots} slots of {told_us}us"
 

@@ -1,11 +1,10 @@
-"""The best fixed 2 x 2 tile of stops for a scene: by enumeration of what no decoder can undo.
+"""Search for the best fixed 2 x 2 tile of exposure times (stops), by enumeration.
 
 The criterion is that of spatially varying exposures (Qu, Chi and Chan, "Spatially Varying Exposure
-with 2-by-2 Multiplexing: Optimality and Universality", 2023, SVE-Risk): not the noise of a mean
-pixel, but where in the scene the saturated and the dark pixels lie. An ideal decoder takes for each
-pixel the best that its tile can tell, and knows which that is; what is still wrong then is the
-risk. It counts the pixel's own noise and clipping, and how far a neighbour's light is another.
-"""
+with 2-by-2 Multiplexing: Optimality and Universality", 2023, SVE-Risk). An ideal decoder uses for
+each pixel the best measurement in its tile, and knows which one is best. The remaining error is the
+risk. It includes the measurement's noise and clipping, and the difference between the light of the
+two pixels."""
 
 from __future__ import annotations
 
@@ -23,7 +22,7 @@ Values = NDArray[np.float64]
 
 _PLACES = 4
 _MOST_TILES = 2048
-"""Tiles of a scene that count, evenly spread over it."""
+"""Most tiles of a scene that are evaluated, evenly spaced over the scene."""
 
 
 @dataclass(frozen=True)
@@ -37,8 +36,10 @@ class Tile:
 def best_tile(
     chip: DesignChip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
 ) -> tuple[Tile, int]:
-    """The tile of least mean risk over the scenes, electrons over the frame (rows, cols); and how
-    many were tried. Rejected (NS0824) for a scene without light."""
+    """Return the tile with the smallest mean risk over the scenes, and the number of tried tiles.
+
+    Scenes are in electrons over the frame (rows, cols). Raises Rejected (NS0824) for a scene
+    without light."""
     stops = stops_tried(slots)
     tiles = list(combinations_with_replacement(range(len(stops)), _PLACES))
     risks = np.zeros(len(tiles))
@@ -47,8 +48,8 @@ def best_tile(
             chip, np.asarray(scene, np.float64), number, stops, slots, curve
         )
         for k, tile in enumerate(tiles):
-            # The pixel p of each tile, told by the pixel q: what q's stop tells of q's own light,
-            # and how far that is from the light at p.
+            # The error of pixel p of each tile if estimated from pixel q: the error of q's own
+            # measurement, and the difference between the light of q and p.
             by = np.stack([stop_errors[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
             risks[k] += (by[:, None, :] + apart).min(axis=2).mean() / len(scenes)
     best = int(risks.argmin())
@@ -57,15 +58,17 @@ def best_tile(
 
 
 def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
-    """From long to short, row by row."""
+    """Return the stops of a tile from long to short."""
     return tuple(reversed(tile))
 
 
 def _tables(
     chip: DesignChip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """By tile of the scene: the error of each place's own light by stop (tiles, places, stops), and
-    the square distance between the light of two places (tiles, places, places)."""
+    """Return the tables from which the risk is computed, for each tile of the scene.
+
+    The first is the error of each place's own light by stop (tiles, places, stops). The second is
+    the squared difference between the light of two places (tiles, places, places)."""
     peak = peak_of(scene.reshape(-1), number)
     # A scene of one row or column has no tiles: it is repeated.
     scene = np.tile(scene, [2 if side == 1 else 1 for side in scene.shape])

@@ -1,4 +1,4 @@
-"""Shutters that can be learned: real parameters outside, legal codes of a class inside."""
+"""Learned shutters: real-valued parameters that represent legal codes of a shutter class."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ class Encoder(nn.Module, ABC):
         self.noise = 0.0
         """Standard deviation of the noise on parameters while training, in their own unit."""
         self.tried_share = 1.0
-        """The part of the pixels that a trial moves."""
+        """The fraction of the pixels that a trial moves."""
 
     @abstractmethod
     def codes(self) -> Codes:
@@ -87,11 +87,11 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def start_uniform(self) -> None:
-        """Set one code for all places."""
+        """Set the same code at all places."""
 
     @abstractmethod
     def start_quad(self) -> None:
-        """Set a pattern of 2 x 2 places: geometric exposures, or for clips moments side by side."""
+        """Set a 2 x 2 pattern: geometric exposure times, or for clips consecutive intervals."""
 
     @abstractmethod
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
@@ -112,12 +112,13 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Return shutters for codes moved to either side, with independent draws in every pixel.
+        """Return shutters for codes moved in both directions, with independent random moves of
+        every pixel.
 
         Parameters
         ----------
         over : Over
-            Shape of the batch that the trial covers.
+            Repeats values of the tile over the batch of the trial.
         generator : torch.Generator
 
         Returns

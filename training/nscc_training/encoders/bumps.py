@@ -49,15 +49,14 @@ class AlwaysOpen(Encoder):
 
 
 class Bump(Encoder):
-    """Open from an opening edge to a closing edge, either of which may be fixed.
+    """The base of classes b to d: open between two edges, either of which may be fixed.
 
     Edges are boundaries 0..N between slots: real parameters in float64, precise for thousands of
     slots. The gradient of an edge is the light that flows through the slots beside it.
 
     `limits` are the legal values of each field; each field is a parameter of that name. `legal`
     (codes, fields), if set, lists the codes that `require` of a program allows: codes snap to the
-    nearest.
-    """
+    nearest."""
 
     width = 1.0
     """Width in slots of the surrogate gradient of an edge; 1 is the physical width."""
@@ -75,9 +74,10 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only the codes `legal` (codes, fields). Parameters snap to the nearest legal code
-        and stay within the range of each field. With a generator the codes are drawn again,
-        uniformly over the legal ones."""
+        """Allow only the codes `legal` (codes, fields).
+
+        Parameters snap to the nearest legal code and stay within the range of each field. With a
+        generator the codes are drawn again, uniformly over the legal codes."""
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
             self.fill(*self.codes().values())
@@ -162,12 +162,12 @@ class Bump(Encoder):
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
-        # They snap to the legal ones.
+        # Round to the nearest legal codes.
         if any((values != codes[name]).any() for name, values in self.codes().items()):
             raise ValueError("some of its codes are not allowed by `require`")
 
     def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
-        """Set the fields, in their order."""
+        """Set the values of all fields, given in the order of `limits`."""
         with torch.no_grad():
             for name, values in zip(self.limits, fields, strict=True):
                 self.get_parameter(name).copy_(torch.as_tensor(np.asarray(values, np.float64)))
@@ -183,7 +183,7 @@ class Stop(Bump):
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
 
     def trial_spread(self, fields: Tensor) -> Tensor:
-        # Exposures matter by their ratio: short ones are tried in small steps.
+        # The ratio of exposures matters, so short exposures are changed in small steps.
         return torch.minimum(super().trial_spread(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:

@@ -1,4 +1,4 @@
-"""Encoders by the names of their classes."""
+"""Construction of encoders by class name."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ CLASSES: dict[str, type[Encoder]] = {
 }
 
 _MOST_LEVELS = 16
-"""Most exposures that are scattered one by one; with more, powers of two."""
+"""Most exposure times that are scattered individually; with more, powers of two are used."""
 
 
 def make_encoder(
@@ -73,8 +73,8 @@ def make_encoder(
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
-    """Start with exposures that keep away from equal ones. ValueError for classes without
-    exposures."""
+    """Set exposure times so that equal ones are far apart; raise ValueError for other classes than
+    b and c."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
         raise ValueError(f"{start} needs codes with one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()

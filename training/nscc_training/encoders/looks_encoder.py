@@ -1,4 +1,4 @@
-"""Pixels that look: the boundaries and levels at which they close, the same for all pixels."""
+"""The encoder for pixels that look: boundaries and levels of looks, the same for all pixels."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from nscc_training.encoders.trial import CodeTrial, Over, drawn
 from nscc_training.gradients import replaced, rounded
 
 LOOKS = "looks"
-"""The name of the class. Its shutters are represented by fields (2 looks, rows, cols), boundaries
-followed by levels, because the open time depends on the light (`nscc_training.looking_model`)."""
+"""The name of the class.
+
+Its shutters are represented by fields (2 looks, rows, cols), boundaries followed by levels, because
+the open time depends on the light (`nscc_training.looking_model`)."""
 _OCTAVES, _WELLS = 0.3, 0.06
 """Standard deviations of trials: of moments in octaves, of levels in full wells."""
 _REACH = 0
@@ -23,8 +25,10 @@ _REACH = 0
 
 
 class LooksEncoder(Encoder):
-    """Class looks: a tile (1, looks) of boundaries and levels, in steps of IN. `spec.levels` is the
-    largest step. Parameters are real: the logarithm (base 2) of the boundary, and the step."""
+    """Class looks: a tile (1, looks) of boundaries, and of levels in steps of IN.
+
+    `spec.levels` is the largest level. The parameters are real: the base-2 logarithm of the
+    boundary, and the level."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -43,11 +47,13 @@ class LooksEncoder(Encoder):
         return self.hardened(self.fields()).float()
 
     def fields(self) -> Tensor:
-        """Return real moments and levels (2 looks, 1, 1)."""
+        """Return the real parameters (2 looks, 1, 1): logarithms of boundaries, then levels."""
         return torch.cat([self.moment, self.level]).reshape(-1, 1, 1)
 
     def hardened(self, fields: Tensor) -> Tensor:
-        """Return increasing whole boundaries and whole levels of real fields (2 looks, rows, cols).
+        """Return increasing whole boundaries and whole levels from real fields (2 looks, rows,
+        cols).
+
         The gradient passes straight through."""
         moments, levels = fields.chunk(2)
         at = 2.0**moments
@@ -100,8 +106,8 @@ class LooksEncoder(Encoder):
         self._fill(at, np.full(looks, max(1, self.most // 2)))
 
     def start_quad(self) -> None:
-        """Set geometric moments from the first boundary on, and levels of half of the next moment's
-        limit."""
+        """Set geometric boundaries, and levels at which the exposure at the next look nearly fills
+        the well."""
         looks = self.spec.tile[1]
         ratio = self.spec.slots ** (1 / looks)
         level = 0.9 * self.most / max(ratio, 2.0)

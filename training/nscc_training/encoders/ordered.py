@@ -1,6 +1,7 @@
-"""Tiles of bumps with staggered starts: initial codes for clips, of every class. A pixel measures
-the light of its bump, and its neighbours the light of other bumps. The 2 x 2 pattern has edges at
-three moments within the frame; these tiles have edges at more moments."""
+"""Initial codes for clips: tiles of bumps with staggered starts, for every class.
+
+A pixel measures the light of its bump, and its neighbours the light of other bumps. The 2 x 2
+pattern has edges at three times within the frame; these tiles have edges at more times."""
 
 from __future__ import annotations
 
@@ -12,22 +13,21 @@ from nscc_training.encoders.base import Codes, ShutterSpec
 _SIDE = 4
 """Rows and columns of the repeating tile."""
 _RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
-"""Bayer's order of 4 x 4 places."""
+"""Bayer matrix: the order of 4 x 4 places."""
 
 Places = NDArray[np.int64]
 
 
 def ordered(name: str, spec: ShutterSpec) -> Codes:
-    """Return the codes of a tile for a start of ORDERED.
+    """Return the codes of a tile for the start `name`, one of ORDERED.
 
-    Bumps have the length of the class, or a quarter of the frame. For a codebook the shapes are
-    included as `book`. ValueError for classes and tiles that have no such start.
+    Bumps have the length of the class, or a quarter of the frame. For a codebook, the item `book`
+    contains the shapes. Raises ValueError for classes and tiles without such a start.
 
-    `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block half a bump later, or as late as
-    the frame allows. `staggered`: sixteen moments from the begin of the frame to the last at which
-    a bump fits. `cyclic`: sixteen moments around the frame; a bump that reaches the end continues
-    at the begin.
-    """
+    `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block later by half a bump, or by as much
+    as the frame allows. `staggered`: sixteen start times from the beginning of the frame to the
+    last at which a bump fits. `cyclic`: sixteen start times around the frame; a bump that reaches
+    the end continues at the beginning."""
     if spec.kind not in _CODES:
         raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
     if any(side % _SIDE for side in spec.tile):

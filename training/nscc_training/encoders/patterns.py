@@ -16,8 +16,7 @@ from nscc_training.encoders.trial import CodeTrial, Over, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
-"""Most slots of class e, whose code is one int64; longer bit fields of the language are several
-numbers."""
+"""Most slots of class e, whose code is one int64; longer bit fields need several numbers."""
 _LEAST_TRIED = 0.25
 """Minimum standard deviation of trials; with less, undecided digits never change."""
 _REACH = 1
@@ -89,9 +88,10 @@ class Bits(_Digits):
 
 
 class Codebook(_Digits):
-    """K shapes of N digits, and for every pixel of the tile a choice of shape. With as many shapes
-    as places the codebook is as free as class e, at any N. The choice is the largest of K scores of
-    the pixel."""
+    """K shapes of N digits, and a choice of shape for every pixel of the tile.
+
+    With as many shapes as places, the codebook is as free as class e, with any N. The choice is the
+    largest of K scores of the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -119,9 +119,10 @@ class Codebook(_Digits):
         return replaced(likely, hard)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Try other digits of each pixel's shape, and one other shape as a whole. The last field
-        is the score by which a pixel prefers its shape to the other shape, which is drawn
-        uniformly."""
+        """Try other digits of each pixel's shape, and one other shape as a whole.
+
+        The last field is the difference between the scores of the current shape and of the other
+        shape, which is drawn uniformly."""
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             current = scores.argmax(dim=0, keepdim=True)
@@ -145,8 +146,10 @@ class Codebook(_Digits):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
-        """Return the shapes (N, rows, cols) that pixels choose, `choice` (1, rows, cols), of (K,
-        N)."""
+        """Return the shutters (N, rows, cols): for each pixel the row `choice` (1, rows, cols) of
+        `shapes`.
+
+        `shapes` is (K, N)."""
         # as a product, whose gradient is added up in the same order every time
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)
@@ -159,7 +162,7 @@ class Codebook(_Digits):
         return 1 - len(torch.unique(self.choice.argmax(dim=-1))) / self.rows
 
     def book(self) -> NDArray[np.int64]:
-        """Return the shapes (K, N) as digits."""
+        """Return the shapes (K, N) as digits 0 and 1."""
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
     def codes(self) -> Codes:
@@ -190,11 +193,12 @@ class Codebook(_Digits):
         self.choose(np.where(again < self.rows, again, rank % self.rows))
 
     def spread(self) -> NDArray[np.int64]:
-        """Return row numbers that assign the shapes to the places in turn."""
+        """Return a shape index for each place, using all shapes in turn."""
         return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
 
     def choose(self, rows: NDArray[np.int64]) -> None:
-        """Make every place prefer a row, by a margin that training can overcome."""
+        """Set scores so that each place chooses the given shape, by a margin that training can
+        overcome."""
         with torch.no_grad():
             chosen = functional.one_hot(torch.as_tensor(rows), self.rows)
             self.choice.copy_(chosen.to(self.choice.dtype))

@@ -1,6 +1,7 @@
-"""Tiles in which equal exposures keep away from each other: starts for classes of one field. The
-starts of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel Exposures for
-Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges."""
+"""Tiles in which equal exposure times are far apart: starts for classes with one field.
+
+The starts are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel
+Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges."""
 
 from __future__ import annotations
 
@@ -13,17 +14,19 @@ Tile = NDArray[np.int64]
 def scattered(
     name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
 ) -> Tile:
-    """Return one of `levels` (values,) for each place of a tile (rows, cols), for a start of
-    SCATTERED."""
+    """Return one of `levels` (values,) for each place of a tile (rows, cols).
+
+    `name` is one of SCATTERED."""
     pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
     chosen: Tile = levels[pattern(len(levels), tile, generator)]
     return chosen
 
 
 def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Assign levels at points that keep a distance from each other. Each level in turn takes its
-    share of free places, nearest to the points of a Poisson-disc sampler. The remaining places go
-    to the level whose own places are farthest away."""
+    """Return a level index for each place; places of one level keep a distance from each other.
+
+    Each level in turn takes its share of free places, nearest to the points of a Poisson-disc
+    sampler. Each remaining place gets the level whose own places are farthest away."""
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile
@@ -46,8 +49,7 @@ def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Genera
 
 
 def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Assign random levels that differ from those of the eight neighbours, if there are enough
-    levels."""
+    """Return random level indices that differ from those of the eight neighbours, if possible."""
     rows, cols = tile
     chosen = np.full(tile, -1, np.int64)
     for row, col in generator.permutation(np.argwhere(chosen < 0)).tolist():
@@ -62,6 +64,6 @@ def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Genera
 
 
 def _around(distance: NDArray[np.float64], length: int) -> NDArray[np.float64]:
-    """Return distances along an axis that wraps around."""
+    """Return absolute distances along an axis of `length` that wraps around."""
     away = np.abs(distance) % length
     return np.asarray(np.minimum(away, length - away))

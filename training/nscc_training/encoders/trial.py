@@ -1,10 +1,9 @@
-"""Trials: codes moved to either side by antithetic draws.
+"""Gradients of discrete codes by antithetic trials: losses of codes moved in both directions.
 
-The gradient of a parameter is the difference of the losses of both sides times `moved / (2
-spread^2)`: the gradient of the loss smoothed by normal noise of that spread. Where only a sign
-matters, as for a digit, `moved` is the mean of all draws that give the same decision (Dong, Mnih
-and Tucker, NeurIPS 2020, do so for logistic noise): the same gradient with less variance.
-"""
+The gradient of a parameter is the loss difference of both sides times `moved / (2 spread^2)`. This
+is the gradient of the loss smoothed by normal noise with the standard deviation `spread`. If only a
+sign matters, as for a digit, `moved` is the mean over all draws with the same decision, which has
+less variance (Dong, Mnih and Tucker, NeurIPS 2020, for logistic noise)."""
 
 from __future__ import annotations
 
@@ -18,17 +17,17 @@ from torch import Tensor
 from nscc_training.draws import normal, uniform
 
 Over = Callable[[Tensor], Tensor]
-"""Maps values of a tile, (any, rows, cols), to the pixels of a patch."""
+"""A function that repeats the values of a tile, (any, rows, cols), over the pixels of a patch."""
 
 
 @dataclass(frozen=True, eq=False)
 class CodeTrial:
-    """Codes moved to either side.
+    """Codes moved in both directions.
 
-    `fields` (fields, rows, cols) of the patch, with their gradient; `moved`, their displacement,
-    and `spread`, its standard deviation; `shutters` (N, rows, cols) of both sides. A field is
-    credited with the losses within `reach` pixels. Only a random `share` of the pixels is moved.
-    """
+    `fields` (fields, rows, cols) of the patch have gradients; `moved` is their displacement,
+    `spread` its standard deviation. `shutters` are the shutters (N, rows, cols) of both sides. A
+    field is credited with the losses within `reach` pixels. Only a random fraction `share` of the
+    pixels moves."""
 
     fields: Tensor
     moved: Tensor
@@ -39,7 +38,7 @@ class CodeTrial:
 
 
 def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
-    """Return standard normal numbers for a `share` of the pixels, 0 for the rest."""
+    """Return standard normal numbers for a random `share` of the pixels, and 0 for the others."""
     numbers = normal(fields, generator)
     if share < 1:
         numbers *= uniform(fields, generator, fields.shape[-2:]) < share
@@ -49,9 +48,11 @@ def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
 def decided(
     margins: Tensor, spread: Tensor, generator: torch.Generator, share: float
 ) -> tuple[Tensor, Tensor, Tensor]:
-    """Return decisions for margins above 0, tried by a share of pixels with noise of a spread.
-    Returns the decisions of both sides, and the displacement of the first side averaged over all
-    draws with that decision: 0 where both sides decide alike."""
+    """Decide whether noisy margins are above 0, on both sides of an antithetic draw.
+
+    Only a `share` of the pixels gets noise, with the standard deviation `spread`. Returns both
+    decisions and the displacement of the first side, averaged over all draws with this decision; it
+    is 0 if both sides decide alike."""
     noise = spread * drawn(margins, generator, share)
     first, second = margins + noise > 0, margins - noise > 0
     beyond = margins.abs() / spread

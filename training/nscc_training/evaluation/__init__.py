@@ -1,1 +1,1 @@
-"""Evaluation under protocols, with all metadata of a result."""
+"""Evaluation of runs and baselines under protocols."""

@@ -49,11 +49,10 @@ _CLASSES = {
 class Baseline:
     """A baseline of a protocol.
 
-    `start` of its codes is CLASS:START on a tile of `side` x `side`, or a number of open slots.
-    `takes_codes`: other codes may be named. `best_in`: of several uniform exposures the best in
-    this metric, in hindsight. `tiles` returns shutters of several frames; with `alone` each frame
-    is decoded alone.
-    """
+    Its codes are `start` (CLASS:START) on a tile of `side` x `side`, or a number of open slots.
+    `takes_codes` allows other codes. `best_in` names a metric in which the best of several uniform
+    exposures is chosen with the ground truth. `tiles` returns the shutters of several frames;
+    `alone` decodes each frame separately."""
 
     method: Method
     start: str = ""
@@ -65,25 +64,26 @@ class Baseline:
 
 
 def _flutter(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """The same random bits in all pixels."""
+    """Return the same random bits for all pixels."""
     return np.random.default_rng(seed).random((1, int(protocol["frames"]), 1, 1)) < 0.5
 
 
 def _pixel_wise(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Random bits of each pixel of a tile."""
+    """Return random bits for each pixel of a tile."""
     shape = (1, int(protocol["frames"]), *protocol["tile"])
     return np.random.default_rng(seed).random(shape) < 0.5
 
 
 def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Random bits of each pixel, and their complement in a second frame."""
+    """Return random bits for each pixel, and their complement for a second frame."""
     first = _pixel_wise(protocol, seed)
     return np.concatenate([first, ~first])
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Return shutters of a film: within a frame each, or `staggered` across the end into the next
-    frame."""
+    """Return the shutters of the frames of a film.
+
+    Bumps lie within a frame, or are `staggered` across its end into the next frame."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]
@@ -142,9 +142,10 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 def evaluate_baseline(
     protocol: Protocol, name: str, folder: Path, seed: int = 0, codes: str = ""
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a baseline on a folder of scenes, and its arrays by name. `codes` names
-    other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends on the scene
-    alone."""
+    """Return the result of a baseline on a folder of scenes, and its arrays by name.
+
+    `codes` names other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends
+    only on the scene's index and `seed`."""
     from nscc_training.sensor_model import SensorModel
 
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
@@ -186,7 +187,7 @@ def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
 def _choices(
     baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
 ) -> list[tuple[Tensor, dict[str, Any]]]:
-    """Return the candidate shutters of a baseline: one, unless it takes the best of several."""
+    """Return the candidate shutters of a baseline; several only for baselines with `best_in`."""
     import torch
 
     from nscc_training.encoders import ShutterSpec, make_encoder
@@ -220,9 +221,10 @@ def _choices(
 
 
 def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, Any]:
-    """Return the spec and the start of `CLASS[:START]`, or those of a run's encoder. A class alone
-    starts at random. Rejected (NS0840) if `name` takes no other codes, or for codes that the
-    protocol does not have."""
+    """Return spec and start of `CLASS[:START]`, or those of a run's encoder.
+
+    A class without a start has random codes. Raises Rejected (NS0840) if the baseline `name`
+    accepts no other codes, or the protocol does not support them."""
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.run_files import CONFIG, run_path
     from nscc_training.run_folder import run_codes
@@ -260,8 +262,10 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 def evaluate_sci8(
     paths: Sequence[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on the clips of the benchmark, and its clips by name. Rejected:
-    NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method."""
+    """Return the result of a method on the clips of the benchmark, and the reconstructions by name.
+
+    Raises Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown
+    method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(

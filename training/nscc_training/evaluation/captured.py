@@ -1,4 +1,4 @@
-"""Coded frames of a scene, as decoders without training take them."""
+"""Captured frames of a scene, the input of decoders without training."""
 
 from __future__ import annotations
 
@@ -24,9 +24,11 @@ Frames = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class CapturedScene:
-    """Frames of one scene: `codes` (frames, rows, cols) above the converter's offset. `tile`
-    (frames, slots, r, c) are the shutters, which repeat over the array; `saturated` (frames, rows,
-    cols) says which codes are. `model` is the sensor, None for exact measurements."""
+    """Captured frames of one scene.
+
+    `codes` (frames, rows, cols) are above the converter's offset. `tile` (frames, slots, r, c)
+    contains the shutters, which repeat over the array. `saturated` (frames, rows, cols) marks
+    saturated codes. `model` is the sensor, None for exact measurements."""
 
     scene: ProtocolScene
     codes: Frames
@@ -42,7 +44,6 @@ class CapturedScene:
 
     @property
     def is_still(self) -> bool:
-        """Whether the scene is a still."""
         return self.scene.light_e.ndim == 2
 
     @cached_property
@@ -52,7 +53,7 @@ class CapturedScene:
 
     @cached_property
     def share(self) -> NDArray[np.float64]:
-        """Open fraction of the first frame of each pixel, (rows, cols)."""
+        """The fraction of the first frame for which each pixel is open, (rows, cols)."""
         return self._over_frame(self.tile[0].mean(axis=0, dtype=np.float64))
 
     @property
@@ -62,14 +63,14 @@ class CapturedScene:
 
     @property
     def white_e(self) -> float:
-        """Electrons per slot of the white of the source: the unit of the weight of total
-        variation."""
+        """Electrons per slot of the source's white, which is the unit of the total variation's
+        weight."""
         scene, slots = self.scene, self.tile.shape[1]
         scale_e = scene.scale_e if isinstance(scene, ClipWindow) else 1.0
         return float(scale_e * len(scene.light_e) / slots)
 
     def measured(self) -> Measured[Tensor]:
-        """Return the frames in the form of the decoder for any code, in electrons."""
+        """Return the frames as a measurement in electrons, for the decoder for any code."""
         from nscc_training.measured import Measured
 
         if self.model is None:
@@ -83,7 +84,7 @@ class CapturedScene:
         return replace(self, codes=self.codes[region], saturated=self.saturated[region])
 
     def frame(self, number: int) -> CapturedScene:
-        """Return one frame, with the slots that it exposes."""
+        """Return one frame, with only the slots in which it is exposed."""
         slots = np.flatnonzero(self.tile[number].any(axis=(1, 2)))
         frame_slice = slice(number, number + 1)
         tile = self.tile[frame_slice, slots[0] : slots[-1] + 1]

@@ -1,5 +1,6 @@
-"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made from the runs that come with nscc. The
-emulated chip exposes a still and a clip through a run's shutters and with always open pixels, and
+"""Figs. 3, 5, 6, 7 and 8 of the paper, from the runs that come with nscc.
+
+The emulated chip exposes a still and a clip with a run's shutters and with always open pixels, and
 the run decodes them. Light is in electrons, over the frame or per slot."""
 
 from __future__ import annotations
@@ -48,15 +49,17 @@ Field = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
-    """The images of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
-    `frames`, the coded frame and that of always open pixels, as greys."""
+    """The images of a scene.
+
+    `light` contains arrays by name, (rows, cols) for a still or (T, rows, cols) for a clip.
+    `frames` contains the coded frame and the frame of always open pixels, as grey levels."""
 
     name: str
     light: Mapping[str, Field]
     frames: Mapping[str, NDArray[np.uint8]]
 
     def image(self, shown: str) -> Image:
-        """Return a picture of a figure's layout."""
+        """Return the picture that a layout in `figures.toml` names."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
         match = _SHOWN.fullmatch(shown)
@@ -86,14 +89,13 @@ class _Shot:
 
 
 def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> dict[str, bytes]:
-    """Return PNG files by the names of `figures.toml`.
+    """Return PNG files by the names in `figures.toml`.
 
-    `data` holds panoramas and clips, or folders `hdr` and `video`. The figures show the first crop
-    with the largest ratio of brightest light to median, and the first window with most motion, of
-    files that the run has not seen. Without `data`, or without a suitable file, the built-in scenes
-    are shown. `effects` are those of `nscc run`. Raises Rejected: NS0756 for unknown effects,
-    NS0811 for a folder without scenes.
-    """
+    `data` contains panoramas and clips, or folders `hdr` and `video` with them. The figures show
+    the first crop with the largest ratio of brightest light to median, and the first window with
+    the most motion. Files that the run was trained on are not used. Without `data`, or without a
+    suitable file, built-in scenes are shown. `effects` are as for `nscc run`. Raises Rejected:
+    NS0756 for unknown effects, NS0811 for a folder without scenes."""
     runs = {still: load_run(path) for still, path in RUNS.items()}
     scenes = {
         kind: None if data is None else _scene_of(folder, data, kind)
@@ -131,8 +133,7 @@ def _shot_of(
     effects: str,
     seed: int,
 ) -> _Shot:
-    """Return the images of a scene, or of the built-in one: the frame of a run and its
-    reconstruction."""
+    """Expose a scene, or the built-in scene, and reconstruct it with a run; return the images."""
     setup = folder.setup
     if found_scene is None:
         like = run_capture(folder.path)
@@ -163,8 +164,8 @@ def _shot_of(
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
-    """Return the scene of a folder that a figure shows, and the name of its file; None
-    without any."""
+    """Return the scene of a folder that a figure shows, and its file name; None if there is no
+    scene."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.setup.target.rows, folder.setup.target.cols)
@@ -185,14 +186,15 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Protocol
 
 
 def _worth(light_e: Field) -> float:
-    """Return the visual interest of a scene: the range of a still, the motion of a clip."""
+    """Return how suitable a scene is for a figure: the range of a still, the motion of a clip."""
     if light_e.ndim == 3:
         return float(np.abs(np.diff(light_e, axis=0)).mean() / max(light_e.mean(), 1e-9))
     return float(np.percentile(light_e, 99.9) / max(float(np.median(light_e)), 1e-9))
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
-    """Rows of stills and of clips: codes at random, the 2 x 2 tile, the run's own."""
+    """Return rows of shutter images for stills and clips: random codes, the 2 x 2 tile, the run's
+    codes."""
     rows = []
     for still, folder in runs.items():
         spec, row = folder.setup.encoder.spec, []
@@ -204,7 +206,7 @@ def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
                 np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
             )
             title = {"quad": "2 x 2 tile", "run": f"run {RUNS[still]}"}.get(name, name)
-            # Stops span two decades: their root tells the short ones apart.
+            # Stops span two decades: the square root makes short stops distinguishable.
             shown = np.sqrt(share / share.max()) if still else mean_time
             note = "bright is long" if still else "dark is early, bright late"
             grey = np.rint(255 * shown).astype(np.uint8)

@@ -1,9 +1,8 @@
-"""The rows of hdr-v1 whose pixels look at the light: no decoder, each exposure over its open time.
+"""The methods of hdr-v1 whose pixels look at their light, without a decoder.
 
-The programs are compiled, and their words run on the emulator: with the protocol's noise and a
-comparator's, or with other effects. The `designed` rows have a program per crop, designed for its
-light (`nscc design`).
-"""
+The programs are compiled and their words run on the emulator, with the protocol's noise and
+comparator noise, or with other effects. The `designed` methods design a program for each crop
+(`nscc design`)."""
 
 from __future__ import annotations
 
@@ -50,17 +49,18 @@ ROWS: dict[str, tuple[tuple[int, ...], float]] = {
     "looks-5": ((1, 4, 16, 64), 22.0),
     "looks-9": ((1, 2, 4, 8, 16, 32, 64, 128), 45.0),
 }
-"""The boundaries at which the pixels of each row look, and the percentage of a full well above
-which they close. The last exposure ends with the frame."""
+"""For each method the boundaries of the looks, and the closing level in percent of a full well.
+
+The last exposure ends with the frame."""
 DESIGNED = {"designed-2": 2, "designed-5": 5}
-"""Numbers of exposures of the designed rows."""
+"""The number of exposures of each designed method."""
 LOOKING = (*ROWS, *DESIGNED)
 
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 
 
 def row_of(name: str, target: Target) -> LookSchedule:
-    """Return the boundaries and steps of IN at which the pixels of a row look, on a chip."""
+    """Return the looks of a method on a chip: boundaries, and levels in steps of IN."""
     at, percent = ROWS[name]
     return LookSchedule(at, (level_steps(percent, "%", target),) * len(at))
 
@@ -68,9 +68,10 @@ def row_of(name: str, target: Target) -> LookSchedule:
 def evaluate_looks(
     name: str, folder: Path, seed: int = 0, effects: str = "", changes: Sequence[str] = ()
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a row of LOOKING on a folder of panoramas, and its arrays by name.
-    `effects` replace the protocol's noise and a comparator's; `changes` are sensor values, as `nscc
-    run` takes them. Programs are designed for the sensor without these changes."""
+    """Return the result of a method of LOOKING on a folder of panoramas, and its arrays by name.
+
+    `effects` replace the protocol's noise and comparator noise; `changes` are sensor values, as for
+    `nscc run`. Programs are designed for the sensor without these changes."""
     protocol = load_protocol("hdr-v1")
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
@@ -97,8 +98,9 @@ def looked_light(
     container: Container, light_e: NDArray[Any], sensor: Sensor, effects: Selection | str,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:  # fmt: skip
-    """Return the light over the frame, in electrons, measured by pixels that look at `light_e`.
-    `seeds` are those of noise and of the chip."""
+    """Return the light over the frame in electrons, as measured by pixels that look at `light_e`.
+
+    `seeds` are the seeds of the noise and of the chip."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
@@ -116,7 +118,7 @@ def _settings(name: str) -> dict[str, Any]:
 
 
 def _target(protocol: Protocol) -> Target:
-    """Return scamp5 with the protocol's array and range."""
+    """Return scamp5 with the protocol's array size, full well and converter bits."""
     size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
     return replace(
         builtin_target("scamp5"), rows=size, cols=size, full_well_e=well, register_max_e=well,
@@ -125,7 +127,8 @@ def _target(protocol: Protocol) -> Target:
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return a function that gives the program of a crop: that of a row, or a crop's own."""
+    """Return a function that gives the program for a crop: the method's, or one designed for the
+    crop."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

@@ -23,10 +23,9 @@ Light = NDArray[np.float64]
 class Method:
     """A decoder without training.
 
-    `decode` returns electrons over the frame (rows, cols), or per slot (slots, rows, cols); its
-    options are those of `settings`. `sees`: it decodes the capture or, as a yardstick, gets the
-    truth. `settings` are the settings that a tradeoff compares, by name.
-    """
+    `decode` returns electrons over the frame (rows, cols), or per slot (slots, rows, cols). `sees`
+    is "capture", or "truth" for reference methods that use the ground truth. `settings` are named
+    options of `decode`, which `nscc tradeoff` compares."""
 
     decode: Callable[..., Light]
     sees: Literal["capture", "truth"] = "capture"
@@ -36,7 +35,7 @@ class Method:
 def _clip(
     loop: Callable[..., NDArray[np.float32]], captured: CapturedScene, **options: Any
 ) -> Light:
-    """Decode with a loop that takes a measurement in units of white, and a mask."""
+    """Decode a capture with a function of a measurement, in units of white, and a mask."""
     white_e = captured.white_e
     measurement = (captured.codes[0] * (captured.code_e / white_e)).astype(np.float32)
     return np.asarray(loop(measurement, captured.masks[0], **options), np.float64) * white_e
@@ -75,7 +74,7 @@ def _any(captured: CapturedScene, **options: Any) -> Light:
 
 
 def _read_out(captured: CapturedScene) -> Light:
-    """Return the measurement of each pixel over its open fraction of the frame."""
+    """Return the measurement of each pixel divided by its open fraction of the frame."""
     return np.asarray(captured.codes[0].astype(np.float64) * captured.code_e / captured.share)
 
 
@@ -98,7 +97,7 @@ STILLS: Mapping[str, Method] = {
 
 
 def load(method: str, slots: int) -> None:
-    """Compile or learn everything that a method needs, so that scene times exclude it."""
+    """Compile or learn everything that a method needs, so that measured times exclude it."""
     if method in ("gap-tv", "admm-tv", "any"):
         denoise.load()
     if method == "dictionary":

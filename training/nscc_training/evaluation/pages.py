@@ -1,11 +1,9 @@
 """Pages of results: Markdown templates whose numbers are computed from results.
 
-`{{WORD ARGUMENTS}}` in a template is a method of `Page`, with arguments split as in a shell.
-Results are named after their files, without .json; * in a name matches several results, which are
-seeds. A metric may end in /source (files count once, however many items they have), in /interval
-(with the 95 % interval of a bootstrap over scenes) or in @SHARE (at that fraction of saturated
-pixels).
-"""
+`{{WORD ARGUMENTS}}` in a template calls a method of `Page`, with arguments split as in a shell. A
+result is named after its file, without .json; * in a name matches the results of several seeds. A
+metric may end in /source (each file counts once, however many items it has), in /interval (adds the
+95 % interval of a bootstrap over scenes) or in @SHARE (at that fraction of saturated pixels)."""
 
 from __future__ import annotations
 
@@ -34,9 +32,10 @@ _SETTINGS = {
 
 
 class Page:
-    """The words of a template, computed from the results in a folder. Rows of runs whose folder, in
-    `runs` beside the results, has no weights are marked with a dagger. `rows` are the filled rows
-    of the paper's tables, as JSON values."""
+    """A page of results: it computes the words of a template from the results in a folder.
+
+    A dagger marks runs without weights in the folder `runs` beside the results. `rows` collects the
+    filled rows of the paper's tables, as JSON values."""
 
     def __init__(self, results: Path) -> None:
         self.results = results
@@ -44,11 +43,13 @@ class Page:
         self._read = cache(read_result)
 
     def filled(self, template: str) -> str:
-        """Return the text of a template; ValueError for words and metrics that do not exist."""
+        """Return a template with all words replaced; raise ValueError for unknown words and
+        metrics."""
         return re.sub(r"\{\{(.*?)\}\}", lambda match: self._word(*shlex.split(match[1])), template)
 
     def mean(self, name: str, metric: str) -> str:
-        """Return the mean over items, then seeds: dB with two digits, other metrics with three."""
+        """Return the mean over items, then seeds: dB with two decimals, other metrics with
+        three."""
         results = self._results_of(name)
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
@@ -70,9 +71,11 @@ class Page:
         return "{} ({} to {})".format(text, *(_digits(end, metric) for end in ends))
 
     def gain(self, first: str, second: str, metric: str) -> str:
-        """Return the gain of the second result in pairs of items, with its interval over scenes.
-        A result of one seed is compared with all seeds of the other. By source: the difference
-        alone."""
+        """Return the gain of the second result over the first, in pairs of items, with its
+        interval.
+
+        A result with one seed is compared with all seeds of the other. With /source only the
+        difference is returned."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
             return _MISSING
@@ -98,8 +101,7 @@ class Page:
         return f"{comparison['gain_db']:+.2f}{between}"
 
     def value(self, name: str, key: str) -> str:
-        """Return a property of a result's subject: moved, steps, words, stops,
-        parameters, items."""
+        """Return a property of a result: moved, steps, words, stops, parameters or items."""
         results = self._results_of(name)
         if not results:
             return _MISSING
@@ -112,8 +114,10 @@ class Page:
         return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
 
     def row(self, label: str, name: str, *cells: str) -> str:
-        """Return a row of a table. Cells are metrics, keys of `value`, NAME:METRIC for the gain
-        over that result, and = for an empty cell."""
+        """Return a table row.
+
+        Cells are metrics, keys of `value`, NAME:METRIC for the gain over that result, or = for an
+        empty cell."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")
@@ -130,14 +134,15 @@ class Page:
         return f"| {' | '.join(texts)} |"
 
     def against(self, label: str, first: str, second: str, *metrics: str) -> str:
-        """Return a row whose cells are the gains of the second over the first."""
+        """Return a table row whose cells are the gains of the second result over the first."""
         mark = self._mark(first) or self._mark(second)
         gains = (self.gain(first, second, metric) for metric in metrics)
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
-        """Return a row whose columns are results, each NAME[@SHARE], with the metrics
-        joined by +."""
+        """Return a table row with one cell for each result, NAME[@SHARE].
+
+        Metrics are joined by + and shown together in each cell."""
         cells = []
         for name, at, share in (name.partition("@") for name in names):
             means = (self.mean(name, f"{metric}{at}{share}") for metric in metrics.split("+"))
@@ -204,9 +209,10 @@ class Page:
 def page_of(
     results: Path | None = None, template: Path | None = None
 ) -> tuple[list[dict[str, Any]], str]:
-    """Return the rows of the paper's tables on a page, and its text. By default the results that
-    come with nscc, and the paper's Tables 2 to 4. Rejected (NS0807) for a folder that does not
-    exist."""
+    """Return the rows of the paper's tables on a page, and the page's text.
+
+    By default, uses the results that come with nscc and a page of the paper's Tables 2 to 4. Raises
+    Rejected (NS0807) for a folder that does not exist."""
     folder = shipped_evaluations() if results is None else results
     if not folder.is_dir():
         hint = "`nscc sweep GRID.toml --out DIR` makes one"

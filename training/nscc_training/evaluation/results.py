@@ -1,4 +1,4 @@
-"""The JSON that `nscc evaluate` writes, and the comparison of two of them."""
+"""The JSON results of `nscc evaluate`, and their comparison."""
 
 from __future__ import annotations
 
@@ -42,9 +42,10 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the usable scenes, and the entries of a result for the others. The noise of a scene
-    follows from its number. Under hdr-v1 only usable scenes are counted; under the other protocols
-    None stands in for the unusable ones."""
+    """Return the usable scenes, and the result's entries for the others.
+
+    The index of a scene seeds its noise. Under hdr-v1 only usable scenes are counted; under other
+    protocols None replaces each unusable scene."""
     scenes: list[ProtocolScene | None] = []
     left_out = []
     for scene in candidates:
@@ -61,9 +62,10 @@ def scored(
     scenes: Iterable[ProtocolScene | Unusable | None],
     decode: Callable[[ProtocolScene, int], tuple[Array, float]],
 ) -> Iterator[Scored]:
-    """Decode and score every scene; `decode` returns electrons and seconds. It gets the number of
-    the scene, which seeds its noise. Rejected (NS0804) for a reconstruction with values that are
-    not finite."""
+    """Decode and score every scene.
+
+    `decode` takes a scene and its index, which seeds the noise, and returns electrons and seconds.
+    Raises Rejected (NS0804) for a reconstruction with values that are not finite."""
     for index, scene in enumerate(scenes):
         if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
@@ -73,7 +75,7 @@ def scored(
 
 
 def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
-    """Return the mean of a metric in dB; -inf if there is no item."""
+    """Return the mean of a metric in dB; -inf without items."""
     scores = [number(item.metrics[metric]) for entry in scored_scenes for item in entry.items]
     return finite_mean(scores) if scores else -math.inf
 
@@ -83,7 +85,7 @@ def also_saturated(
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
-    """Return means at the other fractions of saturated pixels of hdr-v1; nothing for other
+    """Return means at the other fractions of saturated pixels of hdr-v1; empty for other
     protocols."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
@@ -112,7 +114,7 @@ def check_finite(result: Array, name: str) -> None:
 
 @dataclass(frozen=True)
 class ResultSubject:
-    """The evaluated method: name, settings, and costs; shutters are hard."""
+    """The evaluated method: its name, settings, and costs of decoding."""
 
     method: str
     settings: dict[str, Any]
@@ -131,9 +133,10 @@ def result(
     left_out: Sequence[Mapping[str, Any]] = (),
     **extra_keys: Any,
 ) -> dict[str, Any]:
-    """Return the result of items as JSON values; `extra_keys` are further keys. `left_out` are
-    items that the protocol cannot use, each with `file` and `reason`. Rejected (NS0811) without
-    items."""
+    """Return the result of items as JSON values.
+
+    `extra_keys` are further keys. `left_out` lists the items that the protocol cannot use, each
+    with `file` and `reason`. Raises Rejected (NS0811) without items."""
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
@@ -173,8 +176,10 @@ def with_arrays(
     left_out: Sequence[Mapping[str, Any]],
     **extra_keys: Any,
 ) -> tuple[dict[str, Any], dict[str, Array]]:
-    """Return the result of scored scenes, and the arrays of `--save` by name. These are the
-    reconstruction of each item, an `image` or a `video`, and the truth."""
+    """Return the result of scored scenes, and the arrays of `--save` by name.
+
+    The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
+    """
     items = [item for entry in scored_scenes for item in entry.items]
     report = result(protocol, subject, files, items, left_out, **extra_keys)
     called, arrays = labels(files), {}
@@ -189,7 +194,7 @@ def with_arrays(
 
 
 def read_result(path: Path) -> dict[str, Any]:
-    """Read a result of `nscc evaluate`; Rejected (NS0807) for another file."""
+    """Read a result of `nscc evaluate`; raise Rejected (NS0807) for a file that is not a result."""
     try:
         document = json.loads(read_whole(path))
         if isinstance(document, dict) and document.get("schema") == SCHEMA:
@@ -217,9 +222,10 @@ def read_result(path: Path) -> dict[str, Any]:
 def mean_of(
     results: Sequence[Mapping[str, Any]], metric: str, *, by_source: bool = False
 ) -> float | None:
-    """Return the mean of a metric over the items of each result, then over the results, which are
-    seeds. Infinite items are left out. `by_source`: average the means of files, so that each file
-    counts once. None without a finite item."""
+    """Return the mean of a metric over the items of each result, then over results (seeds).
+
+    Infinite items are left out. `by_source` first averages the items of each file, so that each
+    file counts once. None if no item is finite."""
     means = []
     for result_values in results:
         values: dict[str, list[float]] = {}
@@ -235,9 +241,10 @@ def mean_of(
 def compare(
     pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
 ) -> dict[str, Any]:
-    """Return the gain of second results over first ones in a metric of dB, item by item. Each pair
-    is a seed; the bootstrap draws scenes, with their items of all seeds. Rejected (NS0808) for
-    different protocols, without common items, or without the metric."""
+    """Return the gain in dB of second results over first results, item by item.
+
+    Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Raises Rejected
+    (NS0808) for different protocols, without common items, or without the metric."""
     scores: tuple[dict[str, float], dict[str, float]] = ({}, {})
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):

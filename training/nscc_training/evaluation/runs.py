@@ -54,15 +54,15 @@ def evaluate_run(
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a run with its hard shutters, and its arrays by name.
 
-    With `skip_seen`, files that the run has seen are left out, and the result says so. With
-    `effects`, as `nscc run --effects` takes them, the emulated chip exposes the scenes, a different
-    chip for each `seed`, instead of the sensor that the protocol fixes; `changes` are values of its
-    sensor, as `nscc run --sensor-set` takes them.
+    With `skip_seen`, files that the run was trained or validated on are left out, and the result
+    says so. `effects` (as for `nscc run --effects`) exposes the scenes on the emulated chip, with a
+    different chip for each `seed`, instead of the protocol's sensor; `changes` are values of the
+    chip's sensor, as for `nscc run --sensor-set`.
 
-    Raises Rejected: NS0756 for unknown effects, NS0841 under sci8, whose measurements come from its
-    files, NS0820 if the run has seen a file of `data`, or with `skip_seen` all of them, NS0821 if
-    it was trained for something else than the protocol exposes, NS0811 for a folder without data.
-    """
+    Raises Rejected: NS0756 for unknown effects; NS0841 for effects under sci8, whose measurements
+    come from files; NS0820 if the run has seen a file of `data`, or with `skip_seen` all files;
+    NS0821 if the run was trained for another task than the protocol's; NS0811 for a folder without
+    data."""
     _check_kind(folder, protocol)
     files = files_of(protocol, data)
     seen_files = seen_of(folder, files)
@@ -98,9 +98,10 @@ def evaluate_run(
 
 
 def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run on its validation scenes, with the run's effects. Its mean is the
-    PSNR in `metrics.csv` of the step that the run kept. Rejected (NS0811) if the scenes of its
-    configuration are missing or have changed."""
+    """Return the result of a run on its validation scenes, with the run's effects.
+
+    Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
+    (NS0811) if the scenes of its configuration are missing or have changed."""
     settings = folder.setup.settings
     scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
@@ -119,8 +120,8 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
 
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
-    """Return a function that captures a scene as in training, or by the emulated chip, and decodes
-    it."""
+    """Return a function that captures a scene and decodes it, as in training or on the emulated
+    chip."""
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
@@ -132,9 +133,10 @@ def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) 
 
 
 def _by_mask(folder: RunFolder) -> DecodeScene:
-    """Return a function that decodes a benchmark clip behind its own mask, without noise or
-    quantisation. As in training a full well is the 99th percentile of the light of an always open
-    pixel: of a measurement, the light of open slots scaled to all slots."""
+    """Return a function that decodes a benchmark clip with its own mask, without noise.
+
+    As in training, a full well is the 99th percentile of the light of an always open pixel. It is
+    estimated from the measurement by scaling the light of open slots to all slots."""
     setup = folder.setup
 
     @torch.no_grad()

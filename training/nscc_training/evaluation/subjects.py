@@ -1,4 +1,4 @@
-"""`nscc evaluate NAME --data DIR --protocol P`: the subjects of each protocol."""
+"""`nscc evaluate NAME --data DIR --protocol P`: evaluate a run or a baseline by name."""
 
 from __future__ import annotations
 
@@ -25,14 +25,13 @@ def evaluate(
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
     """Return the result of a baseline or of a run, and its arrays by name.
 
-    A run is a folder or the name of a run that comes with nscc. `trust_code` is as in `load_run`,
-    `skip_seen` as in `evaluate_run`; `effects` and `changes` apply to runs and to pixels that look;
-    `codes` names other shutters of a baseline (`named_codes`).
+    `subject` is a baseline, a run folder, or a run that comes with nscc. `trust_code` is as in
+    `load_run`, `skip_seen` as in `evaluate_run`. `effects` and `changes` apply to runs and to
+    pixels that look. `codes` names other shutters for a baseline (`named_codes`).
 
-    Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes that
-    it does not take, NS0841 for effects that it does not have, NS0811 for a folder without its
-    data, and as `load_run` and `evaluate_run`.
-    """
+    Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes and
+    NS0841 for effects that the subject does not support, NS0811 for a folder without suitable data,
+    and the errors of `load_run` and `evaluate_run`."""
     chosen = load_protocol(protocol)
     known = (*BASELINES.get(chosen.name, ()), *(LOOKING if chosen.still else ()))
     if subject in LOOKING and chosen.still:
@@ -66,6 +65,6 @@ def evaluate(
 
 
 def _refuse_codes(codes: str, subject: str) -> None:
-    """Raise Rejected (NS0840) for other codes of a subject that has its own."""
+    """Raise Rejected (NS0840) if other codes are given for a subject with fixed codes."""
     if codes:
         raise rejected("NS0840", f"{subject} has fixed codes", helps=("leave --shutter out",))

@@ -40,14 +40,16 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
     ("exposure x 0.5", {}, 0.5),
     ("exposure x 2", {}, 2.0),
 )
-"""Name of each change, and factors on values of the sensor and on the exposure."""
+"""Name of each change of conditions, factors on sensor values, and a factor on the exposure."""
 
 
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """Return the files of a run by name; the setup is in its best state, reached at `step`. All
-    scores are the protocol's, of the validation scenes `shown`."""
+    """Return the files of a finished run by name.
+
+    The setup is in its best state, reached at `step`. Scores are the protocol's, on the validation
+    scenes `shown`."""
     from safetensors.torch import save
 
     build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
@@ -93,7 +95,7 @@ def artifacts(
 
 
 def environment(setup: TrainingSetup) -> dict[str, Any]:
-    """Return the versions that results depend on; without host, time and path."""
+    """Return the versions that results depend on; host, time and paths are left out."""
     return {
         "nscc": __version__,
         "python": platform.python_version(),
@@ -120,8 +122,7 @@ def split_digest(scenes: Scenes) -> str:
 
 
 def capture_toml(setup: TrainingSetup) -> str:
-    """Return the text of capture.toml, the conditions of capture that the decoder was
-    trained for."""
+    """Return the text of capture.toml: the capture conditions that the decoder was trained for."""
     model, slots = setup.model, "" if setup.still else " / slots in a slot"
     values = {
         "sensor_sha256": sensor_sha256(setup.sensor),
@@ -143,7 +144,7 @@ def capture_toml(setup: TrainingSetup) -> str:
 
 
 def _exposure(setup: TrainingSetup) -> str:
-    """Return the exposure of scenes as a text."""
+    """Return a description of how scenes are exposed."""
     if setup.still:
         return "30 % of the pixels saturate when always open"
     grey_e = setup.protocol.mid_grey_e
@@ -155,8 +156,7 @@ def _exposure(setup: TrainingSetup) -> str:
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
-    """Return the PSNR with soft, hard, compiled and emulated shutters of the same scenes, without
-    noise."""
+    """Return the PSNR with soft, hard, compiled and emulated shutters, without noise."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
@@ -190,7 +190,8 @@ def _stages(
 def _headline(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return the scores on the sensor of training; with effects also the scores without them."""
+    """Return the scores with the sensor of training; with effects also the scores without
+    effects."""
     effects = setup.settings.sensor.effects
     headline = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
     if effects:
@@ -215,8 +216,9 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
-    """Report on the codes: number, rank and condition of the shutters, moved places, and the score
-    of the start. Moved places are those whose shutter differs from the start of the run."""
+    """Return the number, rank and condition of the shutters, moved places, and the start's score.
+
+    A place has moved if its shutter differs from the start of the run."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

@@ -1,5 +1,4 @@
-"""Decode frames and scenes with a run's decoder, captured by the sensor model or by the emulated
-chip."""
+"""Capture and decode scenes with a run's decoder, on the sensor model or the emulated chip."""
 
 from __future__ import annotations
 
@@ -27,14 +26,15 @@ from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out
 
 _BLOCK, _MARGIN = 256, 32
-"""Side in pixels of the blocks in which large frames are decoded, and their margin. The margin is
-larger than the receptive field of decoders."""
+"""Side in pixels of the blocks in which large frames are decoded, and the margin of the blocks.
+
+The margin is larger than the receptive field of decoders."""
 
 Arrays = NDArray[Any]
 
 
 def container_of(setup: TrainingSetup) -> Container:
-    """Return a run's program, compiled."""
+    """Compile a run's program."""
     container = programs.compiled(
         programs.program_of(setup.encoder, setup.chip), setup.chip
     ).container
@@ -47,7 +47,8 @@ def scene_by_model(
     setup: TrainingSetup, light_e: Arrays, seed: int, tile: Tensor | None = None,
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Return the light of a scene captured by the sensor model, and the decoding time in seconds.
+    """Capture a scene with the sensor model and decode it; return the light and decoding seconds.
+
     Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
     `model` replaces the sensor model of training."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
@@ -72,9 +73,11 @@ def scene_by_chip(
     setup: TrainingSetup, container: Container, sensor: Sensor, light_e: Arrays, effects: str,
     seeds: tuple[int, int],
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Return the same for a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make
-    it. `seeds` are those of noise and of the chip. A scene smaller than the array is continued by
-    its edge; of a larger scene the upper left part is exposed."""
+    """Capture a scene with the emulated chip and decode it; return the light and decoding seconds.
+
+    Equals `nscc run` followed by `nscc reconstruct`. `seeds` are the seeds of the noise and of the
+    chip. A scene smaller than the array is extended by its edge pixels; of a larger scene the upper
+    left part is exposed."""
     array = (container.target.rows, container.target.cols)
     size = tuple(min(pair) for pair in zip(light_e.shape[-2:], array, strict=True))
     visible = light_e[..., : size[0], : size[1]].astype(np.float32)
@@ -102,7 +105,9 @@ def scene_by_chip(
 def scene_by_words(
     setup: TrainingSetup, container: Container, light_e: Arrays
 ) -> tuple[NDArray[np.float64], float]:
-    """Return the same for a frame that the words expose exactly, without noise."""
+    """Capture a scene exactly as the words expose it, without noise, and decode it.
+
+    Returns the light and the decoding time in seconds."""
     rows, cols = light_e.shape[-2:]
     padded = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
     padded[..., :rows, :cols] = light_e
@@ -136,10 +141,9 @@ def decoded_frame(
     """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
     cols).
 
-    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of the frame
-    of each pixel, for pixels that look. `corner` is the place on the array of the first pixel.
-    Frames larger than the array are decoded in blocks.
-    """
+    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of each
+    pixel, for pixels that look. `corner` is the place of the first pixel on the array. Frames
+    larger than the array are decoded in blocks."""
     rows, cols = frame.shape[-2:]
     light: NDArray[np.float32] | None = None
     array = (setup.target.rows, setup.target.cols)
@@ -187,7 +191,9 @@ def _decoded_block(
 def shutters_at(
     setup: TrainingSetup, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
 ) -> Tensor:
-    """Return the run's shutters (N, rows, cols) at a block of pixels; arrays lie side by side."""
+    """Return the run's shutters (N, rows, cols) for a block of pixels at `corner`.
+
+    Beyond the array's edge the array repeats."""
     target = setup.target
     array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (

@@ -13,8 +13,9 @@ from nscc.diagnostics.rejection import rejected
 
 @contextmanager
 def locked_folder(folder: Path) -> Iterator[None]:
-    """Make a folder and lock it against other processes until the end of the block. Raises
-    Rejected (NS0848) if another process holds the lock. The lock ends with the process and
+    """Create a folder and lock it against other processes until the end of the block.
+
+    Raises Rejected (NS0848) if another process holds the lock. The lock ends with the process and
     leaves no file."""
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
@@ -34,7 +35,7 @@ def locked_folder(folder: Path) -> Iterator[None]:
             ) from None
         yield
     except BaseException:
-        if is_new:  # nothing is left of a run that did not begin
+        if is_new:  # remove the folder of a run that did not begin
             with suppress(OSError):
                 folder.rmdir()
         raise

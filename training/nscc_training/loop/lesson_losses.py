@@ -1,4 +1,4 @@
-"""Losses of the decoder for any code, one per update of a lesson."""
+"""Losses for training the decoder for any code, one for each update."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
 
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
-    """Return the loss of two clips; with `shown` as white, of their display encodings."""
+    """Return the difference of two clips; with `shown` as white, in display encoding."""
     if shown is None:
         return clip - truth
     level = shown.reshape(-1, 1, 1, 1)
@@ -83,8 +83,9 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
-    """Return the errors of light and of its logarithm, relative to the 99.9 % quantile. This is
-    close to the scores of protocol hdr-v1."""
+    """Return the error of light and of its logarithm, relative to the 99.9 % quantile.
+
+    The loss is close to the scores of protocol hdr-v1."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
     linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()

@@ -14,7 +14,7 @@ EVENTS = "tensorboard"
 
 
 class Log:
-    """The log of a run that continues after `step`, in the folder `out`; `rows` are its lines."""
+    """The log of a run in the folder `out`; `rows` are the lines of `metrics.csv`."""
 
     def __init__(self, out: Path, rows: list[str] | None = None) -> None:
         self.out = out
@@ -23,7 +23,7 @@ class Log:
 
     @classmethod
     def of_checkpoint(cls, folder: Path, step: int, out: Path) -> Log:
-        """Return the log up to the step of a checkpoint; later steps are computed again."""
+        """Return the log up to the step of a checkpoint; later lines are dropped."""
         path = folder / METRICS
         if not path.is_file():
             return cls(out)
@@ -61,8 +61,9 @@ class Log:
             self._events.close()
 
     def _writer(self) -> Any:
-        """Return the writer of event files, made at first use; None without its package. Event
-        files contain times and the host name, so they are not products."""
+        """Return the TensorBoard writer, made at first use; None if TensorBoard is not installed.
+
+        Event files contain times and the host name, so they are not products of the run."""
         if self._events is None and find_spec("tensorboard") is not None:
             from torch.utils.tensorboard import SummaryWriter
 

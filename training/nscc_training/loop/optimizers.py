@@ -17,8 +17,10 @@ _MUON_RATE = 4.0
 
 
 class Muon(torch.optim.Muon):
-    """`torch.optim.Muon` for weights of convolutions (out, ...). Every weight is viewed as a matrix
-    with one row per output, in the same memory."""
+    """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices with a row per
+    output.
+
+    The matrices share the memory of the weights."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         self.weights = list(weights)
@@ -34,7 +36,8 @@ class Muon(torch.optim.Muon):
 
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
-    """Return the optimizers of a run; `base` of each group is its initial rate."""
+    """Return the optimizers of a run; the key `base` of each parameter group is its initial
+    rate."""
     settings = setup.settings
     inner, outer = _by_muon(setup.decoder) if settings.train.optimizer == "muon" else (
         [], list(setup.decoder.parameters()))  # fmt: skip
@@ -58,7 +61,7 @@ def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
 
 
 def _by_muon(decoder: nn.Module) -> tuple[list[Tensor], list[Tensor]]:
-    """Return the weights of inner convolutions of a network, and its other parameters."""
+    """Return the weights of a network's inner convolutions, and its other parameters."""
     kernels = [name for name, weight in decoder.named_parameters() if weight.ndim >= 4]
     inside = set(kernels[1:-1])
     inner: list[Tensor] = []
@@ -71,7 +74,7 @@ def _by_muon(decoder: nn.Module) -> tuple[list[Tensor], list[Tensor]]:
 def set_rates(
     optimizers: Iterable[torch.optim.Optimizer], settings: TrainSettings, step: int
 ) -> None:
-    """Set the learning rates of a step."""
+    """Set the learning rates for a step."""
     cosine = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
     for optimizer in optimizers:
         for group in optimizer.param_groups:

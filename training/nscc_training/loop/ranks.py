@@ -11,11 +11,11 @@ from torch import distributed, nn
 from torch.nn.parallel import DistributedDataParallel
 
 LONGEST_WAIT = timedelta(hours=6)
-"""Longest wait for the writing process, which validates and writes artifacts alone."""
+"""Longest time that other processes wait while the first process validates and writes files."""
 
 
 class Ranks:
-    """The processes of a run: `rank` of `count`; 0 of 1 outside of `torchrun`."""
+    """The processes of a run: `rank` of `count`; without `torchrun`, 0 of 1."""
 
     def __init__(self) -> None:
         self.count = int(os.environ.get("WORLD_SIZE", "1"))
@@ -36,7 +36,7 @@ class Ranks:
         return self.rank == 0
 
     def batch_range(self, size: int) -> tuple[int, int]:
-        """Return the range of a batch's patches that this process takes."""
+        """Return the range of a batch's patches that this process computes."""
         return self.rank * size // self.count, (self.rank + 1) * size // self.count
 
     def parallel(self, module: nn.Module) -> nn.Module:
@@ -46,17 +46,19 @@ class Ranks:
         return DistributedDataParallel(module, find_unused_parameters=True)
 
     def weight(self, size: int) -> float:
-        """Return the weight of the loss of this process, so that all patches count alike."""
+        """Return the weight of this process's loss, so that all patches have equal weight."""
         first, last = self.batch_range(size)
         return (last - first) * self.count / size
 
     def meet(self) -> None:
-        """Wait until all processes, the writing one included, reach this point."""
+        """Wait until all processes reach this point."""
         if self.count > 1:
             distributed.barrier()
 
     def close(self) -> None:
-        """Leave the process group, if it was joined here. Its gloo threads end with it. They may
-        hold gradients of the last step; if the interpreter exits before them, it aborts."""
+        """Leave the process group if it was joined here.
+
+        This ends its threads. They may hold gradients of the last step, and the interpreter aborts
+        if it exits first."""
         if self._ours:
             distributed.destroy_process_group()

@@ -1,6 +1,7 @@
-"""A step of a search: moved codes, and the decoder's loss for the most promising of them. The
-decoder is not trained during the search, so that it favours no code that was tried earlier; the
-remaining steps (`settle`) train it for the result."""
+"""A step of a search: compare moved codes by the decoder's loss.
+
+The decoder is not trained during the search, so that it does not favour codes that were tried
+earlier. The remaining steps (`settle`) train it for the result."""
 
 from __future__ import annotations
 
@@ -23,26 +24,27 @@ from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import ShutterSettings
 
 _SPEEDS = (2.0, 8.0, 24.0, 64.0)
-"""Speeds in pixels per frame: from hands and heads over a few frames of film to passing objects."""
+"""Speeds in pixels per frame, from moving hands and heads to passing objects."""
 _MEAN_LIGHT = 0.1
-"""Mean light in full wells of the closed form. Films have three times as much, but a display shows
-noise where they are dark; with this value the closed form ranks codes as the decoder for any code
-does."""
+"""Mean light, in full wells, that the closed form assumes.
+
+Films have three times as much, but displays show noise mainly in dark regions. With this value the
+closed form ranks codes as the decoder for any code does."""
 _FEWER = 0.9
-"""Factor on the words in a step in which codes exceed their limit. A move or two reduce the words
-by a tenth; random bits reach four words per slot after some twenty steps."""
+"""Factor on the number of words per step while codes exceed their limit.
+
+A move or two reduce the words by a tenth; random bits need about twenty steps to reach four words
+per slot."""
 
 
 def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
-    """Move the codes to the best of some candidates, if it is better; return the loss of the
-    result.
+    """Move the codes to the best of some candidates if it is better; return the loss of the result.
 
-    The closed form selects `shutter.judged` of `shutter.moves` candidates (of stills the first
-    ones) among those that compile within `shutter.most_words`. Losses are those of the batch's
-    patches under the same noise, plus the weight of the words. A candidate is better if its mean
-    gain over patches exceeds the standard error. Codes above the limit of words must come down
-    first: then the best candidate with at least a tenth fewer words is taken, whatever its loss.
-    """
+    The closed form selects `shutter.judged` of `shutter.moves` candidates (for stills the first
+    ones) among those that compile within `shutter.most_words`. The loss is that of the batch's
+    patches under the same noise, plus the weighted number of words. A candidate is better if its
+    mean gain over patches exceeds the standard error. While codes exceed the limit of words, the
+    best candidate with at least a tenth fewer words is chosen, whatever its loss."""
     chosen = setup.settings.shutter
     setup.decoder.eval()
     generator = np.random.default_rng([setup.settings.train.seed, 11, step])
@@ -71,7 +73,7 @@ def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
 
 
 def within(chosen: ShutterSettings, words: float) -> bool:
-    """Return whether a run may keep codes of `words` words per slot; a search may have a limit."""
+    """Return whether a run may keep codes of `words` words per slot; only a search has a limit."""
     return not (chosen.learn and chosen.most_words) or words <= chosen.most_words
 
 
@@ -97,7 +99,7 @@ def _expected(setup: TrainingSetup, current: Codes, candidates: list[Codes]) -> 
 
 
 def motion_seen(model: SensorModel) -> Motion:
-    """Return the motion of light as bright as that of films, with a sensor's noise."""
+    """Return the motion model of film-like scenes with a sensor's noise."""
     read_e2 = (model.adc_noise_lsb**2 + 1 / 12) * model.electrons_per_lsb**2
     mean_e = _MEAN_LIGHT * model.full_e
     counts = 1 / mean_e if model.shot_noise else 0.0

@@ -43,9 +43,10 @@ _STARTS = (*STARTS, "learned")
 
 @dataclass(frozen=True, eq=False)
 class TrainingSetup:
-    """The objects of a training run. `still`: scenes are stills, not clips. `files` are the user's
-    chip and sensor files, by their names in a run folder. `chips` is the number of chips that
-    `emulated` measures."""
+    """The objects of a training run.
+
+    `still` means that scenes are stills, not clips. `files` are the user's chip and sensor files,
+    by their names in a run folder. `chips` is the number of chips that `emulated` measures."""
 
     settings: RunSettings
     protocol: Protocol
@@ -78,8 +79,10 @@ class TrainingSetup:
 
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
-        """The emulated sensor of the initial shutters, if `[sensor] effects` asks for it. Places
-        keep it while their codes learn. It takes seconds, once, on the device of the run."""
+        """The emulated sensor of the initial shutters, if `[sensor] effects` is set, else None.
+
+        Each place keeps its sensor values while its code changes. The computation takes seconds,
+        once, on the run's device."""
         if not self.settings.sensor.effects:
             return None
         seed = self.settings.train.seed
@@ -94,9 +97,10 @@ class TrainingSetup:
 
 
 def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
-    """Build the objects of a configuration in their initial state. Raises Rejected: NS0815 for
-    settings that do not go together, NS0812 for import paths, and the compiler's own errors where
-    the shutters cannot be compiled for the chip."""
+    """Build the objects of a configuration in their initial state.
+
+    Raises Rejected: NS0815 for settings that contradict each other, NS0812 for import paths, and
+    the compiler's errors if the shutters cannot be compiled for the chip."""
     seed = settings.train.seed if seed is None else seed
     chosen = settings.shutter
     files: dict[str, bytes] = {}
@@ -177,7 +181,8 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return the initial shutters of a run; Rejected (NS0815) if they do not exist."""
+    """Return the encoder with the initial shutters of a run; raise Rejected (NS0815) if the start
+    is invalid."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -222,8 +227,9 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Set an encoder to the shutters of a program. Raises ValueError, or Rejected as the compiler,
-    for a program that the encoder cannot represent."""
+    """Set an encoder to the shutters of a program.
+
+    Raises ValueError if the encoder cannot represent the program, or the compiler's errors."""
     start = begun_with(path, encoder.spec, chip)
     encoder.load_codes(start.codes)
     if start.opened is None:
@@ -238,7 +244,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
-    """Load the weights of a run into a decoder; Rejected (NS0815) if they do not fit."""
+    """Load the weights of a run into a decoder; raise Rejected (NS0815) if they do not fit."""
     from safetensors.torch import load_file
 
     path = run_path(Path(run)) / WEIGHTS
@@ -251,7 +257,7 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
 
 def _check_learning(settings: RunSettings) -> None:
-    """Raise Rejected (NS0815) for settings with which codes cannot learn."""
+    """Raise Rejected (NS0815) for settings that prevent the codes from learning."""
     chosen = settings.shutter
     if settings.decoder.lessons:
         if settings.decoder.name != "any":
@@ -291,7 +297,7 @@ def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
 
 
 def _check_looks(settings: RunSettings, still: bool) -> None:
-    """Raise Rejected (NS0815) for settings that pixels that look do not support."""
+    """Raise Rejected (NS0815) for settings that are not supported for pixels that look."""
     if not still:
         raise _invalid_setting(
             "shutter.class", "looks are learned from stills: set [data] protocol to hdr-v1"
@@ -306,7 +312,7 @@ def _check_looks(settings: RunSettings, still: bool) -> None:
 
 
 def _check_buckets(settings: RunSettings, still: bool) -> None:
-    """Raise Rejected (NS0815) for settings that two buckets do not support."""
+    """Raise Rejected (NS0815) for settings that are not supported with two buckets."""
     if settings.shutter.kind in ("a", LOOKS):
         reason = f"class {settings.shutter.kind} leaves no light for a second bucket"
         raise _invalid_setting("shutter.buckets", reason)

@@ -1,4 +1,4 @@
-"""The checkpoint of a run: all state that an exact continuation needs, in one safetensors file."""
+"""The checkpoint of a run, one safetensors file from which training continues exactly."""
 
 from __future__ import annotations
 
@@ -23,13 +23,15 @@ from nscc_training.settings import RunSettings
 
 CHECKPOINT = "checkpoint.safetensors"
 _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
-"""State per parameter of an optimizer, by whether it is Muon."""
+"""Names of an optimizer's state tensors; True is for Muon, False for Adam."""
 
 
 @dataclass
 class TrainingProgress:
-    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss. `best`
-    holds the tensors of encoder and decoder at that validation."""
+    """Progress of a run after `step` updates.
+
+    `best_loss` is the lowest validation loss; `best` contains the tensors of encoder and decoder at
+    that validation."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -39,7 +41,7 @@ class TrainingProgress:
 
 @dataclass(frozen=True, eq=False)
 class TrainingState:
-    """All tensors that the steps of a run read and change."""
+    """All tensors that training steps read and change."""
 
     setup: TrainingSetup
     optimizers: list[torch.optim.Optimizer]
@@ -58,8 +60,8 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors of `tensors`; KeyError, RuntimeError or ValueError for another
-        network's."""
+        """Load the tensors; raise KeyError, RuntimeError or ValueError if they belong to another
+        network."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -82,7 +84,8 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; KeyError or RuntimeError for another network's."""
+    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError if they belong to another
+    network."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 
@@ -108,9 +111,10 @@ def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> 
 
 
 def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress:
-    """Load a checkpoint into `state`, and return its progress. The run may have more steps than the
-    checkpoint. Rejected (NS0816) for a checkpoint that is damaged, or of another configuration or
-    other scenes."""
+    """Load a checkpoint into `state`, and return its progress.
+
+    The settings may have more steps than those of the checkpoint. Raises Rejected (NS0816) for a
+    damaged checkpoint, or another configuration or other scenes."""
     from safetensors import safe_open
 
     try:
@@ -153,7 +157,7 @@ def _copied(value: Tensor) -> Tensor:
 
 
 def _below(start: str, tensors: dict[str, Tensor]) -> dict[str, Tensor]:
-    """Return the tensors whose names begin with `start`, by the rest of their names."""
+    """Return the tensors whose names begin with `start`, with that prefix removed."""
     return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}
 
 

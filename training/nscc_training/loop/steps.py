@@ -15,7 +15,8 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
-    """Return the shutters over a patch: a tile from its corner, or a random part of free codes."""
+    """Return the shutters for a patch: a whole tile, or a random part of the array of free
+    codes."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -28,8 +29,9 @@ def decoded(
     setup: TrainingSetup, light: Tensor, shutters: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """Decode a capture of `light` with `shutters`, a repeating tile, of the first bucket. A model
-    without noise has no other effects either."""
+    """Capture `light` with `shutters`, a tile for the first bucket, and decode it.
+
+    A model without photon noise has no other effects either."""
     if setup.encoder.spec.kind == LOOKS:
         return _decoded_looks(setup, light, shutters, model, generator)
     with torch.autocast(setup.device.type, enabled=False):
@@ -53,7 +55,8 @@ def _decoded_looks(
     setup: TrainingSetup, light: Tensor, fields: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """Decode a capture of pixels that look; the decoder gets the open fraction of each pixel."""
+    """Capture with pixels that look, and decode; the decoder gets the open fraction of each
+    pixel."""
     step_e = setup.target.electrons_per_step
     with torch.autocast(setup.device.type, enabled=False):
         codes, share = looked(light, fields, setup.slots, step_e, model, generator)
@@ -65,8 +68,9 @@ def _decoded_looks(
 
 
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """Return the loss, plus the weighted fraction of places that change between slots, which stands
-    for words."""
+    """Return the loss, plus the weighted fraction of shutters that change between slots.
+
+    The second term approximates the number of words."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:
@@ -75,21 +79,24 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 
 def changes_of(shutters: Tensor) -> Tensor:
-    """Return the fraction of slot boundaries at which each place of (N, rows, cols) changes."""
+    """Return the fraction of slot boundaries at which the shutter of each place (N, rows, cols)
+    changes."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
-    """Return prediction and truth relative to the peak, as losses take them. As in metrics, light
-    above the peak counts as the peak wherever the truth exceeds it."""
+    """Return prediction and truth relative to the peak, for losses.
+
+    As in metrics, predictions above the peak are clipped where the truth reaches the peak."""
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
     return torch.minimum(relative, batch.most), batch.goal
 
 
 def finite_norm(loss: Tensor, setup: TrainingSetup, names: tuple[str, ...], step: int) -> Tensor:
-    """Return the norm of all gradients of the decoder. Raises Rejected (NS0817, status 3), before
-    the update, if the loss or a gradient (of the codes too) is not finite. The message names the
-    batch, so that its scenes can be examined."""
+    """Return the norm of all gradients of the decoder.
+
+    Raises Rejected (NS0817, status 3) before the update if the loss or a gradient of decoder or
+    codes is not finite. The message names the scenes of the batch."""
     decoder, codes = (
         {key: p.grad for key, p in module.named_parameters() if p.grad is not None}
         for module in (setup.decoder, setup.encoder)

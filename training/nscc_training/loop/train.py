@@ -51,7 +51,9 @@ from nscc_training.settings import RunSettings
 
 @dataclass
 class TrainingRun:
-    """A run in progress: `dataset` holds the draws of each step, `shown` the validation scenes."""
+    """A run in progress.
+
+    `dataset` contains the random draws of each step, `shown` the validation scenes."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -64,7 +66,6 @@ class TrainingRun:
 
     @property
     def setup(self) -> TrainingSetup:
-        """Encoder, decoder and sensor of the run."""
         return self.state.setup
 
 
@@ -80,11 +81,10 @@ def train(
     """Train, and write the run folder `out`.
 
     `resume` is auto (continue from a checkpoint in `out` if it has one), never, or a run folder or
-    checkpoint. `track` draws a progress bar, and `report` gets a text for each validation and at
-    the end, both in the writing process. With `stop_after` the run ends after that step, as if
-    interrupted, but with a checkpoint.
-    """
-    is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
+    checkpoint. `track` draws a progress bar, and `report` receives a text for each validation and
+    at the end; both are used in the first process only. With `stop_after` the run stops after that
+    step and writes a checkpoint."""
+    is_first = os.environ.get("RANK", "0") == "0"  # only the first of several processes writes
     with locked_folder(out) if is_first else nullcontext():
         _train(settings, out, resume, track, report, stop_after)
 
@@ -127,7 +127,7 @@ def start(
     settings: RunSettings, checkpoint: Path | None, ranks: Ranks, out: Path,
     report: Callable[[str], None] = lambda _text: None,
 ) -> TrainingRun:  # fmt: skip
-    """Return a run at its first step, or at that of a checkpoint."""
+    """Return a run at step 0, or at the step of a checkpoint."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     tell: Callable[[str], object] = report if ranks.first else str
@@ -158,7 +158,7 @@ def start(
 
 
 def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
-    """Raise Rejected (NS0815) for settings that several processes do not support."""
+    """Raise Rejected (NS0815) for settings that are not supported with several processes."""
     if settings.train.batch < ranks.count:
         raise rejected(
             "NS0815",
@@ -193,8 +193,8 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """Return the draws of steps `first` to `last`, in order; made by `train.workers` processes if
-    any."""
+    """Return the random draws of steps `first` to `last`, in order, made by `train.workers`
+    processes."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
@@ -223,7 +223,7 @@ def _steps(
 
 
 def _so_far(run: TrainingRun) -> dict[Path, bytes]:
-    """Return the files that a run resumes from: log and checkpoint."""
+    """Return the log and the checkpoint, from which a run can resume, by path."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
@@ -288,8 +288,9 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in a step: shutters, capture, decoder, and a trial of codes. It is a
-    module so that gradients of several processes are averaged."""
+    """The loss of a batch in one step: shutters, capture, decoder, and a trial of codes.
+
+    It is a module so that gradients are averaged over processes."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
@@ -323,7 +324,7 @@ class StepLoss(nn.Module):
 
 
 def codes_learn(settings: RunSettings, step: int) -> bool:
-    """Return whether the codes change in a step, which is neither in `warm_up` nor in `settle`."""
+    """Return whether the codes change in a step; they do not in `warm_up` and `settle`."""
     shutter, steps = settings.shutter, settings.train.steps
     return shutter.learn and shutter.warm_up * steps <= step < (1 - shutter.settle) * steps
 
@@ -338,8 +339,9 @@ def anneal(setup: TrainingSetup, step: int) -> None:
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and keep the best state whose shutters compile. With a moving
-    average of the decoder, the average is scored and kept."""
+    """Score the hard shutters, log, and keep the best state whose shutters compile.
+
+    With a moving average of the decoder, the average is scored and kept."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
@@ -369,8 +371,10 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
 
 
 def take_best(run: TrainingRun) -> None:
-    """Restore the best validated state. Raises Rejected without such a state: as the compiler, or
-    NS0850 if no code within `shutter.most_words` was found."""
+    """Restore the best validated state.
+
+    Without such a state, raises the compiler's errors, or Rejected (NS0850) if no code within
+    `shutter.most_words` was found."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         set_tensors(setup, run.progress.best)

@@ -1,16 +1,15 @@
-"""Gradients of codes by trials: the change of the loss when pixels open otherwise.
+"""Gradients of codes by trials: the change of the loss when pixels open at other times.
 
-A gradient through the capture sees the effect of a little more light on a measurement. It does not
-see that a saturated pixel carries no more information, nor what its neighbours then lack. A trial
-does: every pixel of a patch moves its code by independent normal noise, once to either side,
-everything else being equal, and is credited with the difference of the losses around it. This is
-the gradient of the loss smoothed by that noise (Nesterov and Spokoiny, Foundations of Computational
-Mathematics 2017), with one trial per pixel and step.
+A gradient through the capture shows the effect of a little more light on a measurement. It does not
+show that a saturated pixel carries no more information, nor what information its neighbours then
+lack. A trial does. Every pixel of a patch moves its code by independent normal noise, in both
+directions, with everything else equal. It is credited with the difference of the losses around it.
+This is the gradient of the loss smoothed by that noise (Nesterov and Spokoiny, Foundations of
+Computational Mathematics 2017), with one trial per pixel and step.
 
-The decoder learns from the first side, so that it knows codes like those that are tried. Regular
-patterns then appear worse than they are; if that matters, only a share of the pixels moves in a
-step. The encoder chooses what moves, and how far (`nscc_training.encoders.trial`).
-"""
+The decoder learns from the first side, so that it also decodes the codes that are tried. Regular
+patterns then appear worse than they are; to reduce this, only a share of the pixels moves in a
+step. The encoder chooses what moves, and how far (`nscc_training.encoders.trial`)."""
 
 from __future__ import annotations
 
@@ -29,8 +28,7 @@ from nscc_training.sensor_model import laid
 def trial_of(
     encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], place: tuple[int, ...]
 ) -> CodeTrial:
-    """Return a trial for patches of rows x cols; `place` seeds the part that `window` draws of free
-    codes."""
+    """Return a trial for patches of rows x cols; `place` seeds the random part of free codes."""
 
     def over(tile: Tensor) -> Tensor:
         return laid(window(tile, rows, cols, place), rows, cols)
@@ -41,9 +39,10 @@ def trial_of(
 def pull(
     setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
 ) -> Tensor:
-    """Return a scalar 0 whose gradient is that of the loss with respect to the codes. `prediction`
-    is the decoder's for the first side of the trial; `noise` must be in the state that it had for
-    that prediction."""
+    """Return a scalar 0 whose gradient with respect to the codes is the gradient of the loss.
+
+    `prediction` is the decoder's output for the first side of the trial. `noise` must be a
+    generator in the state that it had before that prediction."""
     with torch.no_grad():
         other_prediction = decoded(setup, batch.light, trial.shutters[1], setup.model, noise)
     sides = [prediction.detach().requires_grad_(), other_prediction.requires_grad_()]

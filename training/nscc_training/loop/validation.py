@@ -24,13 +24,14 @@ from nscc_training.sensor_model import SensorModel
 from nscc_training.statistics import summary
 
 Decode = Callable[[NDArray[Any], int], tuple[NDArray[np.float64], float]]
-"""Captures and decodes light in electrons of a scene with that number; returns electrons and
-seconds."""
+"""A function that captures and decodes a scene, given its light in electrons and its index.
+
+Returns electrons and seconds."""
 
 
 @dataclass(frozen=True)
 class Validation:
-    """Loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
+    """The loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
 
     loss: float
     psnr_db: float
@@ -38,8 +39,10 @@ class Validation:
 
 
 def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
-    """Return at most `val_items` validation scenes, exposed by the run's protocol. Clips have as
-    many frames as the run has slots. Rejected (NS0811) if no scene can be exposed."""
+    """Return at most `val_items` validation scenes, exposed by the run's protocol.
+
+    Clips have as many frames as the run has slots. Raises Rejected (NS0811) if no scene can be
+    exposed."""
     protocol: Protocol = setup.protocol
     key = "crop_size" if setup.still else "size"
     side = min(int(protocol[key]), setup.target.rows, setup.target.cols)
@@ -63,9 +66,10 @@ def validated(
     decode: Decode | None = None,
     exposure: float = 1.0,
 ) -> Validation:
-    """Score the decoder on scenes; by default under the effects of training (`as_trained`).
-    `exposure` is a factor on the light that the decoder does not know; the result is divided by it.
-    The scores equal those of `nscc evaluate`."""
+    """Score the decoder on scenes, as `nscc evaluate` does; by default captured `as_trained`.
+
+    `exposure` is a factor on the light, of which the decoder is not informed; the result is divided
+    by it."""
     decode = decode or as_trained(setup)
     losses, scores, similar = [], [], []
     for index, scene in enumerate(shown):
@@ -80,8 +84,10 @@ def validated(
 
 
 def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
-    """Return a function that captures and decodes under the run's effects: by the chip, or else by
-    the model. `sensor` is the chip's, by default the run's."""
+    """Return a function that captures and decodes under the run's conditions.
+
+    It uses the emulated chip if the run has effects, else the sensor model. `sensor` replaces the
+    chip's sensor."""
     effects = setup.settings.sensor.effects
     return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
 
@@ -92,15 +98,17 @@ def by_model(
     model: SensorModel | None = None,
     seed: int = 0,
 ) -> Decode:
-    """Return a function that captures by the sensor model, optionally with other shutters or
-    another model."""
+    """Return a function that captures with the sensor model and decodes.
+
+    `tile` and `model` replace the run's shutters and sensor model."""
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 
 def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
-    """Return a function that captures by the emulated chip, with independent noise per scene."""
+    """Return a function that captures with the emulated chip and decodes, with new noise for each
+    scene."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)

@@ -1,1 +1,1 @@
-"""Scenes exposed as protocols say, with the protocols' metrics."""
+"""Scenes of evaluation protocols, exposed and scored as the protocols define."""

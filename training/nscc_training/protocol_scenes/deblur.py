@@ -1,4 +1,5 @@
-"""Protocol deblur-v1: panoramas under a turning camera, and a sharp picture of one slot."""
+"""Protocol deblur-v1: views of panoramas by a turning camera; the truth is the light of one
+slot."""
 
 from __future__ import annotations
 
@@ -20,7 +21,8 @@ Picture = NDArray[np.float64]
 
 
 class DeblurMoment(ProtocolScene):
-    """A view of a panorama. Its truth is the light of one slot, scaled to a whole frame."""
+    """A view of a panorama by a turning camera; the truth is one slot's light, scaled to a
+    frame."""
 
     @property
     def truth_e(self) -> Picture:
@@ -31,7 +33,7 @@ class DeblurMoment(ProtocolScene):
         return float(np.percentile(self.truth_e, self.protocol["normalise_percentile"]))
 
     def moment_e(self, clip_e: Picture) -> Picture:
-        """Return the moment of a clip (slots, rows, cols), in electrons over the frame."""
+        """Return the true slot of a clip (slots, rows, cols), in electrons over the frame."""
         return np.asarray(clip_e[int(self.protocol["moment"])] * len(clip_e))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
@@ -42,8 +44,7 @@ class DeblurMoment(ProtocolScene):
 
 
 def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
-    """Yield the views of panoramas, in order; the numbers of panorama and view determine the
-    motion."""
+    """Yield the views of panoramas, in order; the indices of panorama and view seed the motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     for index, path in enumerate(files):
         light = light_of(path, protocol)
@@ -60,7 +61,8 @@ def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment 
 def exposed_moment(
     path: Path, number: int, clip: Picture, protocol: Protocol
 ) -> DeblurMoment | Unusable:
-    """Return the clip scaled so that the median of its all-open sum is the protocol's mid grey."""
+    """Return a view, scaled so that the median of its light over the frame is the protocol's mid
+    grey."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")

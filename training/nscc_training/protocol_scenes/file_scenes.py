@@ -1,4 +1,4 @@
-"""The scenes that a protocol makes of the files in a folder."""
+"""Scenes of a protocol, read from the files in a folder."""
 
 from __future__ import annotations
 
@@ -29,8 +29,10 @@ _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
 
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:
-    """Return the files of a folder that a protocol uses, by name; Rejected (NS0811) without any.
-    For sci8 `folder` may be one file."""
+    """Return the files of a folder that a protocol uses, by name; raise Rejected (NS0811) if there
+    are none.
+
+    For sci8, `folder` may be a file."""
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
     return protocol_files(folder, *_WANTED[protocol.name], protocol.name)
@@ -39,8 +41,9 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 def scenes_in(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of files, in order; `fraction` replaces the protocol's fraction of saturated
-    pixels."""
+    """Yield the scenes of files, in order.
+
+    `fraction` replaces the protocol's fraction of saturated pixels."""
     if protocol.name == "hdr-v1":
         return crops(files, protocol, fraction)
     if protocol.name == "deblur-v1":
@@ -49,8 +52,10 @@ def scenes_in(
 
 
 def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = None) -> Protocol:
-    """Return video-v1 or hdr-v1 with other sizes of scenes, clips and full well. The digest is that
-    of the file, but scores under such a protocol are not the protocol's."""
+    """Return video-v1 or hdr-v1 with another scene size, clip length and full well.
+
+    The digest stays that of the protocol's file, but scores are not comparable with the protocol's.
+    """
     changed: dict[str, Any] = {} if full_well_e is None else {"full_well_e": full_well_e}
     if kind == "clips":
         return load_protocol("video-v1").changed(size=size, frames=frames, **changed)
@@ -58,7 +63,7 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 
 
 def kinds_in(data: Path) -> list[Kind]:
-    """Return the kinds of scenes that a folder holds; Rejected (NS0811) if there are none."""
+    """Return which kinds of scenes a folder contains; raise Rejected (NS0811) if there are none."""
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
     kinds = [kind for kind in KINDS if files_in(data, endings[kind])]
     if not kinds:
@@ -75,8 +80,9 @@ def kinds_in(data: Path) -> list[Kind]:
 def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes, equally many per file; procedural scenes without `data`.
-    Rejected (NS0811) if no scene can be exposed as the protocol says."""
+    """Return at most `count` scenes, equally many per file; without `data`, procedural scenes.
+
+    Raises Rejected (NS0811) if the protocol can expose no scene."""
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:

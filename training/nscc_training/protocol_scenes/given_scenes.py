@@ -1,4 +1,4 @@
-"""Scenes without files: procedural scenes, and light given as arrays."""
+"""Protocol scenes without files: procedural scenes, and light in arrays."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from nscc_training.protocol_scenes.video import exposed_window, windows_of
 from nscc_training.protocols import Protocol
 
 _MADE = 3
-"""Random-stream index of these scenes; 1 and 2 are those of training and validation."""
+"""Random-stream index of these scenes; training has 1 and validation 2."""
 
 
 def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
-    """Return a procedural still or clip, exposed as hdr-v1 or video-v1 says."""
+    """Return a procedural still or clip, exposed as hdr-v1 or video-v1 defines."""
     generator, name = np.random.default_rng([seed, _MADE, index]), Path(f"made-{index}")
     if protocol.still:
         still = made_scenes.still(generator, protocol["crop_size"]).astype(np.float64)
@@ -34,9 +34,10 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes of the given light, taking the arrays in turn. `lights` are
-    (rows, cols) of stills, (T, rows, cols) of clips; `srgb` selects the encoding in which errors of
-    clips are measured."""
+    """Return at most `count` scenes from arrays of light, taking one scene of each array in turn.
+
+    `lights` are (rows, cols) for stills, (T, rows, cols) for clips. `srgb` measures errors of clips
+    in display encoding."""
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
     scenes: list[ProtocolScene] = []
@@ -51,7 +52,7 @@ def exposed_arrays(
 def _of_array(
     name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of one array, of the protocol's size or as large as the array is."""
+    """Yield the scenes of one array, at most as large as the array."""
     if light.ndim == 2:
         yield from crops_of(name, light.astype(np.float64), protocol)
         return

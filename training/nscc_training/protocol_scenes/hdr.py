@@ -1,4 +1,4 @@
-"""Protocol hdr-v1: crops of panoramas, of which a given fraction of the pixels saturates."""
+"""Protocol hdr-v1: crops of panoramas, exposed so that a given fraction of the pixels saturates."""
 
 from __future__ import annotations
 
@@ -22,8 +22,6 @@ ENDINGS = (".hdr", ".exr", ".pfm")
 
 
 class Crop(ProtocolScene):
-    """A crop of a panorama."""
-
     @property
     def peak_e(self) -> float:
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
@@ -52,7 +50,7 @@ class Crop(ProtocolScene):
 
 
 def light_of(path: Path, protocol: Protocol) -> Picture:
-    """Return the light of a linear picture, negative values as 0."""
+    """Return the light of a linear picture, with negative values set to 0."""
     picture = linear(read_picture(path), "linear")
     light = picture @ np.array(protocol["luminance"]) if picture.ndim == 3 else picture
     return np.maximum(light, 0.0)
@@ -61,7 +59,7 @@ def light_of(path: Path, protocol: Protocol) -> Picture:
 def crops(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of panoramas, in order; those that cannot be used as `Unusable`."""
+    """Yield the crops of panoramas, in order; `Unusable` for crops that cannot be exposed."""
     for path in files:
         light = light_of(path, protocol)
         if light.shape != tuple(protocol["panorama"]):
@@ -74,7 +72,7 @@ def crops(
 def crops_of(
     path: Path, light: Picture, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of one picture's light: its middle rows, from left to right."""
+    """Yield the crops of a picture from left to right, in its middle rows."""
     size = min(int(protocol["crop_size"]), *light.shape)
     first_row = (light.shape[0] - size) // 2
     for first_col in range(0, light.shape[1] - size + 1, size):
@@ -86,7 +84,7 @@ def exposed_crop(
     path: Path, corner: tuple[int, int], light: Picture, protocol: Protocol,
     fraction: float | None = None,
 ) -> Crop | Unusable:  # fmt: skip
-    """Return the crop scaled so that `fraction` of its pixels saturate when always open."""
+    """Return a crop, scaled so that `fraction` of its pixels would saturate if always open."""
     share = float(protocol["saturated_fraction"]) if fraction is None else fraction
     well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}
     if not np.isfinite(light).all():

@@ -18,7 +18,8 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Item:
-    """One scored picture or frame: its file and place there, and its metrics as JSON values."""
+    """A scored picture or frame: its file, its place in the file, and its metrics as JSON
+    values."""
 
     file: str
     crop: list[int] | None
@@ -26,14 +27,15 @@ class Item:
     metrics: dict[str, Any]
 
     def as_json(self) -> dict[str, Any]:
-        """Return the item as one flat object."""
         return {"file": self.file, "crop": self.crop, "frame": self.frame, **self.metrics}
 
 
 @dataclass(frozen=True, eq=False)
 class ProtocolScene(ABC):
-    """A scene: `light_e` in electrons, over the frame (rows, cols) or per slot (slots, rows, cols).
-    `crop` is its corner in a picture, `frame` its first frame in a clip."""
+    """A scene of a protocol.
+
+    `light_e` is in electrons, over the frame (rows, cols) or per slot (slots, rows, cols). `crop`
+    is its corner in a picture, `frame` its first frame in a clip."""
 
     file: Path
     crop: tuple[int, int] | None
@@ -43,41 +45,41 @@ class ProtocolScene(ABC):
 
     @property
     def truth_e(self) -> Array:
-        """The result of a perfect decoder, in electrons: by default the light."""
+        """The ideal reconstruction in electrons, by default the light."""
         return self.light_e
 
     @property
     @abstractmethod
     def peak_e(self) -> float:
-        """The light that losses count as 1."""
+        """The light in electrons that losses count as 1."""
 
     @abstractmethod
     def scores(self, result_e: Array) -> dict[str, Any]:
         """Return the protocol's metrics of a reconstruction, as JSON values."""
 
     def result(self, result_e: Array) -> Array:
-        """Return a reconstruction as it is scored and saved: by default as it is."""
+        """Return a reconstruction in the form in which it is scored and saved, by default
+        unchanged."""
         return result_e
 
     def items(self, result_e: Array) -> list[Item]:
-        """Return the items of a result: one for the scene, unless each frame is an item."""
+        """Return the scored items of a result: one for the scene, or one for each frame."""
         crop = None if self.crop is None else list(self.crop)
         return [Item(self.file.name, crop, self.frame, self.scores(result_e))]
 
 
 @dataclass(frozen=True)
 class Unusable:
-    """A scene that cannot be exposed as the protocol says: file, place in it, and reason."""
+    """A scene that the protocol cannot expose: its file, its place in the file, and the reason."""
 
     file: str
     place: Mapping[str, Any]
     reason: str
 
     def as_json(self) -> dict[str, Any]:
-        """Return the entry of a result for it."""
         return {"file": self.file, **self.place, "reason": self.reason}
 
 
 def on_unit_range(light_e: Array, result_e: Array, peak_e: float) -> tuple[Array, Array]:
-    """Return light and reconstruction over the peak, clipped to 0..1."""
+    """Return light and reconstruction divided by the peak, clipped to 0..1."""
     return np.clip(light_e / peak_e, 0.0, 1.0), np.clip(result_e / peak_e, 0.0, 1.0)

@@ -1,4 +1,4 @@
-"""Protocol sci8: a benchmark clip, its own mask and measurement, the first eight frames."""
+"""Protocol sci8: the first eight frames of benchmark clips, with the benchmark's masks."""
 
 from __future__ import annotations
 
@@ -23,9 +23,10 @@ Clip = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class SciClip(ProtocolScene):
-    """A clip of the benchmark on 0..1 (8, rows, cols), whose frames are scored one by one. `mask`
-    (8, rows, cols) and `measurement` (rows, cols), in units of the full scale of one frame, come
-    from the file."""
+    """A benchmark clip with values 0..1 (8, rows, cols), whose frames are scored separately.
+
+    `mask` (8, rows, cols) and `measurement` (rows, cols) come from the file. The unit of the
+    measurement is the full scale of one frame."""
 
     mask: Clip
     measurement: Clip
@@ -39,7 +40,7 @@ class SciClip(ProtocolScene):
         return np.asarray(np.rint(self.light_e * self.protocol["data_range"]), np.uint8)
 
     def result(self, clip: NDArray[Any]) -> NDArray[np.float64]:
-        """Return a reconstruction as it is scored; the benchmark does not round it."""
+        """Return a reconstruction as it is scored: clipped, but as in the benchmark not rounded."""
         top = float(self.protocol["data_range"])
         return np.clip(clip.astype(np.float64), 0, 1) * top
 
@@ -56,12 +57,11 @@ class SciClip(ProtocolScene):
 
 
 def sci_scenes(files: Sequence[Path], protocol: Protocol) -> Iterator[SciClip]:
-    """Yield the clips in files of the benchmark."""
     return (read_sci_clip(path, protocol) for path in files)
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
-    """Return the clip in a `.mat` file; Rejected (NS0809) if it is not one of the benchmark's."""
+    """Read the clip in a `.mat` file; raise Rejected (NS0809) if it is not a benchmark clip."""
     try:
         arrays = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:

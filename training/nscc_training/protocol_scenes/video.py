@@ -1,5 +1,4 @@
-"""Protocol video-v1: windows of sixteen frames at the frame rate of the source, cut from the
-centre."""
+"""Protocol video-v1: windows of sixteen frames, cut from the centre of clips."""
 
 from __future__ import annotations
 
@@ -24,8 +23,10 @@ Clip = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ClipWindow(ProtocolScene):
-    """A window of a clip: `scale_e` electrons per slot are 1 in the light of the source. `srgb`:
-    errors are measured in display encoding."""
+    """A window of a clip.
+
+    `scale_e` electrons per slot correspond to the light 1 of the source. `srgb` measures errors in
+    display encoding."""
 
     scale_e: float
     srgb: bool
@@ -48,7 +49,7 @@ class ClipWindow(ProtocolScene):
 
 
 def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of clips, in order; those that cannot be used as `Unusable`."""
+    """Yield the windows of clips, in order; `Unusable` for windows that cannot be exposed."""
     for path in files:
         known = protocol["transfer"]
         srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
@@ -62,7 +63,7 @@ def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | 
 def windows_of(
     path: Path, lights: Iterable[NDArray[Any]], srgb: bool, protocol: Protocol
 ) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of one clip's light, frame by frame."""
+    """Yield the windows of one clip, given the light of its frames."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"frame": 0}
     window: list[NDArray[Any]] = []
     number = -1
@@ -83,7 +84,7 @@ def windows_of(
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
 ) -> ClipWindow | Unusable:
-    """Return the window scaled so that the percentile of its all-open sum is a full well."""
+    """Return a window, scaled so that a percentile of its light over the frame is a full well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(
@@ -95,12 +96,12 @@ def exposed_window(
 
 
 def encoded(light: Clip, srgb: bool) -> Clip:
-    """Return light in the encoding in which errors are measured, clipped to 0..1."""
+    """Return light, clipped to 0..1, in the encoding in which errors are measured."""
     clipped = np.clip(light, 0.0, 1.0)
     return curves.srgb(clipped) if srgb else clipped
 
 
 def _centre(frame: NDArray[Any], size: int) -> NDArray[Any]:
-    """Return the middle of a frame; all of it where it is smaller."""
+    """Return the middle of a frame, or the whole frame if it is smaller than `size`."""
     first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
     return frame[first_row : first_row + size, first_col : first_col + size]

@@ -1,10 +1,9 @@
-"""Search of codes: many places move together, a closed form proposes, a decoder judges.
+"""Search of codes: change many places together, estimate in closed form, compare by a decoder.
 
-Moving an edge of one place changes almost nothing, and a pattern such as two phases of 2 x 2 is
-many such steps away. `moves` changes blocks of a tile at once, `expected` estimates in milliseconds
-how well a code captures moving light, and in `nscc_training.loop.searching` the run's decoder
-judges the most promising codes.
-"""
+A change of one place has almost no effect, and a pattern such as two phases of 2 x 2 is many such
+changes away. Therefore `moves` changes blocks of a tile at once. `expected` estimates in
+milliseconds how well a code captures moving light. `nscc_training.loop.searching` compares the most
+promising codes by the run's decoder."""
 
 from __future__ import annotations
 

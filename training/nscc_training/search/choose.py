@@ -1,6 +1,7 @@
-"""Choose a code for clips by the motion of the scene, within a limit of words per slot. No code is
-best for all scenes: still parts need long exposures, fast parts short exposures at many moments.
-The information in a frame is computed in closed form (`nscc_training.search`)."""
+"""Choice of a code for clips by the motion of the scene, within a limit of words per slot.
+
+No code is best for all scenes. Static parts need long exposures. Fast parts need short exposures
+at many times. The information in a frame is computed in closed form (`nscc_training.search`)."""
 
 from __future__ import annotations
 
@@ -27,23 +28,23 @@ from nscc_training.search.scene_motion import speeds_of, texture_of
 
 Kind = Literal["slow", "fast", "scene"]
 SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 32.0, 64.0)}
-"""Pixels over the whole frame."""
+"""Speeds in pixels per frame time, by name."""
 
 _TILE = (4, 4)
 _STARTS = ("quad", "two-phase", "staggered", "cyclic")
 _PARTS_OPEN = (2, 4, 8)
-"""Bumps are open for one half, one quarter or one eighth of the frame."""
+"""Candidate bumps are open for 1/2, 1/4 or 1/8 of the frame."""
 _SEARCHED = ShutterSpec("e", 16, (8, 8))
 """The searched code: free bits for 16 slots. No codes were searched for other lengths."""
 _BRIGHT = 0.35
-"""Mean light without a scene, in full wells, as in films."""
+"""Assumed mean light in full wells if no scene is given."""
 _YARDSTICK = "quad, 1/4 of the frame"
 
 
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
-    """A design for clips: the `name` of its code, and `expected` decibels by name of all codes
-    tried."""
+    """A design for clips: the `name` of its code, and the `expected` information in dB of every
+    code tried."""
 
     name: str
     expected: dict[str, float]
@@ -60,22 +61,22 @@ def design_motion(
     Parameters
     ----------
     kind : {"slow", "fast", "scene"}
-        The speed of the light, or that of `scenes`.
+        The speed of the light; "scene" measures it in `scenes`.
     scenes : sequence of array
-        Light in electrons, (N or fewer parts, rows, cols).
+        Light in electrons, (intervals, rows, cols), with at most N intervals.
     frame : Frame, optional
         16 slots by default.
     most_words : float
-        Codes of more words per slot are skipped.
+        Codes with more words per slot are skipped.
 
     Raises
     ------
     Rejected
-        NS0843 if no code is left or "scene" has no scenes; otherwise as the compiler.
+        NS0843 if no code is left, or for "scene" without scenes; otherwise the compiler's errors.
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
-        raise rejected("NS0843", "no scene whose motion can be measured",
+        raise rejected("NS0843", "there is no scene to measure the motion of",
                        helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
     encoders = _encoders(frame.slots)
@@ -106,7 +107,7 @@ def design_motion(
 
 
 def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
-    """Return the motion of the light, with the chip's noise."""
+    """Return the motion model of the light, with the chip's noise."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
         raise rejected("NS0824", "a scene has no light, so no shutters can be designed for it",
@@ -122,7 +123,7 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) ->
 
 
 def _encoders(slots: int) -> dict[str, Encoder]:
-    """Return candidate codes by name."""
+    """Return the candidate codes by name."""
     encoders = {}
     for divisor in _PARTS_OPEN:
         length = -(-slots // divisor)

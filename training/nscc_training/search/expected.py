@@ -1,10 +1,9 @@
-"""Expected information of a code about moving light, in closed form: it preselects codes.
+"""Expected information of a code about moving light, in closed form, for preselecting codes.
 
-The light is modelled as a normal texture that moves evenly; its correlation falls as exp(-d / L)
-with the distance d left after the motion is undone. The estimate of the light from a frame is the
-linear least-squares (Wiener) estimate under the sensor's noise, for a decoder that knows the speed
-but not the direction. The decibels of several speeds are averaged, as those of clips are.
-"""
+The light is modelled as a Gaussian texture that moves uniformly. Its correlation falls as exp(-d /
+L) with the distance d that remains after the motion is undone. The light is estimated from a frame
+by linear least squares (Wiener) under the sensor's noise, for a decoder that knows the speed but
+not the direction. The decibels are averaged over several speeds."""
 
 from __future__ import annotations
 
@@ -16,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 _WINDOW, _STEP = 8, 4
-"""Side of the windows of measurements, and of their middle whose light is estimated, in places."""
+"""Side of a window of measurements, and side of its middle, whose light is estimated, in places."""
 _MOST_WINDOWS = 4
 _MOST_SLOTS = 16
 """Most time steps; longer frames are averaged to this number."""
 _HEADINGS = 0.3 + np.arange(8) * np.pi / 4
-"""Directions of motion in radians, along no axis or diagonal, where patterns would coincide."""
+"""Directions of motion in radians, none along an axis or diagonal, where patterns would
+coincide."""
 
 Opened = NDArray[np.floating]
 Values = NDArray[np.float64]
@@ -29,9 +29,12 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Motion:
-    """Moving light. `speeds` in pixels over the whole frame, equally likely; `length` L in pixels;
-    `contrast`, standard deviation over mean. `noise` is the variance of a frame's value and
-    `counts` its increase per unit of light, both over the square of the mean light of all slots."""
+    """A model of moving light.
+
+    `speeds` are in pixels per frame time, with equal probability. `length` is L in pixels.
+    `contrast` is the standard deviation divided by the mean. `noise` is the variance of a frame's
+    value and `counts` its increase per unit of light; both are relative to the squared mean light
+    of all slots."""
 
     speeds: tuple[float, ...]
     length: float = 12.0
@@ -41,9 +44,10 @@ class Motion:
 
 
 def told_db(opened: Opened, motion: Motion) -> float:
-    """Return the mean decibels by which a frame reduces the uncertainty of the light. `opened` is a
-    tile of shutters (N, rows, cols), 0..1. Compared are the error of a slot's light at a place and
-    its variance."""
+    """Return by how many dB a frame reduces the variance of the light, averaged over speeds.
+
+    `opened` (N, rows, cols) is a tile of shutters, 0..1. The variance before is the variance of the
+    light of one slot at one place."""
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
     decibels = []
     for speed in motion.speeds:
@@ -54,13 +58,15 @@ def told_db(opened: Opened, motion: Motion) -> float:
 
 
 def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
-    """Return the fraction of the variance of the light in the middle of a window (N, places) that
-    remains unknown."""
+    """Return the remaining variance of the light in a window's middle, as a fraction of its
+    variance.
+
+    `opened` (N, places) are the shutters in the window."""
     # Covariance of light and measurements (slot, place, measurement), and of measurements.
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
     slots = len(opened)
-    # All over the square of a slot's mean light, times its contrast.
+    # All are relative to the square of a slot's mean light times the contrast.
     noise = motion.noise + motion.counts * opened.sum(axis=0) / slots
     inverse = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
     middle = covariance[:, _MIDDLE].reshape(-1, len(inverse))
@@ -69,8 +75,9 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 
 @cache
 def _alike(slots: int, speed: float, length: float) -> Values:
-    """Return the correlation (N, N, places, places) of light at two slots and places of a window.
-    It is the mean over directions of a motion of `speed` pixels per frame."""
+    """Return the correlation (N, N, places, places) of light between slots and places of a window.
+
+    It is averaged over directions of a motion of `speed` pixels per frame."""
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)
@@ -92,7 +99,7 @@ def _part_count(slots: int) -> int:
 
 
 def _windows(opened: Values) -> Sequence[Values]:
-    """Return windows (N, places) with middles spread over the repeating tile."""
+    """Return windows of shutters (N, places), evenly spaced over the repeating tile."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
     stride = -(-len(origins) // _MOST_WINDOWS)

@@ -1,4 +1,4 @@
-"""Moves: changes of a tile's codes at many places together."""
+"""Moves of a search: changes of a tile's codes at many places together."""
 
 from __future__ import annotations
 
@@ -16,19 +16,17 @@ Values = NDArray[np.int64]
 _PERIODS = (1, 2, 4, 8)
 _MOST_AT_ONCE = 4
 _REPEATED = 0.25
-"""Probability that a move starts by repeating a block of the tile."""
+"""Probability that a move starts by copying one block over the whole tile."""
 
 
 def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Return codes one to four moves away, in the form of `Encoder.codes`; a codebook has its
-    `book`.
+    """Return codes after one to four random moves, in the form of `Encoder.codes`.
 
-    The places that move are one place, a rectangle, all places congruent modulo a period down and
-    across, or every other block. Their shutters shift in time, lengthen, shorten, or take the codes
-    of neighbouring places, as copies or in exchange. Before that the tile may become copies of one
-    of its blocks, each later than the one before. Codes stay legal for the class; a move may change
-    nothing.
-    """
+    Codes of a codebook include `book`. A move changes one place, a rectangle, all places congruent
+    modulo a period in each direction, or every other block. Their shutters shift in time, lengthen,
+    shorten, or take or exchange the codes of neighbouring places. Before that, the tile may become
+    copies of one of its blocks, each later than the one before. Codes stay legal for the class; a
+    move may have no effect."""
     changed_codes = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
         places = _somewhere(spec.tile, generator)
@@ -41,7 +39,7 @@ def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
-    """Return which places (rows, cols) of a tile move together."""
+    """Return a random mask (rows, cols) of the places of a tile that move together."""
     y, x = np.mgrid[: tile[0], : tile[1]]
     kind = generator.integers(4)
     if kind == 0:
@@ -59,7 +57,7 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
 
 
 def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
-    """Give places the codes of neighbouring places, which may get theirs in exchange."""
+    """Copy the codes of neighbouring places to `places`, or exchange them."""
     step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
     exchanged = np.roll(places, step, axis=(0, 1)) & ~places
@@ -75,9 +73,10 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Return the tile as copies of one of its blocks, each later than those above and to the left.
-    From one place this makes shutters that open in sequence, from a pattern its phases: tiles that
-    small steps do not reach."""
+    """Return a tile of copies of one of its blocks, each later than those above and to the left.
+
+    A block of one place gives shutters that open in sequence. Small steps do not reach such tiles.
+    """
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
     down, right = (int(value) for value in generator.integers(0, spec.slots, 2))
@@ -90,13 +89,13 @@ def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
 
 def _by(slots: int, generator: Generator) -> int:
-    """Return a random number of slots, few or many, of either sign."""
+    """Return a random number of slots, positive or negative, uniform in the logarithm."""
     most = max(1, slots // 2)
     return int(generator.choice((-1, 1)) * np.rint(most ** generator.random()))
 
 
 def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Scale exposures by a common ratio, by at least one slot."""
+    """Scale the exposure times at some places by a random ratio, by at least one slot."""
     stop = codes["stop"]
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
     stops = np.rint(stop * ratio)
@@ -132,7 +131,8 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Change the choice of rows, the shape of a row, or all rows to shifted copies of one shape."""
+    """Change the choice of rows, the shape of a row, or set all rows to shifted copies of one
+    shape."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
@@ -147,6 +147,7 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
     """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
+
     Shutters that would never open stay unchanged."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
@@ -163,7 +164,7 @@ def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.boo
 
 
 def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Halve exposures `lag` times; after one slot follows the longest."""
+    """Halve exposure times `lag` times; after one slot, the longest exposure follows."""
     octaves = np.log2(spec.slots)
     stops = 2.0 ** ((np.log2(codes["stop"]) - lag) % (octaves + 1))
     return {"stop": _clipped(np.rint(stops), 1, spec.slots)}
@@ -200,10 +201,11 @@ def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
 MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
     "b": _stops, "c": _starts, "d": _edges, "e": _bits, "codebook": _rows,
 }  # fmt: skip
-"""Changes of shutters at some places, by class."""
+"""The function that changes shutters at some places, by class."""
 
 _LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
     "b": _shorter, "c": _starts_later, "d": _edges_later, "e": _bits_later,
     "codebook": _rows_later,
 }  # fmt: skip
-"""Shifts of shutters around the frame, by class; for stills, shorter exposures."""
+"""The function that shifts shutters around the frame, by class; for stills it shortens
+exposures."""

@@ -1,4 +1,4 @@
-"""Motion and texture of a clip's light, for the closed form."""
+"""Measurement of motion and texture of a clip, for the closed form."""
 
 from __future__ import annotations
 
@@ -12,16 +12,18 @@ Clip = NDArray[np.floating]
 
 _BLOCK = 32
 _LEAST_CONTRAST = 0.02
-"""Minimum contrast (standard deviation over mean) of blocks that are measured."""
+"""Smallest contrast (standard deviation divided by mean) of blocks that are measured."""
 _SEEN = 4.0
-"""Displacement in pixels that phase correlation measures well in such blocks."""
+"""Largest displacement in pixels that phase correlation measures reliably."""
 _SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
 """Quantiles of the speeds, weighted by contrast, that represent the distribution."""
 
 
 def speeds_of(clip: Clip) -> tuple[float, ...]:
-    """Return five speeds, in pixels over the whole clip (T, rows, cols), that represent its blocks.
-    They are measured by phase correlation. Zeros for one frame, or without contrast."""
+    """Return five representative speeds of a clip's blocks, in pixels over the whole clip.
+
+    The clip is (T, rows, cols); speeds are measured by phase correlation. All are 0 for a clip of
+    one frame or without contrast."""
     import cv2
 
     _, rows, cols = clip.shape
@@ -44,8 +46,9 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
-    """Return the correlation length of light (rows, cols) in pixels, and its contrast: standard
-    deviation over mean."""
+    """Return the correlation length of light (rows, cols) in pixels, and its contrast.
+
+    The contrast is the standard deviation divided by the mean."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
     steps = [np.diff(picture, axis=axis) for axis in (0, 1) if picture.shape[axis] > 1]
@@ -57,6 +60,7 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
 
 def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
     """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames.
+
     For slow motion, frames further apart are compared."""
 
     def median(gap: int) -> float:

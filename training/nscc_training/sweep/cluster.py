@@ -1,4 +1,4 @@
-"""Compute points on many processes: Dask workers on this machine, or those of a scheduler."""
+"""Parallel computation of points by Dask workers, on this machine or of a scheduler."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
     from distributed import Client, Future
 
 Executor = Callable[[Iterable[PointTask]], Iterator[Done]]
-"""Computes tasks, in any order."""
+"""A function that computes tasks and yields their results in any order."""
 
 _TRIES = 2
 _POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
 """Environment variables for the number of threads of libraries; they are read at import."""
 _PATIENCE_S = 10
 _AHEAD = 2
-"""Points per worker that are submitted ahead."""
+"""Number of points per worker that are submitted in advance."""
 
 
 @contextmanager
 def local_workers(workers: int, threads: int) -> Iterator[Executor]:
-    """Start `workers` processes of `threads` threads each on this machine, until the end of the
+    """Start `workers` processes with `threads` threads each on this machine, for the `with`
     block."""
     import dask
     from distributed import Client, LocalCluster
@@ -62,8 +62,9 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor]:
 
 @contextmanager
 def scheduler_workers(scheduler: str) -> Iterator[Executor]:
-    """Use the workers of a scheduler, which must see the same files under the same paths. Raises
-    Rejected (NS0835) if it does not answer."""
+    """Use the workers of a scheduler, on which the same files must have the same paths.
+
+    Raises Rejected (NS0835) if the scheduler does not answer."""
     from distributed import Client
 
     try:
@@ -81,8 +82,9 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor]:
 
 
 def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
-    """Yield the result of every task when it is done; a task that fails, or whose worker dies, is
-    tried twice."""
+    """Yield the result of every task when it is finished.
+
+    A task is tried twice if it fails or its worker dies."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()
@@ -95,7 +97,7 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
         running[future] = task
         return future
 
-    # Few at a time: other sweeps may claim what this one has not begun.
+    # Submit few points at a time: other sweeps may claim points that have not begun.
     waiting = iter(tasks)
     at_once = _AHEAD * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
     queue = as_completed([start(task) for task in islice(waiting, at_once)], loop=client.loop)
@@ -112,8 +114,10 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def _finished(future: Future, task: PointTask) -> Done:
-    """Return the result of a task, or a failure if its worker died. Raises ModuleNotFoundError if a
-    package is missing, because other points of the kind would fail too."""
+    """Return the result of a task, or a failure if its worker died.
+
+    Raises ModuleNotFoundError if a package is missing, because other points of the kind would also
+    fail."""
     if future.status == "finished":
         result: Done = future.result()
         return result

@@ -1,4 +1,4 @@
-"""Points of kind compile (costs of a program) and limits (largest size of a class)."""
+"""Points of kind compile (costs of a program) and limits (largest program of a class)."""
 
 from __future__ import annotations
 
@@ -30,9 +30,7 @@ from nscc_training.sweep.point_programs import (
 def _compile(values: Values, _place: Place) -> Figures:
     compiled_program = compiled_of(values)
     assert compiled_program.proof is not None
-    if (
-        compiled_program.sending is not None
-    ):  # a chip without logic: no words, and nothing to count of them
+    if compiled_program.sending is not None:  # a chip without logic has no words to count
         build_report = stream_report(compiled_program.sending, compiled_program.proof)
         return _common(compiled_program, build_report)
     assert compiled_program.choice is not None
@@ -54,7 +52,7 @@ def _compile(values: Values, _place: Place) -> Figures:
 
 
 def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
-    """Return the figures that the reports of all chips have."""
+    """Return the results that reports of all chips contain."""
     return {
         "program_class": build_report["class"],
         "shutters": build_report["codes"]["shutters"],

@@ -24,7 +24,7 @@ def _keys() -> tuple[Key, ...]:
         axis("criterion", TextKind(_CRITERIA), "the curve on which the error is minimised; "
                                            "sve-risk: a fixed 2 x 2 tile instead of looks", "mu"),
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
-        axis("slot_us", Number(0.01, 1e6), "their length in microseconds", 125.0),
+        axis("slot_us", Number(0.01, 1e6), "length of a slot in microseconds", 125.0),
         axis("target", TextKind(), "the chip, by name or file", DEFAULT_NAME),
         axis("level", Integer(0, 3), "as -O", 2),
         *sensor_keys(),
@@ -87,7 +87,7 @@ def _design(values: Values, place: Place) -> Figures:
 
 
 DESIGN = PointKind(
-    "design", "a program made for a scene, and what is expected of it", _keys, _design,
+    "design", "a program designed for a scene, and its expected error", _keys, _design,
     ("expected_mu_db",), _reads, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy"), leaves=".nsl",

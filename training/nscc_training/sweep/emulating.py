@@ -37,7 +37,7 @@ _SILENT = {
     "bench": ("slot_us", "max_words", "exposure", "transfer", "tolerance", "fidelity", "audit",
               "device_seed"),
 }  # fmt: skip
-"""Keys that do not apply to points with a scene, and with a bench."""
+"""Keys that have no effect on points with a scene, and on points with a bench."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -158,7 +158,7 @@ def _bench(values: Values) -> Figures:
 
 
 EMULATE = PointKind(
-    "emulate", "what the emulated chip captures of a scene, and what can be made of it", _keys,
+    "emulate", "frames of the emulated chip, and for a bench their reconstructions", _keys,
     _emulate, ("psnr_db", "mean_e"), _reads, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),

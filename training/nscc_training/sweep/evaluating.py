@@ -1,4 +1,4 @@
-"""Points of kind evaluate: scores of runs, of baselines and of methods under a protocol."""
+"""Points of kind evaluate: scores of runs, baselines and methods under a protocol."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Val
 from nscc_training.sweep.point_programs import axis
 
 RUN = "run"
-"""The key that names a part of kind train; each of its runs is evaluated."""
+"""The key that names a part of kind train, all of whose runs are evaluated."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -81,8 +81,10 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it. Some items lack a score: a crop
-    without dark pixels has no score of dark pixels."""
+    """Return the mean of each score over the items that have this score.
+
+    An item may lack a score. For example, a crop without dark pixels has no score of dark pixels.
+    """
     from nscc_training.statistics import summary
 
     means = {}
@@ -115,7 +117,8 @@ def _result(values: Values) -> dict[str, Any]:
 
 
 EVALUATE = PointKind(
-    "evaluate", "scores under a protocol; the whole result under results", _keys, _evaluate,
+    "evaluate", "scores under a protocol; complete results are stored under results", _keys,
+    _evaluate,
     ("psnr_db",), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves=".json",

@@ -1,4 +1,4 @@
-"""Grids: TOML files whose lists are axes, as the points that they stand for.
+"""Grids: TOML files in which lists are axes.
 
     kind = "compile"
 
@@ -6,9 +6,8 @@
     class = ["b", "d"]
     slots = [8, 16]
 
-Every table is a part: its points are all combinations of its keys' values. Parts of a kind of
-their own say so with `kind`; a table `[plot]` says what is drawn.
-"""
+Every table is a part of the grid. The points of a part are all combinations of its keys' values. A
+part may have its own `kind`. The table `[plot]` describes the diagram."""
 
 from __future__ import annotations
 
@@ -49,10 +48,10 @@ _PLOT = "plot"
 _CALLED = Key(
     "", "name", TextKind(
         pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
-        phrase='a name, "{KEY}" in it for a value',
-    ), "what its points are called, instead of part and axes", "",
+        phrase='a name, in which "{KEY}" stands for a value',
+    ), "the names of its points, instead of the part's name and the values of the axes", "",
 )  # fmt: skip
-_LIKE = Key("", "like", TextKind(), "a part above whose keys it takes where it has none", "")
+_LIKE = Key("", "like", TextKind(), "an earlier part, whose keys this part copies", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
 _PLOT_KEYS = (
@@ -77,7 +76,7 @@ _PLOT_KEYS = (
 
 @dataclass(frozen=True)
 class Plot:
-    """The diagram of a grid; empty values mean a suitable default."""
+    """The diagram of a grid; empty values choose a suitable default."""
 
     x: str = ""
     y: tuple[str, ...] = ()
@@ -87,8 +86,10 @@ class Plot:
 
 @dataclass(frozen=True)
 class Grid:
-    """A grid read from a file `name` in a `folder`. `columns` are the keys that any part names, in
-    the order of the file; `axes` are those with several values in a part. `text` is the file's."""
+    """A grid, read from the file `name` in `folder`.
+
+    `columns` are the keys that occur in any part, in the order of the file; `axes` are those with
+    several values in a part. `text` is the file's text."""
 
     name: str
     folder: Path
@@ -100,8 +101,10 @@ class Grid:
 
 
 def read_grid(path: Path) -> Grid:
-    """Read the grid in a file. Raises Rejected, status 2, with all mistakes at once: NS0830 for a
-    file that cannot be read or is not TOML, NS0831 for unknown keys, NS0832 for wrong values."""
+    """Read a grid from a file.
+
+    Raises Rejected (status 2) with all errors at once: NS0830 for a file that cannot be read or is
+    not TOML, NS0831 for unknown keys, NS0832 for invalid values."""
     head = _schema({})
     tables, source = file_table(head, file_bytes(head, path), str(path))
     grid_parts: dict[str, dict[str, Any]] = {}
@@ -142,8 +145,9 @@ def read_grid(path: Path) -> Grid:
 
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
-    """Return the grid with the points of `grid_parts` alone, by default all, and the runs that they
-    name. Rejected (NS0832) for a part that the grid does not have."""
+    """Return the grid with only the points of `grid_parts`, by default all, and the runs they name.
+
+    Raises Rejected (NS0832) for an unknown part."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:
@@ -163,7 +167,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
 
 
 def part_text(kind: str) -> str:
-    """Return a complete part of a kind as text, every key with its default or as a comment."""
+    """Return a complete example part of a kind: every key with its default, or as a comment."""
     keys = [replace(key, section=kind, heading=kind) for key in KINDS[kind].takes()]
     known = [key for key in keys if key.default is not MISSING]
     schema = Schema("grid", (replace(_KIND, default=kind), *known), {"": "", kind: ""}, _CODES, "")
@@ -174,7 +178,7 @@ def part_text(kind: str) -> str:
 
     head = (
         f"A part of a grid for `nscc sweep`, of kind {kind}: {KINDS[kind].summary}.",
-        "Every key has its default here. A list of values makes a point of each, in every",
+        "Every key has its default here. A list of values creates one point for each, in every",
         "combination with those of the other keys. Keys without a default:",
         *(f"  {key.name}: {remark(key)}" for key in keys if key.default is MISSING),
     )
@@ -188,7 +192,7 @@ def _is_part(name: str, value: Any) -> bool:
 
 
 def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
-    """Return a table with dotted keys: `sensor.adc_noise_lsb = 1` is one key."""
+    """Return a nested table with dotted keys, such as `sensor.adc_noise_lsb`."""
     flat_keys: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, Mapping) and value:
@@ -201,7 +205,7 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
 def _kinds(
     tables: Mapping[str, Any], grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
-    """Return the kind of each part; Rejected (NS0832) if a part lacks one."""
+    """Return the kind of each part; raise Rejected (NS0832) if a part lacks one."""
     problems: list[Diagnostic] = []
     head = _schema({})
     common = tables.get(_KIND.name)
@@ -219,7 +223,7 @@ def _kinds(
             continue
         section = grid_part if _KIND.name in keys else ""
         fault_text = "is missing" if kind is None else f"is not {str(kind)[:60]!a}"
-        message = f"the kind of [{grid_part}] {fault_text}: it is {_KIND.kind.allowed}"
+        message = f"the kind of [{grid_part}] {fault_text}: it must be {_KIND.kind.allowed}"
         help_text = 'write kind = "compile" above all parts, or in this one'
         problems.append(
             head.problem(_CODES.wrong_value, message, section, _KIND.name, source, help_text)
@@ -298,16 +302,17 @@ def _points(
 def _linked(
     points: Sequence[GridPoint], schema: Schema[Key], source: Source
 ) -> tuple[GridPoint, ...]:
-    """Return the points, each with the points whose runs its values name: `run:NAME`. Rejected
-    (NS0832) unless one point of kind train has the name, and for points that name each other in a
-    circle."""
+    """Return the points, each linked to the points whose runs its values name (`run:NAME`).
+
+    Raises Rejected (NS0832) unless exactly one point of kind train has the name, and for circular
+    references."""
     trained = [point for point in points if point.kind == "train"]
     runs = {point.name: point for point in trained}
     count = Counter(point.name for point in trained)
     linked: dict[int, GridPoint] = {}
 
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
-        help_text = "name a point of kind train, with what stands in its `name`"
+        help_text = "write the name of a point of kind train, as its `name` defines it"
         return Rejected(
             schema.problem(_CODES.wrong_value, message, point.grid_part, key, source, help_text),
             status=2,
@@ -351,7 +356,8 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """Return a name with its keys replaced by values; a path becomes a folder path."""
+    """Return a point's name: `called` with keys replaced by values; "/" in values separates
+    folders."""
 
     def spelled(value: Any) -> str:
         if not isinstance(value, str):
@@ -367,7 +373,7 @@ def _called(called: str, values: Values) -> str:
 
 
 def _name_fault(called: str, point: GridPoint) -> PointFault | None:
-    """Return the fault of the name that a part gives its points, or None."""
+    """Return the error in the `name` of a part, or None."""
     unknown_key = next((key for key in _VALUE.findall(called) if key not in point.values), None)
     if unknown_key is None:
         return None
@@ -388,7 +394,7 @@ def _about(
 
 
 def _spelled(value: Any) -> str:
-    """Return a value in the form that file names use."""
+    """Return a value as text for file names."""
     items: Sequence[Any] = value if isinstance(value, tuple) else (value,)
     text = "x".join(f"{item:g}" if isinstance(item, float) else str(item) for item in items)
     text = text.lower() if isinstance(value, bool) else text

@@ -1,4 +1,4 @@
-"""The kinds of points, and the key of a point: a digest of all inputs of its result."""
+"""The kinds of points, and the key of a point: a digest of everything its result depends on."""
 
 from __future__ import annotations
 
@@ -24,13 +24,12 @@ _SCHEMA = "nscc-point-1"
 
 
 def key_of(point: GridPoint, threads: int) -> str:
-    """Return the key of a point: 64 hexadecimal digits. Paths are relative to the current folder.
+    """Return the key of a point: 64 hexadecimal digits.
 
-    The key depends on the values, the content of every file that they name, the sources of the
-    packages that compute the point, and the versions of their dependencies. If torch computes, it
-    also depends on `threads`, because sums of floats do. Raises Rejected for a program that cannot
-    be read.
-    """
+    Paths are relative to the current folder. The key depends on the values, the content of every
+    file that they name, the sources of the packages that compute the point, and the versions of
+    their dependencies. If torch computes the point, the key also depends on `threads`, because sums
+    of floats do. Raises Rejected for a program that cannot be read."""
     kind = KINDS[point.kind]
     after = [key_of(run_point, threads) for run_point in point.after]
     plain_values = {name: kind_plain(value) for name, value in sorted(point.values.items())}
@@ -42,7 +41,7 @@ def key_of(point: GridPoint, threads: int) -> str:
 
 
 def kind_plain(value: object) -> object:
-    """Return a value in canonical form: 1 and 1.0 are the same number."""
+    """Return a value in canonical form, in which 1 and 1.0 are equal."""
     if isinstance(value, float) and value.is_integer():
         return int(value)
     return value

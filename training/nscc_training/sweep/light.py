@@ -1,4 +1,4 @@
-"""Scenes and sensors of points."""
+"""Keys of scenes and sensors in grids, and the objects that they describe."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 
 
 def scene_keys() -> tuple[Key, ...]:
-    """Return the keys of scenes."""
     return (
         axis("scene", TextKind(), "a scene, as nscc run takes it"),
         axis(
@@ -39,7 +38,7 @@ def scene_keys() -> tuple[Key, ...]:
 
 
 def sensor_keys() -> tuple[Key, ...]:
-    """Return the keys of sensors: the file, and each value as `sensor.KEY`."""
+    """Return the keys of sensors: the sensor file, and each value as `sensor.KEY`."""
     from nscc_runtime.sensor.file import schema
 
     numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
@@ -47,13 +46,12 @@ def sensor_keys() -> tuple[Key, ...]:
 
 
 def light_files(values: Values) -> Sequence[Path]:
-    """Return the files of scene and sensor."""
+    """Return the files of a point's scene and sensor."""
     named = values[_FILE], values.get("scene", "")
     return [Path(name) for name in named if name and not name.startswith("builtin:")]
 
 
 def scene_of(values: Values) -> Scene:
-    """Return the scene of a point."""
     from nscc_runtime.scenes import Scene
 
     return Scene(
@@ -62,7 +60,6 @@ def scene_of(values: Values) -> Scene:
 
 
 def sensor_file(values: Values) -> Path | None:
-    """Return the sensor file of a point, or None."""
     return Path(values[_FILE]) if values[_FILE] else None
 
 
@@ -73,7 +70,7 @@ def sensor_changes(values: Values) -> tuple[str, ...]:
 
 
 def sensor_of(values: Values, target: Target) -> Sensor:
-    """Return the sensor of a point, for a chip."""
+    """Return the sensor of a point on a chip."""
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, sensor_file(values), sensor_changes(values))

@@ -1,4 +1,4 @@
-"""The table of `nscc evaluate looks`: a grid, and a page of its results."""
+"""The table of `nscc evaluate looks`, computed by a sweep."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ from nscc_training.sweep.run_sweep import How, sweep
 def looks_table(
     data: Path, out: Path, seed: int = 0, track: Progress = unseen
 ) -> tuple[list[dict[str, Any]], str]:
-    """Return the results of hdr-v1's pixels that look under all conditions, and their table.
-    `out` is the folder of a sweep, which continues where it ended. Rejected (NS0811) without
-    panoramas."""
+    """Return the results of hdr-v1 for pixels that look, under all conditions, and a Markdown
+    table.
+
+    `out` is the folder of a sweep, which resumes if interrupted. Raises Rejected (NS0811) if `data`
+    contains no panoramas."""
     files_of(load_protocol("hdr-v1"), data)
     package = files("nscc_training.sweep")
     text = (package / "looks.toml").read_text(encoding="utf-8")

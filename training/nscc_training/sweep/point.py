@@ -10,10 +10,10 @@ from typing import Any
 from nscc.toml.schema import Key
 
 Values = Mapping[str, Any]
-"""A point's values by key; keys without value and default are absent."""
+"""A point's values by key; keys with neither value nor default are absent."""
 
 OF_RUN = "run:"
-"""Prefix of a value that names the run of another point of the grid."""
+"""Prefix of a value that names the run of another point."""
 
 Figures = dict[str, Any]
 """Results by name: text, numbers, true, false or None."""
@@ -21,7 +21,7 @@ Figures = dict[str, Any]
 
 @dataclass(frozen=True)
 class PointFault:
-    """An invalid combination of values: the key, the reason, and the remedy."""
+    """An invalid combination of values: the key, the reason, and what to do."""
 
     key: str
     message: str
@@ -30,8 +30,7 @@ class PointFault:
 
 @dataclass(frozen=True)
 class Place:
-    """Paths and resources of a point. Its files begin with the path `files`; it may use `threads`
-    threads."""
+    """Paths and resources for computing a point; `files` is the prefix of its output file names."""
 
     files: Path
     threads: int
@@ -47,13 +46,13 @@ class PointKind:
     takes : callable
         Returns the keys of a part of a grid.
     compute : callable
-        Returns the figures of a point; raises Rejected with the reason if it has none.
+        Returns the results of a point; raises Rejected with the reason if it has none.
     drawn : tuple of str
-        Figures for diagrams: the first one that a table has is drawn by default.
+        Results for diagrams; the first of them in the table is drawn by default.
     reads : callable
         Returns the files and folders whose content the result depends on.
     fault : callable
-        Returns the fault of a combination of values, given the keys that the grid names.
+        Returns the error in a combination of values, given the keys that the grid names.
     packages, distributions : tuple of str
         Packages of nscc and other distributions that compute the point.
     leaves : str or None
@@ -74,8 +73,10 @@ class PointKind:
 
 @dataclass(frozen=True)
 class GridPoint:
-    """One combination of a part's values. `name` is unique in the grid. `after` are the points
-    whose runs the values name: `run:NAME` stands for the folder of a run."""
+    """One combination of a part's values; `name` is unique in the grid.
+
+    `after` are the points whose runs the values name; `run:NAME` is replaced by the run's folder.
+    """
 
     grid_part: str
     kind: str
@@ -86,7 +87,7 @@ class GridPoint:
 
 @dataclass(frozen=True)
 class PointRow:
-    """The result of a point: `figures`, or `code` and text of the message instead of them."""
+    """The result of a point: `figures`, or `code` and text of a message if there are none."""
 
     key: str
     figures: Figures = field(default_factory=dict, hash=False)

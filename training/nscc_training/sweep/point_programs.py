@@ -1,4 +1,5 @@
-"""Programs of points: files, rules for any number of slots, or classes with random codes."""
+"""Programs of points: from files, from rules for any number of slots, or random codes of a
+class."""
 
 from __future__ import annotations
 
@@ -22,17 +23,17 @@ from nscc_training.sweep.point import PointFault, Values
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
 SOURCES = ("program", "rule", "class")
-"""Keys of a program's source; a point has one of them."""
+"""Keys that define a point's program; a point has exactly one of them."""
 
 _MOST_PLACES = 4096
-"""Most codes of a tile; more would need a file beside the program."""
+"""Largest tile in a program's text; a larger tile would need a file beside the program."""
 _CHIP = "chip."
 _SILENT: dict[str, tuple[str, ...]] = {
     "program": ("slots", "slot_us", "tile", "init", "length", "rows"),
     "rule": ("tile", "init", "length", "rows"),
     "class": (),
 }
-"""Keys that do not apply to programs from a source."""
+"""Keys that have no effect, by the source of the program."""
 
 
 def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
@@ -59,7 +60,7 @@ def program_keys() -> tuple[Key, ...]:
         axis("rule", TextKind(), "instead of program: the statements below `frame`"),
         axis("class", TextKind(CLASSES), "instead of program: codes of a class on a tile"),
         axis("slots", Integer(1, 65536), "slots of a frame, for a rule or a class", 16),
-        axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
+        axis("slot_us", Number(1e-3, 1e9), "length of a slot in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
         axis("init", TextKind(STARTS), "the codes of a class", "random"),
         axis(
@@ -89,8 +90,9 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return the fault of a combination of values of `program_keys`, or None. `named` are the keys
-    that the grid names."""
+    """Return the error in the values of `program_keys`, or None.
+
+    `named` are the keys that the grid names."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -105,7 +107,7 @@ def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
 
 
 def target_fault(values: Values) -> PointFault | None:
-    """Return the fault of a combination of values of `target_keys`, or None."""
+    """Return the error in the values of `target_keys`, or None."""
     name = next((name for name in values if name.startswith(_CHIP)), None)
     if name is None or values["target"]:
         return None
@@ -114,8 +116,9 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """Return the fault of naming a key that does not apply to a point, or None. Points that differ
-    only in such a key would be identical."""
+    """Return the error of naming a key that has no effect on a point, or None.
+
+    Points that differ only in such a key would be identical."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -125,7 +128,8 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files that determine a program: its text, files that it names, its chip's."""
+    """Return the files that determine a program: its text, the files it names, and its chip
+    file."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -135,13 +139,13 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return a program's file and the files that it names; Rejected for unreadable files."""
+    """Return a program's file and the files that it names; raise Rejected for unreadable files."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 
 
 def target_of(values: Values) -> Target | None:
-    """Return the chip of a point, with its changes; None for the program's own chip."""
+    """Return the chip of a point with its changes; None if the program's own chip is used."""
     if not values["target"]:
         return None
     changes = {
@@ -151,8 +155,9 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove a point's program, without the cache of searches. Raises Rejected for a
-    program that is wrong or does not fit."""
+    """Compile and prove a point's program, without the cache of searches.
+
+    Raises Rejected for a program that is invalid or does not fit the chip."""
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],

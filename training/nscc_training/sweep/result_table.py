@@ -1,4 +1,4 @@
-"""The table of a sweep: a row per point, in the order of the grid, without times."""
+"""The result table of a sweep: one row per point, in the order of the grid."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from nscc_training.sweep.point import GridPoint, PointRow
 
 @dataclass(frozen=True)
 class Table:
-    """A table by columns: `part`, the keys that the grid names, figures, `code` and `error` of
-    points without figures, and `key`. None: no value."""
+    """A table by columns; None marks missing values.
+
+    The columns are `part`, the keys that the grid names, the results, `code` and `error` of points
+    without results, and `key`."""
 
     columns: dict[str, list[Any]]
     inputs: tuple[str, ...]
@@ -25,7 +27,6 @@ class Table:
         return len(self.columns["part"])
 
     def rows(self) -> list[tuple[Any, ...]]:
-        """Return the rows."""
         return [*zip(*self.columns.values(), strict=True)]
 
 
@@ -47,14 +48,15 @@ def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
 
 
 def _input(point: GridPoint, name: str) -> Any:
-    """Return the value of a key of a point, or of the first run that it names."""
+    """Return the value of a key of a point or of the first run that it names; None if both
+    lack it."""
     if name in point.values:
         return plain(point.values[name])
     return _input(point.after[0], name) if point.after else None
 
 
 def plain(value: Any) -> Any:
-    """Return a value in the form of a cell."""
+    """Return a value in the form of a table cell."""
     return " x ".join(map(str, value)) if isinstance(value, tuple) else value
 
 

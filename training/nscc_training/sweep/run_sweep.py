@@ -1,4 +1,4 @@
-"""Run a sweep from its grid to its table; known points are not computed again."""
+"""A sweep from its grid to its table; points with stored results are not computed again."""
 
 from __future__ import annotations
 
@@ -33,8 +33,10 @@ _NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
 
 @dataclass(frozen=True)
 class How:
-    """Where points are computed. `workers` processes of `threads` threads each on this machine (0:
-    in this process), or those of a `scheduler`. `again` recomputes points that failed."""
+    """How points are computed.
+
+    `workers` processes with `threads` threads each run on this machine (0: this process), or a
+    `scheduler` provides the workers. `again` recomputes failed points."""
 
     workers: int = 0
     threads: int = 1
@@ -44,8 +46,10 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """A finished sweep: its table, the numbers of points with a message instead of figures
-    (`misfits`) and of failed points, and the files written."""
+    """The outcome of a sweep: its table and the files written.
+
+    `misfits` is the number of points with a message instead of results, `failed` the number of
+    failed points."""
 
     table: Table
     misfits: int
@@ -54,7 +58,7 @@ class Swept:
 
 
 def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
-    """Return the number of points of a grid, and how many are known; nothing is computed."""
+    """Return the number of points of a grid, and how many have stored results; computes nothing."""
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
@@ -70,15 +74,14 @@ def sweep(
     grid: Grid, out: Path, how: How, *, grid_parts: Sequence[str] = (), parquet: bool = False,
     track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
 ) -> Swept:  # fmt: skip
-    """Compute the unknown points of a grid, or of some parts, and write table, report and diagram
+    """Compute the missing points of a grid, or of some parts, and write table, report and diagram
     to `out`.
 
-    Rows are stored as they are computed: a killed sweep continues when started again, and two
-    sweeps with one `out` share the work. Paths in the grid, and in the files that it names, are
-    relative to its folder. `track` draws progress; `report` gets a text on the work to do. Raises
-    Rejected: NS0834 for a damaged store in `out`, NS0835 without the scheduler, NS0836 if workers
-    have other files or another version of nscc.
-    """
+    Each result is stored at once, so that an interrupted sweep resumes, and two sweeps with the
+    same `out` share the work. Paths in the grid, and in the files that it names, are relative to
+    its folder. `track` draws progress; `report` receives a text on the work to do. Raises Rejected:
+    NS0834 for a damaged store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers
+    have other files or another version of nscc."""
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
     with store_in(out) as store:
@@ -90,7 +93,7 @@ def sweep(
         }
         count = len({keys[point] for point in points})
         report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
-        for key in todo.keys() & rows.keys():  # failed before, or lost their output
+        for key in todo.keys() & rows.keys():  # points that failed before or lost their output
             store.forget(POINTS, key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
@@ -108,7 +111,7 @@ def sweep(
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """Return the summary of a sweep as lines: numbers of points, reasons for missing figures,
+    """Return the summary of a sweep as lines: numbers of points, reasons for missing results,
     files."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
@@ -141,13 +144,13 @@ def failures(swept: Swept) -> Rejected:
 
 
 def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
-    """Return the key of every point; points of the same key count once."""
+    """Return the key of every point."""
     with chdir(grid.folder):
         return {point: key_of(point, threads) for point in grid.points}
 
 
 def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
-    """Return whether a point has a row, and its output still exists."""
+    """Return whether a point has a stored result and its output still exists."""
     if row is None or (row.code == FAILED and how.again):
         return False
     return bool(row.code) or output_path is None or output_path.exists()
@@ -163,7 +166,7 @@ def _task(
 
 
 def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
-    """Return the output file or folder of a point; None if its kind has none."""
+    """Return the output file or folder of a point, or None if its kind has no output."""
     ending = KINDS[point.kind].leaves
     return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
 
@@ -172,7 +175,7 @@ def _compute(
     tasks: Sequence[PointTask], keys: Mapping[GridPoint, str], store: ExperimentStore, how: How,
     track: Progress,
 ) -> None:  # fmt: skip
-    """Compute the tasks; runs come before the points that name them."""
+    """Compute the tasks; runs are computed before the points that name them."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
@@ -204,8 +207,9 @@ def _compute(
 def _shared(
     store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
-    """Yield the results of tasks, waiting for tasks that another process computes. A task whose
-    process ended without a result is taken over."""
+    """Yield the results of tasks, and wait for tasks that another process computes.
+
+    A task whose process ended without a result is computed here."""
     waiting = [*tasks]
     while waiting:
         claimed_tasks: list[PointTask] = []
@@ -234,7 +238,7 @@ def _shared(
 def _without_run(
     task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
 ) -> Done | None:
-    """Return the failure of a task if a run that it names failed; None if all runs exist."""
+    """Return the failure of a task if a run that it names failed, else None."""
     for run in task.point.after:
         row = store.get(POINTS, keys[run])
         assert row is not None  # runs are computed first
@@ -271,7 +275,7 @@ def _differs(result: Done) -> Rejected:
 
 
 def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
-    """Write the products, all or none."""
+    """Write all products, or none of them."""
     from nscc_training.sweep.sweep_report import diagram_of, report_html
 
     diagram = diagram_of(grid, table)
@@ -286,7 +290,7 @@ def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) ->
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Make named links to the outputs of the grid's points; links of another grid are removed."""
+    """Make named links to the outputs of the grid's points; remove the links of other grids."""
     for name in _NAMED.values():
         for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
             old.unlink()

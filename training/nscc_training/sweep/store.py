@@ -1,4 +1,4 @@
-"""Rows of a sweep in its experiment store, and the time of each."""
+"""Result rows of a sweep in its experiment store, with their computing times."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from nscc_training.sweep.point import PointRow
 
 TIMES = "times.csv"
 POINTS = "points"
-"""The experiment of all rows; the key identifies the point."""
+"""The name of the store's experiment that contains all rows."""
 
 
 def store_in(folder: Path) -> ExperimentStore:
-    """Return the experiment store in `folder`, which is created. Raises NS0784 if that fails."""
+    """Create `folder` and return the experiment store in it; raise Rejected (NS0784) if
+    that fails."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -32,13 +33,13 @@ def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
 
 
 def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
-    """Store a row with the seconds that a worker took; it is on the disk on return."""
+    """Store a row with its computing time and worker; on return it is on the disk."""
     value = {"figures": row.figures, "code": row.code, "error": row.error}
     store.keep(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
 
 
 def times_csv(store: ExperimentStore) -> str:
-    """Return the time and the worker of each point as CSV; the first point began at 0 s."""
+    """Return the time and worker of each point as CSV; times start with the first point."""
     timings = store.timings(POINTS)
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     text = io.StringIO()

@@ -15,7 +15,7 @@ from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.result_table import Table, cell
 
 _MOST_ROWS = 2000
-"""Most rows on the page; the table has all rows."""
+"""Most rows on the HTML page; the CSV table contains all rows."""
 _MOST_PANELS, _MOST_LINES = 12, 7
 """Most panels of a diagram, and most lines of a panel unless the grid names the lines."""
 _MOST_LETTERS = 60
@@ -23,7 +23,7 @@ _WIDTH = 900
 
 
 def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
-    """Return the HTML page: diagram, points without figures, all points, the grid."""
+    """Return the HTML page: the diagram, points without results, all points, and the grid."""
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
     shown += [name for name in table.figures if _says_something(table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
@@ -45,8 +45,10 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
 
 
 def diagram_of(grid: Grid, table: Table) -> bytes | None:
-    """Return the diagram that the grid asks for, or a suitable one. None for a single point, or
-    without numbers. Rejected (NS0832) for unknown columns."""
+    """Return the diagram that the grid describes, or a default one.
+
+    None for a single point, or without numeric results. Raises Rejected (NS0832) for unknown
+    columns."""
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -86,7 +88,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
 
 
 def _drawn(grid: Grid, table: Table) -> list[str]:
-    """Return the default figures of a diagram: one per kind of point."""
+    """Return the results that are drawn by default, one for each kind of point."""
     kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
     known = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
     return list(dict.fromkeys(names[0] for names in known if names))
@@ -95,8 +97,10 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """Return the points of each line of a panel. Against an axis they are sorted, and averaged
-    where several have the same position; against a figure they follow the order of the table."""
+    """Return the points of each line of a panel.
+
+    If x is an axis of the grid, they are sorted, and points with the same x are averaged. If x is a
+    result, they keep the order of the table."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
@@ -111,7 +115,7 @@ def _lines(
 
 
 def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
-    """Return one point, the mean, for each horizontal position."""
+    """Return one point for each x, with the mean of y."""
     places: dict[Any, list[float]] = {}
     for across, up in points:
         places.setdefault(across, []).append(up)
@@ -120,7 +124,7 @@ def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
-    """Return the points without figures, grouped by reason."""
+    """Return the points without results, grouped by reason."""
     together: dict[tuple[str, str], list[str]] = {}
     columns = table.columns
     for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
@@ -145,7 +149,7 @@ def _check(key: str, name: str, table: Table) -> None:
 
 
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
-    """Remove and return the first name that fits; "" without one."""
+    """Remove and return the first name that fits, or "" if none does."""
     first_fit = next((name for name in names if fits(name)), "")
     if first_fit:
         names.remove(first_fit)
@@ -170,7 +174,7 @@ def _says_something(values: Sequence[Any]) -> bool:
 
 
 def _short(value: Any) -> str:
-    """Return a cell for a reader: six digits of numbers, the beginning of texts on one line."""
+    """Return a cell as short text: numbers with six digits, long texts cut."""
     if isinstance(value, float):
         return f"{value:.6g}"
     text = " ".join(cell(value).split())

@@ -32,8 +32,10 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _settings(values: Values) -> RunSettings:
-    """Return the settings of the configuration, or the defaults, as the point changes them. Raises
-    Rejected as `load_config`."""
+    """Return a point's training settings: its configuration, or the defaults, with the point's
+    changes.
+
+    Raises Rejected as `load_config` does."""
     changes = [
         f"{key.path} = {written(key.kind.plain(values[key.path]))}"
         for key in SCHEMA.keys
@@ -44,8 +46,7 @@ def _settings(values: Values) -> RunSettings:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    """Return the configuration, the data and all other files that it names; of the user's code the
-    module."""
+    """Return the configuration and all files and folders that it names, including user modules."""
     settings = _settings(values)
     named = [
         settings.shutter.target, settings.sensor.file, settings.decoder.name,
@@ -69,14 +70,13 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _begun_with(path: Path) -> Sequence[Path]:
-    """Return the files of a run's start: a run folder, codes, or a program and the files that it
-    names."""
+    """Return the files of a run's start: a run folder, a code file, or a program and its files."""
     is_program = path.suffix.lower() == ".nsl" and path.is_file()
     return text_files(path) if is_program else [path]
 
 
 def _train(values: Values, place: Place) -> Figures:
-    """Train, resuming from the checkpoint of an earlier attempt."""
+    """Train, and resume if an earlier attempt left a checkpoint."""
     import json
 
     import torch
@@ -97,7 +97,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 
 TRAIN = PointKind(
-    "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
+    "train", "a run of nscc train and its validation; the run is stored under runs", _keys, _train,
     ("psnr_db",), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",

@@ -1,4 +1,4 @@
-"""Compute points in this process."""
+"""Computation of points in this process."""
 
 from __future__ import annotations
 
@@ -18,18 +18,21 @@ from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import Figures, GridPoint, Place, PointRow
 
 FAILED = "NS0833"
-"""The code of a failed point; it does not depend on the values."""
+"""The code of a point that failed for reasons other than its values."""
 
 
 _ONE = Lock()
-"""Current folder, warnings and torch's threads belong to the process, so a worker of several
-threads computes one point at a time."""
+"""Makes a worker with several threads compute one point at a time.
+
+The current folder, warnings and torch's thread count are shared by the process."""
 
 
 @dataclass(frozen=True)
 class PointTask:
-    """A point to compute: its paths are relative to `folder`, and its output begins with `files`.
-    `runs` are the run folders that its values name, by value."""
+    """A point to compute.
+
+    Its paths are relative to `folder`, and its output file names begin with `files`. `runs` are the
+    run folders that its values name, by value."""
 
     point: GridPoint
     key: str
@@ -41,8 +44,10 @@ class PointTask:
 
 @dataclass(frozen=True)
 class Done:
-    """The row of a task, its time and worker. `failed`: it may be tried again. `other_key`: the key
-    computed by the worker, if it differs."""
+    """The result row of a task, its time and worker.
+
+    `failed` means that it may be tried again. `other_key` is the key that the worker computed, if
+    it differs from the task's key."""
 
     task: PointTask
     row: PointRow
@@ -53,17 +58,18 @@ class Done:
 
 
 def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
-    """Compute all tasks in this process; a task that fails is tried once more."""
+    """Compute all tasks in this process; a failed task is tried once more."""
     for task in tasks:
         result = work(task)
         yield work(task) if result.failed else result
 
 
 def work(task: PointTask) -> Done:
-    """Compute a task in this process. Errors become part of the row, except ModuleNotFoundError for
-    a missing package."""
+    """Compute a task in this process.
+
+    Errors become part of the row, except ModuleNotFoundError for a missing package."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # what compilers and scenes say of a point
+        warnings.simplefilter("ignore")  # errors of the compiler and of scenes for this point
         current_key = key_of(task.point, task.threads)
         begin = perf_counter()
         if current_key != task.key:
@@ -92,20 +98,20 @@ def _row(task: PointTask) -> tuple[PointRow, bool]:
         return PointRow(task.key, code=first.code, error=_anywhere(first.message, task)), False
     except ModuleNotFoundError:
         raise
-    except Exception as error:  # a point must not end the others, whatever it raises
+    except Exception as error:  # no exception of one point may stop the others
         return failure(task, f"{type(error).__name__}: {error}"), True
     return PointRow(task.key, {name: _stored(figures[name]) for name in figures}), False
 
 
 def _anywhere(text: str, task: PointTask) -> str:
-    """Return a message without the folders of this machine."""
+    """Return a message without the paths of this machine's folders."""
     for folder in (task.files.parents[1], task.folder):
         text = text.replace(f"{folder}{os.sep}", "")
     return text
 
 
 def _stored(value: Figures) -> object:
-    """Return a figure in JSON form: infinities and NaN as text."""
+    """Return a result as a JSON value; infinities and NaN become text."""
     if isinstance(value, float) and not math.isfinite(value):
         return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
     return value

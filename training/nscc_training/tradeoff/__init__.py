@@ -1,1 +1,1 @@
-"""What accuracy costs in time: decoders by milliseconds, shutters by the shortest slot."""
+"""Measurements of accuracy against time: decoders, shutters, and single programs."""

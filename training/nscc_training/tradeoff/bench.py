@@ -1,4 +1,4 @@
-"""One program on one scene, captured by the emulated chip in other words and other slots."""
+"""One program on one scene, captured by the emulated chip with other words and slots."""
 
 from __future__ import annotations
 
@@ -44,20 +44,19 @@ from nscc_runtime.simulate import Request, Simulated, simulate
 Values = NDArray[np.float64]
 
 _CAPTURED_TO = 0.5
-"""Frames of the chip have every effect, to this part of the target."""
+"""Tolerance of simulated frames, as a fraction of the target error."""
 _NAMED = 3
-"""Effects that are named as the largest."""
+"""Number of the largest effects that are named."""
 
 
 @dataclass(frozen=True)
 class JointRequest:
-    """A program on a scene and the error to stay within, as a command line has them.
+    """A program, a scene and the largest allowed error, as given on a command line.
 
-    `target_error` is text as `--tolerance` takes it; `stages` are measured; `levels` of -O are
-    compared, the other stages have the words of `options`; times are medians of `repeats`. `run` is
-    the folder whose program that is, if it is one's, and `trust_code` lets it execute Python code
-    of its own.
-    """
+    `target_error` is written as for `--tolerance`. `stages` names the stages to measure. `levels`
+    of -O are compared; other stages use the words compiled with `options`. Times are medians of
+    `repeats`. `run` is the run folder that the program belongs to, None for other programs;
+    `trust_code` allows it to execute its Python code."""
 
     program: Path
     scene: Scene
@@ -77,7 +76,9 @@ class JointRequest:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """What all stages share. `warn` is called with messages about the program and the scene."""
+    """Values that all stages share, computed when first needed.
+
+    `warn` is called with messages about the program and the scene."""
 
     request: JointRequest
     rows: Rows
@@ -86,12 +87,12 @@ class Bench:
 
     @cached_property
     def source(self) -> Source | None:
-        """The program's text; None of one that is compiled already."""
+        """The program's text; None if it is already compiled."""
         return None if is_compiled(self.request.program) else read_source(self.request.program)
 
     @cached_property
     def container(self) -> Container:
-        """Its words, with codes for its pixels."""
+        """The compiled program, with codes for its pixels."""
         container, messages = load_container(self.request.program, self.request.options)
         for message in messages:
             self.warn(message)
@@ -99,23 +100,25 @@ class Bench:
 
     @cached_property
     def sensor(self) -> Any:
-        """The sensor that all frames have."""
+        """The sensor of all frames."""
         return load_sensor(self.container.target, self.request.sensor, self.request.changes)
 
     @cached_property
     def light(self) -> Light:
-        """The scene in the program's own slots."""
+        """The scene's light in the program's slots."""
         return self.request.scene.light(self.container.slot_us, self.container.target, self.warn)
 
     @cached_property
     def ideal_e(self) -> Values:
-        """The light (buckets, rows, cols) that falls while pixels are open; of pixels that look the
-        light of the whole frame, which is what they tell."""
+        """The light (buckets, rows, cols) in electrons that falls while pixels are open.
+
+        For pixels that look it is the light of the whole frame, which they measure."""
         return self._ideal_e(self.container, self.light)
 
     @cached_property
     def signal_e(self) -> float:
-        """The mean of that, each at most the full well. Rejected (NS0826) for a dark scene."""
+        """The mean of `ideal_e`, with each value limited to a full well; raises Rejected (NS0826)
+        for a dark scene."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -129,16 +132,16 @@ class Bench:
 
     @cached_property
     def target(self) -> Tolerance:
-        """The error to stay within. Rejected (NS0827) for what is none."""
+        """The largest allowed error; raises Rejected (NS0827) for an invalid one."""
         return target_of(self.request.target_error, self.sensor, _Follows(self))
 
     @cached_property
     def shot_percent(self) -> float:
-        """The shot noise of the ideal frame alone, in percent of the signal."""
+        """The shot noise of the ideal frame, in percent of the signal."""
         return 100 * math.sqrt(float(np.abs(self.ideal_e).mean())) / self.signal_e
 
     def once(self, name: str, measure: Callable[[], Any]) -> Any:
-        """What `measure` gives, kept under that name for this program, scene and target."""
+        """Return the result of `measure`, stored under this name, program, scene and target."""
         return self.rows.once(f"{name} {self._key}", measure)
 
     @cached_property
@@ -148,21 +151,21 @@ class Bench:
 
     @cached_property
     def largest(self) -> tuple[tuple[str, float], ...]:
-        """The effects that move the program's own frame most, and by how much, in percent of the
-        signal, as its plan predicts; none where there is no plan."""
+        """The effects with the largest errors in the program's frame, in percent of the signal.
+
+        The errors are predictions of the plan; empty if the frame has no plan."""
         plan = self.capture.plan
         known = [(d.name, d.predicted_rms_e or 0.0) for d in plan.decisions] if plan else []
         known.sort(key=lambda named_error: -named_error[1])
         return tuple((name, 100 * rms_e / self.signal_e) for name, rms_e in known[:_NAMED] if rms_e)
 
     def error_percent(self, container: Container, original: Container | None = None) -> float:
-        """How far a frame with every effect is from the light that fell, root mean square of the
-        worst bucket in percent of the mean signal.
+        """Return the error of a frame with all effects, in percent of the mean signal.
 
-        `container` has codes for its pixels. `original`: the program that it replaces, whose slots
-        have the same total length. Gain and offset that words are known to have are taken off;
-        pixels that are marked as saturated say nothing and do not count.
-        """
+        It is the root mean square difference from the true light in the worst bucket. `container`
+        has codes for its pixels. `original` is the program that it replaces, whose slots have the
+        same total length. Known gains and offsets of words are corrected; pixels marked as
+        saturated are left out."""
         digest = sha256(to_bytes(container)).hexdigest()[:16]
         return float(self.once(f"frame {digest}", lambda: self._error(container, original)))
 
@@ -182,8 +185,9 @@ class Bench:
         return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
 
     def _light_in(self, container: Container) -> Light:
-        """The scene in the slots of other words: as bright as in the program's own, so that less
-        falls in a shorter frame."""
+        """Return the scene's light in the slots of other words, at the same brightness.
+
+        A shorter frame therefore receives less light."""
         if container.slot_us == self.container.slot_us:
             return self.light
         scene_light = self.request.scene.light(container.slot_us, container.target)
@@ -193,13 +197,13 @@ class Bench:
 
     @cached_property
     def capture(self) -> Simulated:
-        """The program's own frame with every effect."""
+        """The program's frame with all effects."""
         return self._captured(self.container, self.light)
 
     def _captured(self, container: Container, light: Light) -> Simulated:
-        """A frame with every effect."""
+        """Simulate a frame with all effects."""
         tolerance = None
-        if not container.target.streamed:  # it has no plans, and is exact
+        if not container.target.streamed:  # such a chip has no plans, and its simulation is exact
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
             effects="all", tolerance=tolerance, seed=self.request.seed,
@@ -218,16 +222,15 @@ class Bench:
 
 @dataclass(frozen=True, eq=False)
 class _Follows:
-    """What a target may be a part of."""
+    """The quantities to which a target error may be relative."""
 
     bench: Bench
 
     def signal_e(self) -> float:
-        """The mean signal."""
         return self.bench.signal_e
 
     def noise_e(self) -> float:
-        """The frame's own noise."""
+        """Return the standard deviation of the frame's noise in electrons."""
         bench = self.bench
         return planning_of(
             bench.container, bench.sensor, bench.light, bench.request.device_seed
@@ -237,8 +240,10 @@ class _Follows:
 def rms_percent(
     seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
 ) -> float:
-    """The root mean square difference (buckets, rows, cols) where `counted`, of the bucket where it
-    is largest, in percent of the signal; infinite where nothing counts."""
+    """Return the root mean square difference where `counted`, in percent of the signal.
+
+    Arrays are (buckets, rows, cols); the bucket with the largest difference is used. Infinite if a
+    bucket has no counted pixel."""
     mean_squares = [
         float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
         for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)
@@ -247,14 +252,15 @@ def rms_percent(
 
 
 def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
-    """The slots of a program, as parts of a frame of another length."""
+    """Return the slot lengths of a program, scaled to a frame of `frame_us` microseconds."""
     total_us = sum(container.slot_us)
     return tuple(us / total_us * frame_us for us in container.slot_us)
 
 
 def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
-    """The error to stay within: `1%` of the mean signal, `5e`, `0.1lsb`. Rejected (NS0827) for
-    anything else, and for more than the signal itself."""
+    """Parse a target error: `1%` of the mean signal, `5e`, `0.1lsb`.
+
+    Raises Rejected (NS0827) for other texts, and for an error larger than the signal."""
     reason = None
     try:
         tolerance = tolerance_of(text, sensor, scene)
@@ -273,7 +279,7 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
         "NS0827",
         reason,
         notes=(
-            "%: of the scene's mean signal; e: electrons; lsb: codes of the ADC; noise: a "
+            "%: of the scene's mean signal; e: electrons; lsb: converter codes; noise: a "
             "fraction of the frame's own noise",
             f"it must be between {LEAST_E:g} electrons and the mean signal",
         ),
@@ -282,12 +288,13 @@ def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
 
 
 def scaled_text(target: str, factor: float) -> str:
-    """A tolerance so many times another, in its unit: 3 % for 1 %."""
+    """Return a tolerance multiplied by `factor`, as text in its unit: 3 % for 1 %."""
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
-    assert match is not None  # it was read as a tolerance
+    assert match is not None  # the text was parsed as a tolerance before
     return f"{float(match[1]) * factor:g}{match[2]}"
 
 
 def whole_ticks(slot_us: float, tick_us: float = 0.01) -> float:
-    """The shortest slot that is written down easily and no shorter: programs are for readers."""
+    """Return the slot length rounded up to a multiple of `tick_us`, so that programs are
+    readable."""
     return round(max(1, math.ceil(slot_us / tick_us - 1e-6)) * tick_us, 6)

@@ -1,4 +1,4 @@
-"""What the words cost and what they do to a frame: levels, lowerings, slots."""
+"""Stages that change the words: compile levels, lowerings, slots."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from nscc_training.tradeoff.bench import Bench, scaled, whole_ticks
 from nscc_training.tradeoff.stages import PERCENT, StageResult, misfit
 
 JOINED = {1: "all", 2: "halves", 4: "quarters"}
-"""Slots that are taken together as one, and what that leaves of them."""
+"""Names of programs in which this many neighbouring slots are joined into one."""
 LENGTHS = (0.25, 0.5, 1.0, 2.0)
-"""Frames as parts of the program's own."""
+"""Frame lengths relative to the program's own."""
 _COMPILED = "the program is compiled already: give its text, FILE.nsl, to compare these"
 
 
 def compiling(bench: Bench) -> StageResult:
-    """Levels of -O: seconds to compile, from text to proof and without the cache."""
+    """Measure the levels of -O: seconds to compile, from text to proof and without the cache."""
     if bench.source is None:
         return StageResult((), (Refused("compile", "", "", "NS0743", _COMPILED),))
     points, misfits = [], []
@@ -52,7 +52,7 @@ def compiling(bench: Bench) -> StageResult:
 
 
 def lowering(bench: Bench) -> StageResult:
-    """Ways to gather exposures: the shortest frame that their words allow."""
+    """Measure the lowerings: the shortest frame that their words allow."""
     if bench.source is None:
         return StageResult((), (Refused("lowering", "", "", "NS0743", _COMPILED),))
     if bench.container.machine is not None or bench.container.target.streamed:
@@ -76,12 +76,12 @@ def lowering(bench: Bench) -> StageResult:
 
 
 def slots(bench: Bench) -> StageResult:
-    """Fewer slots, and frames of other lengths down to the shortest that the words allow.
+    """Measure fewer slots, and other frame lengths, down to the shortest that the words allow.
 
-    The scene is as bright in all of them, so that less light falls in a shorter frame. A program in
-    fewer slots opens its pixels where the given one does for half of the time; its error is from
-    what the given one would see in a frame as long.
-    """
+    The scene has the same brightness in all cases, so that a shorter frame receives less light. A
+    program with fewer slots opens a pixel in a joined slot if the original is open for at least
+    half of it. Its error is measured from the ideal frame of the original with the same frame
+    length."""
     if bench.source is None:
         return StageResult((), (Refused("slots", "", "", "NS0743", _COMPILED),))
     points, misfits, measured_settings = [], [], set[tuple[int, float]]()
@@ -121,7 +121,7 @@ def slots(bench: Bench) -> StageResult:
 
 
 def _compiled(bench: Bench, source: Source, **changes: Any) -> Compiled | Diagnostic:
-    """The program compiled without the cache, or why it does not fit."""
+    """Compile the program without the cache; return the message if it does not fit."""
     options = replace(bench.request.options, cache=False, **changes)
     if options.target is None:
         options = replace(options, target=bench.container.target)
@@ -135,7 +135,7 @@ def _compiled(bench: Bench, source: Source, **changes: Any) -> Compiled | Diagno
 
 
 def _laid(bench: Bench, compiled: Compiled, codes: Any = None) -> Container:
-    """Its words, with codes for its pixels."""
+    """Return the container of a compiled program, with codes for its pixels."""
     assert compiled.container is not None
     pixels = bench.request.pixels if codes is None else codes
     return with_pixels(compiled.container, Path(bench.request.program), pixels)

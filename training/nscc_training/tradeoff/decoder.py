@@ -1,4 +1,4 @@
-"""PSNR and SSIM against milliseconds: every decoder on the same captures."""
+"""Measurement of PSNR and SSIM against decoding time, for all decoders on the same captures."""
 
 from __future__ import annotations
 
@@ -39,17 +39,19 @@ from nscc_training.sensor_model import SensorModel
 
 UNITS = ("psnr_db", "ssim")
 _WARM = 32
-"""Pixels a side of the part of a capture that every method is run on once, untimed."""
+"""Side in pixels of the part of a capture that each method first decodes untimed."""
 _FRAMES = 16
 _STOPS = 256
 _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
-"""Which directions FC-net's blocks overlap in, by how many of them then hold a pixel."""
+"""Directions in which FC-net's blocks overlap, by the number of blocks that contain a pixel."""
 
 
 @dataclass(frozen=True)
 class DecoderStudySettings:
-    """`data`: a folder of scenes, made ones without; `size`: rows and cols of a scene;
-    `budget_s`: repeats end when it is spent, but everything is measured once."""
+    """The settings of the measurement of decoders.
+
+    `data` is a folder of scenes; None uses procedural scenes. `size` is the side of a scene in
+    pixels. Repeats end after `budget_s` seconds, but everything is measured at least once."""
 
     data: Path | None
     count: int
@@ -61,9 +63,10 @@ class DecoderStudySettings:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A decoder with its settings; `run` gives electrons, over the frame or a slot. `device`: where
-    that is not the processor. `loads` tells settings apart that do not load and compile the same
-    things."""
+    """A decoder with its settings.
+
+    `run` returns electrons, over the frame or per slot. `device` names a device other than the CPU.
+    `loads` distinguishes settings that load and compile different things."""
 
     method: str
     setting: str
@@ -74,7 +77,7 @@ class Way:
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """Captures with one code, and the decoders that they are for."""
+    """Captures with one code, and the decoders for them."""
 
     name: str
     captures: tuple[CapturedScene, ...]
@@ -86,12 +89,11 @@ Progress = Callable[[Sequence[Turn]], Iterable[Turn]]
 
 
 def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Case]:
-    """Return the codes of the runs, those with the same code together; without runs random bits
-    for clips and the 2 x 2 pattern for stills.
+    """Return the codes of the runs, with runs of the same code together.
 
-    Raises Rejected: NS0811 for a folder without scenes, NS0820 if a run has seen one, NS0821 for a
-    run with two buckets: the methods beside it take one.
-    """
+    Without runs, the codes are random bits for clips and the 2 x 2 pattern for stills. Raises
+    Rejected: NS0811 for a folder without scenes, NS0820 if a run has seen a scene, NS0821 for a run
+    with two buckets, which other methods do not support."""
     for run in runs:
         if run.setup.buckets > 1:
             raise rejected(
@@ -107,7 +109,7 @@ def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Cas
         tile = run.setup.encoder.hard().cpu()
         key = (run.setup.still, run.setup.model, tuple(tile.shape), tile.numpy().tobytes())
         by_code.setdefault(key, []).append(run)
-    # The shortest names that tell folders apart.
+    # The shortest names that distinguish the folders.
     paths = [together[0].path for together in by_code.values()]
     names = [path.resolve().name for path in paths]
     if len(set(names)) < len(names):
@@ -124,9 +126,10 @@ def measure(
     progress: Progress = iter,
     rows: Rows | None = None,
 ) -> tuple[list[Point], int]:
-    """Return two points for each decoder of each case, and how often everything was timed. A time
-    is that of one scene, the mean over the scenes; the repeats go round all decoders. What `rows`
-    knows is not decoded again."""
+    """Return two points for each decoder of each case, and the number of repeats.
+
+    The time of a point is for one scene, averaged over the scenes. Each repeat measures all
+    decoders in turn. Measurements in `rows` are reused."""
     rows = rows or Rows()
     watch = Stopwatch()
     turns = [(case, way) for case in todo for way in case.ways]
@@ -154,7 +157,7 @@ def measure(
 
 
 def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
-    """Return how long a decoder takes for one scene and, if they are asked for, its scores."""
+    """Return the time that a decoder needs for one scene and, with `scores`, its scores."""
 
     def decode_all() -> list[Light]:
         return [way.run(frames) for frames in case.captures]
@@ -165,8 +168,10 @@ def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str,
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
-    """Return PSNR in dB and SSIM, means over the scenes, as the protocol counts them. Scenes
-    without any error count for SSIM alone, unless all are such."""
+    """Return PSNR in dB and SSIM, averaged over the scenes as the protocol defines.
+
+    Scenes without error have infinite PSNR and only enter the mean SSIM, unless all scenes are
+    without error."""
     pairs = zip(case.captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
@@ -218,7 +223,8 @@ def _network(
 
 
 def names_of(folders: Sequence[RunFolder]) -> list[str]:
-    """Return what tells runs apart whose decoders have one name and size: their folders' names."""
+    """Return the folder names of runs whose decoders have the same name and size, "" for other
+    runs."""
     kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in folders]
     return [
         f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
@@ -253,7 +259,7 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySetting
 def _captures(
     protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
 ) -> tuple[CapturedScene, ...]:
-    """Return the scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
+    """Capture the scenes with a tile of shutters (N, r, c) and the sensor's noise."""
     scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)
     return tuple(
         captured(scene, tile, model, 1000 * settings.seed + k) for k, scene in enumerate(scenes)
@@ -261,7 +267,7 @@ def _captures(
 
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
-    """Return a line for the networks that no run was named of: untrained, they decode nothing."""
+    """Return a line that lists the networks for which no run was named."""
     have = {folder.setup.settings.decoder.name for folder in folders}
     names = [name for name in DECODERS if name not in have and not DECODERS[name].fixed_channels]
     if not names:

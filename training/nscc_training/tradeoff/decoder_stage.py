@@ -1,4 +1,4 @@
-"""What is made of one frame, by every decoder that takes it."""
+"""The decoder stage: reconstruct one frame with every suitable decoder."""
 
 from __future__ import annotations
 
@@ -22,14 +22,16 @@ from nscc_training.tradeoff.stages import PERCENT, StageResult
 Values = NDArray[Any]
 
 CLIP_VALUES = 1 << 18
-"""Slots x pixels of a clip that is decoded: of longer ones a smaller middle of the array."""
+"""Most slots times pixels of a decoded clip; of larger clips the middle of the array is decoded."""
 TV_ITERATIONS = (10, 40)
 ANY_STAGES = (2, 8)
 
 
 class _Way(NamedTuple):
-    """A decoder at a setting; `run` makes what `truth` is compared with, both (T, rows, cols).
-    `loads` tells settings apart that do not load the same things."""
+    """A decoder with a setting.
+
+    The result of `run` is compared with `truth`; both are (T, rows, cols). `loads` distinguishes
+    settings that load different things."""
 
     method: str
     setting: str
@@ -39,9 +41,11 @@ class _Way(NamedTuple):
 
 
 def decoding(bench: Bench) -> StageResult:
-    """Decoders by iterations, stages and precision: seconds for a frame with every effect. Pictures
-    where all shutters open with the frame or pixels look, clips else, as `nscc reconstruct any`
-    makes them. Raises ModuleNotFoundError without torch where one is needed."""
+    """Measure decoders by iterations, stages and precision: seconds for a frame with all effects.
+
+    The result is a picture if all shutters open at the start of the frame or pixels look, else a
+    clip, as in `nscc reconstruct any`. Raises ModuleNotFoundError if torch is needed and missing.
+    """
     capture = bench.capture
     container = bench.container
     notes: list[str] = []
@@ -112,7 +116,8 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
 
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
-    """Electrons over the frame (1, rows, cols) from neighbours: the mean of the buckets."""
+    """Return electrons over the frame (1, rows, cols) from merged neighbours, averaged over
+    buckets."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [
@@ -128,15 +133,17 @@ def _stages(count: int) -> str:
 
 
 def _by_any(measured: Any, stages: int, slots: Values) -> Values:
-    """The clip (N, rows, cols), electrons a slot, of the decoder for any code; `slots` (N, 1, 1):
-    their lengths over the mean."""
+    """Return the clip (N, rows, cols), electrons per slot, of the decoder for any code.
+
+    `slots` (N, 1, 1) are the slot lengths relative to their mean."""
     from nscc_training.any_code.decode import decoded_clip
 
     return np.asarray(decoded_clip(measured, stages)[0].numpy() * slots)
 
 
 def _by_tv(measured: Any, iterations: int) -> Values:
-    """The clip (N, rows, cols) that total variation makes, which wants whites to be 1."""
+    """Return the clip (N, rows, cols) reconstructed by GAP-TV, with light scaled so that white is
+    1."""
     from nscc_training.any_code.decode import white
     from nscc_training.baselines.sci import gap_tv
 
@@ -151,8 +158,9 @@ def _of_run(
     truth: Values,
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[_Way]:
-    """The decoder of the run, where the program is a run's, in both number formats, on a `region`
-    of the array."""
+    """Yield the run's decoder in both number formats, on a `region` of the array.
+
+    Yields nothing if the program does not belong to a run."""
     if bench.request.run is None:
         return
     import torch
@@ -179,7 +187,7 @@ def _of_run(
 
 
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
-    """The rows and columns of the largest middle part of which a clip is decoded."""
+    """Return the rows and columns of the largest middle part of the array that is decoded."""
     side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
     region = []
     for length in shape[-2:]:

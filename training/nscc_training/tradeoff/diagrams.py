@@ -1,4 +1,4 @@
-"""The pictures of what time and slots buy."""
+"""Diagrams of tradeoffs."""
 
 from __future__ import annotations
 
@@ -17,11 +17,12 @@ if TYPE_CHECKING:
     from nscc_training.tradeoff.sensor import SensorStudyResult
 
 TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
-"""What the units of a decoder's points are called."""
+"""Axis titles of the units of a decoder's points."""
 
 
 def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figure:
-    """For each case, and each of TITLES, error against time of one scene, a line a decoder."""
+    """Draw PSNR and SSIM against the time of one scene, a panel for each case, a line for each
+    decoder."""
     panels = [
         Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(points, key=lambda point: point.case)
@@ -37,12 +38,13 @@ def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figur
 
 
 def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure:
-    """PSNR against the shortest slot, or against slots of `slot_us`: stills apart from clips."""
+    """Draw PSNR against the shortest slot, or at slots of `slot_us`, with stills apart from
+    clips."""
 
     def names(point: Point) -> tuple[str, str]:
-        """Panel and line: stills have one class; clips have a panel for each way to compile."""
+        """Return the panel and line of a point."""
         shutters, _, way = point.method.partition(", ")
-        if not way:  # pixels that look have one way to compile, and their exposures for a number
+        if not way:  # pixels that look have one lowering; their number is the number of exposures
             return ("stills, pixels that look", shutters.partition("-")[0])
         return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
 
@@ -64,8 +66,9 @@ def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure
 
 
 def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
-    """Return every point of every stage on one axis of error and one of time, a line a stage, whose
-    name says which setting is advised; the point of that setting is marked."""
+    """Draw the points of all stages on one error axis and one time axis, one line for each stage.
+
+    The name of a line contains the recommended setting, whose point is marked."""
     advised = {id(advice.point) for advice in joint.advice}
     names = {
         advice.stage: f"{advice.stage}: {', '.join(filter(None, (point.method, point.setting)))}"

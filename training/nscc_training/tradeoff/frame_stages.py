@@ -1,4 +1,4 @@
-"""What follows the words: how truly a frame is emulated, and what is made of it."""
+"""The emulation stage: error against the reference for plans of several tolerances."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ from nscc_training.tradeoff.stages import PERCENT, StageResult
 Values = NDArray[np.float64]
 
 PARTS = (0.1, 0.3, 1.0, 3.0)
-"""Tolerances of plans, as parts of the target."""
+"""Tolerances of plans, as fractions of the target error."""
 COMPARED = 1 << 20
-"""Slots x pixels that the reference makes, in bands of rows."""
+"""Most slots times pixels that the reference simulates, in bands of rows."""
 
 
 def effects(bench: Bench) -> StageResult:
-    """Plans of several tolerances, every effect, and the reference: seconds to emulate a frame.
+    """Measure plans of several tolerances, all effects, and the reference: seconds to emulate a
+    frame.
 
-    Errors are from the reference with the same draws. Raises Rejected (NS0750) for a chip that is
-    sent planes, of which nothing is approximated.
-    """
+    Errors are differences from the reference with the same random numbers. Raises Rejected (NS0750)
+    for a chip that receives bit planes, whose simulation has no approximations."""
     container, request = bench.container, bench.request
     if container.target.streamed:
         raise planless("comparing tolerances")
@@ -49,8 +49,8 @@ def effects(bench: Bench) -> StageResult:
 
     def measured(chosen: str, tolerance: str) -> dict[str, Any]:
         def emulated() -> tuple[Frame, float]:
-            """A frame, and the milliseconds of its plan."""
-            # A scene that nothing has been found out about yet: its sums are part of a frame.
+            """Return a frame, and the milliseconds of its plan."""
+            # A scene without stored sums: computing them is part of the frame's time.
             begin, light = perf_counter(), unknown(bench.light)
             planning = planning_of(container, bench.sensor, light, request.device_seed)
             plan = make_plan(planning, PlanRequest(selected(chosen), tolerance))
@@ -78,8 +78,8 @@ def effects(bench: Bench) -> StageResult:
 
 
 def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
-    """PARTS of the target, and what is to be said of those that are beyond what a tolerance can be:
-    the least or the most that there is stands for them."""
+    """Return PARTS of the target error as tolerances, limited to the allowed range, and notes on
+    limits."""
     target = bench.target
     tolerances, notes = dict[str, None](), list[str]()
     for share in PARTS:
@@ -94,7 +94,7 @@ def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
 
 
 class _Truth:
-    """A frame of the reference, or bands of its rows; made when it is first asked for."""
+    """A frame of the reference, or bands of its rows; computed when first needed."""
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -108,12 +108,12 @@ class _Truth:
 
     @property
     def took_ms(self) -> float:
-        """How long the whole frame takes."""
+        """The time of the whole frame in milliseconds."""
         return self._frame[3] / self.share
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader has to know."""
+        """Notes for the reader."""
         if self.share == 1:
             return ()
         return (
@@ -122,7 +122,8 @@ class _Truth:
         )
 
     def percent(self, frame: Frame) -> float:
-        """The error of a frame, where both end in the same states."""
+        """Return the error of a frame in percent, over pixels that end in the same states
+        in both."""
         exposure_e, valid, opened, _ = self._frame
         counted = valid & frame.valid[:, self._rows]
         if opened is not None:

@@ -1,4 +1,4 @@
-"""Which setting for an error of 1 %? One program on one scene, stage by stage."""
+"""The joint tradeoff: for one program on one scene, the setting of each stage for a given error."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from nscc_training.tradeoff.frame_stages import effects
 from nscc_training.tradeoff.stages import StageResult, misfit
 
 NEAR = 1.05
-"""Where no setting is within the target, the fastest one of at most so many times the least error
-is advised."""
+"""If no setting reaches the target, settings within this factor of the least error are
+candidates."""
 
 STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
     "compile": ("to compile", "the chip's frame", compiling),
@@ -26,13 +26,15 @@ STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
     "effects": ("to emulate a frame", "from the reference, same draws", effects),
     "decoder": ("to decode a frame", "from the scene's light", decoding),
 }
-"""By name: what the time is of, what the error is of, and what measures it."""
+"""Stages by name: what their time measures, what their error measures, and the function."""
 
 
 @dataclass(frozen=True)
 class Advice:
-    """A stage's best setting: the fastest within the target, or else the fastest near the least
-    error; None where nothing could be measured."""
+    """The recommended setting of a stage.
+
+    It is the fastest within the target, otherwise the fastest near the least error. `point` is None
+    if nothing could be measured."""
 
     stage: str
     point: Point | None
@@ -41,13 +43,12 @@ class Advice:
 
 @dataclass(frozen=True)
 class Joint:
-    """All stages: their points, what could not be measured, and why, and what is advised.
+    """The results of all stages: points, settings that could not be measured, and recommendations.
 
-    Errors are percent of the mean signal, root mean squares. `target`: as it was asked for;
-    `stages` were measured; `target_percent`, `shot_percent`: what it is of the signal, and what the
-    light's own noise is;
-    `largest`: the effects that the chip's frame is furthest off by.
-    """
+    Errors are root mean squares in percent of the mean signal. `target` is the requested error and
+    `target_percent` its value in percent of the signal. `stages` were measured. `shot_percent` is
+    the light's own shot noise. `largest` are the effects with the largest errors in the chip's
+    frame."""
 
     program: str
     scene: str
@@ -63,7 +64,7 @@ class Joint:
 
     @property
     def advice(self) -> tuple[Advice, ...]:
-        """A setting for each stage."""
+        """The recommended setting of each stage."""
         return tuple(
             advised(stage, [p for p in self.points if p.case == stage], self.target_percent)
             for stage in self.stages
@@ -71,7 +72,7 @@ class Joint:
 
 
 Progress = Callable[[Sequence[str]], Iterable[str]]
-"""Hands the stages' names on one by one, and may show how far that is."""
+"""A function that yields the stages' names and may show progress."""
 
 
 def measure(
@@ -80,11 +81,10 @@ def measure(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = iter,
 ) -> Joint:
-    """Measures the stages that are asked for.
+    """Measure the requested stages.
 
-    Raises Rejected for a program, scene or target that is none, before anything is timed; a
-    setting, or a stage, that cannot be had is a misfit with its reason.
-    """
+    Raises Rejected for an invalid program, scene or target, before anything is timed. A setting or
+    stage that cannot be measured is recorded with its reason."""
     bench = Bench(request, rows or Rows(), warn)
     target = bench.target
     points: list[Point] = []
@@ -107,7 +107,7 @@ def measure(
 
 
 def advised(stage: str, points: Sequence[Point], target_percent: float) -> Advice:
-    """What to take of a stage's points."""
+    """Return the recommended point of a stage."""
     if not points:
         return Advice(stage, None, reached=False)
     within = [point for point in points if point.error <= target_percent]
@@ -118,7 +118,7 @@ def advised(stage: str, points: Sequence[Point], target_percent: float) -> Advic
 
 
 def joint_text(joint: Joint) -> str:
-    """The answer for a reader, then every point of every stage."""
+    """Return the recommendations as text, then all points of all stages."""
     head = (
         f"{joint.program} on {joint.scene}: {joint.target} is {joint.target_percent:.3g} % of the "
         f"mean signal, {joint.signal_e:.4g} e; the light's own noise is {joint.shot_percent:.3g} %"
@@ -152,7 +152,7 @@ def joint_text(joint: Joint) -> str:
 
 
 def si_seconds(time_ms: float) -> str:
-    """A time with three digits in the unit that suits it: 2.5 us, 31 ms, 1.2 s."""
+    """Return a time with three digits in a suitable unit: 2.5 us, 31 ms, 1.2 s."""
     time_ms = float(f"{time_ms:.3g}")
     steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
     unit, factor = next(

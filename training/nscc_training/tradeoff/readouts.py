@@ -1,4 +1,4 @@
-"""PSNR against readout time: clips in one to four readouts of one exposure, and in bursts."""
+"""Measurement of PSNR against readout time: clips in one to four readouts, and in bursts."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from nscc_training.metrics import finite_mean
 from nscc_training.tradeoff.sensor import SensorBench, SensorStudySettings
 
 SLOTS, SLOT_US = 16, 125.0
-"""Of the programs that come with nscc."""
+"""Number and length in microseconds of the slots of the shipped programs."""
 Progress = Callable[[Sequence[tuple[str, int]]], Iterable[tuple[str, int]]]
 
 
@@ -41,12 +41,12 @@ def measure_readouts(
     progress: Progress = iter,
     rows: Rows | None = None,
 ) -> tuple[tuple[Point, ...], tuple[Refused, ...]]:
-    """Return the points of coded readouts and of bursts of so many ordinary frames, and what does
-    not fit the target.
+    """Return the points of coded readouts and of bursts, and the settings that do not fit the
+    target.
 
-    The time of a point is that of its readouts. Coded readouts are decoded by the decoder for any
-    code; every frame of a burst is shown for as long as it was open.
-    """
+    `counts` are numbers of readouts, and of ordinary frames in a burst. The time of a point is the
+    time of its readouts. Coded readouts are decoded by the decoder for any code; every frame of a
+    burst is shown for as long as it was open."""
     target = load_target(settings.target, Path())
     bench = SensorBench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
     points: list[Point] = []
@@ -62,7 +62,7 @@ def measure_readouts(
 
 
 def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
-    """Return the fields of a Point, or of Refused."""
+    """Return the fields of a Point, or of a Refused."""
     settings = bench.settings
     try:
         if method == "burst":
@@ -70,7 +70,7 @@ def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
         else:
             options = Options(level=settings.level, target=settings.target)
             coded = compile_file(examples()[CLIPS[count]], options).container
-            assert coded is not None  # what does not fit is rejected
+            assert coded is not None  # programs that do not fit are rejected
             container = coded
     except Rejected as error:
         first = error.diagnostics[0]
@@ -93,7 +93,7 @@ def _clip(
     bench: SensorBench,
     number_of_scene: int,
 ) -> NDArray[np.float64]:
-    """Return what is decoded of a scene's light, electrons in each of its frames."""
+    """Return the reconstruction of a scene's light, in electrons in each of its frames."""
     light = Light.of_clip(light_e.astype(np.float32))
     seed = bench.settings.seed
     request = Request.of(
@@ -110,7 +110,7 @@ def _clip(
 
 
 def _shown(coded: CodedFrame) -> NDArray[np.float64]:
-    """Return the frames of a burst, each for as long as it was open."""
+    """Return a clip of the frames of a burst, each shown for as long as it was open."""
     slots = coded.opened[0].sum(axis=-1)
     light = coded.value_e / slots[:, None, None]
     return np.repeat(np.asarray(light, np.float64), slots, axis=0)

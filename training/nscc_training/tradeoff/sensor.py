@@ -1,4 +1,4 @@
-"""PSNR against the shortest slot: what a shutter class is worth, and what its words take."""
+"""Measurement of PSNR against the shortest slot, for shutter classes."""
 
 from __future__ import annotations
 
@@ -47,20 +47,20 @@ from nscc_training.sensor_model import SensorModel
 _LONG_US = 1000.0
 _ITERATIONS = 20
 _TICK_US = 0.01
-"""Slots are whole numbers of these: programs are for readers."""
+"""Slot lengths are multiples of this, so that programs are readable."""
 
 
 @dataclass(frozen=True)
 class SensorStudySettings:
-    """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills, and for
-    these pixels that look, with so many exposures (`looks`).
+    """The settings of the measurement of shutters on a chip.
 
-    A clip has `frames`, a multiple of all `slots`; None: the most of them. `slot_us` is what
-    captures are made at, None for the shortest slot of each configuration. `sensor` is a file, by
-    default that of every default, and `changes` are NAME=VALUE on top of it. Codes begin as `init`
-    on a `tile`; None: random ones for clips, 2 x 2 stops for stills. Class c is open for `length`
-    slots, None: a quarter of the frame; a codebook has `rows`.
-    """
+    Clips are captured with `classes` in `slots`; stills with class b in `stop_slots`, and with
+    pixels that look and have `looks` exposures. A clip has `frames`, a multiple of all `slots`;
+    None uses the largest of `slots`. Captures use slots of `slot_us`; None uses the shortest slot
+    of each configuration. `sensor` is a sensor file, None for the default sensor; `changes` are
+    NAME=VALUE. Codes start as `init` on a `tile`; None uses random codes for clips and 2 x 2 stops
+    for stills. Class c is open for `length` slots, None for a quarter of the frame; a codebook has
+    `rows`."""
 
     classes: tuple[str, ...]
     slots: tuple[int, ...]
@@ -86,8 +86,10 @@ class SensorStudySettings:
 
 @dataclass(frozen=True)
 class Configuration:
-    """One shutter, one way to compile it; `exposures` are those of a pixel that looks. Programs of
-    pixels that look have one code and one lowering."""
+    """A shutter class with a number of slots, compiled in one way.
+
+    `exposures` is the number of exposures of a pixel that looks, else None. Programs of pixels that
+    look have one code and one lowering."""
 
     kind: Kind
     shutters: str
@@ -98,7 +100,7 @@ class Configuration:
 
     @property
     def method(self) -> str:
-        """What stands in the tables."""
+        """The name of the configuration in tables."""
         if self.exposures is not None:
             return f"{self.shutters}-{self.exposures}"
         return f"{self.shutters}, {self.codes} codes, {self.lowering}"
@@ -106,7 +108,7 @@ class Configuration:
 
 @dataclass(frozen=True)
 class SensorStudyResult:
-    """Points and what does not fit, in the order of the configurations."""
+    """Measured points and refused configurations, in the order of the configurations."""
 
     points: tuple[Point, ...]
     refused: tuple[Refused, ...]
@@ -117,7 +119,7 @@ Progress = Callable[[Sequence[Configuration]], Iterable[Configuration]]
 
 
 def configurations(settings: SensorStudySettings) -> list[Configuration]:
-    """Return every class, number of slots, way to take codes, and lowering."""
+    """Return all combinations of class, number of slots, kind of codes, and lowering."""
     kinds = ("clips", "stills") if settings.data is None else kinds_in(settings.data)
     shapes: list[tuple[Kind, str, int]] = []
     if "clips" in kinds:
@@ -145,9 +147,10 @@ def configurations(settings: SensorStudySettings) -> list[Configuration]:
 def measure(
     settings: SensorStudySettings, progress: Progress = iter, rows: Rows | None = None
 ) -> SensorStudyResult:
-    """Compile each configuration, and capture and decode the scenes with its words. The time of a
-    point is the shortest slot. What `rows` knows is not measured again. Raises Rejected for data
-    that does not serve, and for a target that does not exist."""
+    """Compile each configuration, capture the scenes with its words, and decode them.
+
+    The time of a point is the shortest slot. Measurements in `rows` are reused. Raises Rejected for
+    unsuitable data and for an unknown target."""
     target = load_target(settings.target, Path())
     todo = configurations(settings)
     benches = {
@@ -168,7 +171,7 @@ def measure(
 
 
 def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
-    """Return the fields of a configuration's Point, or of what Refused says of it."""
+    """Return the fields of a configuration's Point, or of its Refused."""
     setting = f"{configuration.slots} slots"
     shutters = (
         _encoder(configuration, bench.settings)
@@ -201,8 +204,9 @@ def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
 def compiled_for(
     configuration: Configuration, shutters: Encoder | LookSchedule, bench: SensorBench
 ) -> Compiled | Diagnostic:
-    """Return the configuration compiled for the slots that it is captured with, or why not. Words
-    do not depend on the slot's length but for refresh, which shorter slots need less of."""
+    """Return the configuration compiled for its capture slots, or the message if it does not fit.
+
+    Words depend on the slot length only through refresh, which shorter slots need less often."""
     settings = bench.settings
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:
@@ -227,7 +231,7 @@ def compiled_for(
 
 
 def _encoder(configuration: Configuration, settings: SensorStudySettings) -> Encoder:
-    """Return the codes that a configuration is captured with."""
+    """Return an encoder with the codes of a configuration."""
     tile, start = ((2, 2), "quad") if configuration.kind == "stills" else ((8, 8), "random")
     length = settings.length or max(1, configuration.slots // 4)
     spec = ShutterSpec(
@@ -240,7 +244,7 @@ def _encoder(configuration: Configuration, settings: SensorStudySettings) -> Enc
 
 @dataclass(frozen=True, eq=False)
 class SensorBench:
-    """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
+    """Scenes of one kind, captured with one sensor; `known` caches scores of captures."""
 
     scenes: tuple[ProtocolScene, ...]
     target: Target
@@ -251,7 +255,7 @@ class SensorBench:
 
     @classmethod
     def of(cls, kind: Kind, target: Target, settings: SensorStudySettings) -> SensorBench:
-        """Return the scenes of a kind, as large as the target's array."""
+        """Return the scenes of a kind, at the size of the target's array."""
         sensor = load_sensor(target, settings.sensor, settings.changes)
         size, frames = (
             max(target.rows, target.cols), settings.frames or max(settings.slots, default=1)
@@ -264,7 +268,8 @@ class SensorBench:
         return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
     def schedule(self, configuration: Configuration) -> LookSchedule:
-        """Return where pixels look: a row of hdr-v1, or designed for the scenes' light."""
+        """Return the looks of a configuration: those of a method of hdr-v1, or designed for the
+        scenes."""
         assert configuration.exposures is not None
         if configuration.shutters == "looks":
             return row_of(configuration.method, self.target)
@@ -273,7 +278,7 @@ class SensorBench:
         return LookModel(chip, lights, [1.0] * SLOTS).best(configuration.exposures - 1, "linear")
 
     def psnr_db(self, container: Container, shutters: Encoder | LookSchedule) -> float:
-        """Return the mean over the scenes, by a decoder that needs no training."""
+        """Return the PSNR, averaged over scenes, of a decoder that needs no training."""
         seed = self.settings.seed
         score = self._looked_db if isinstance(shutters, LookSchedule) else partial(
             self._decoded_db, shutters)  # fmt: skip
@@ -309,7 +314,7 @@ class SensorBench:
 
 
 def _light(scene: ProtocolScene, slots: int) -> Light:
-    """Return a scene's light in so many slots, which last as long as all of its frames."""
+    """Return a scene's light in `slots` slots, which together last as long as all its frames."""
     if scene.light_e.ndim == 2:
         return Light.of_still(scene.light_e.astype(np.float32), np.full(slots, 1.0 / slots))
     frames, rows, cols = scene.light_e.shape
@@ -318,7 +323,7 @@ def _light(scene: ProtocolScene, slots: int) -> Light:
 
 
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
-    """Return what does not fit, those together that have one reason."""
+    """Return the refused configurations as lines, grouped by reason."""
     together: dict[tuple[str, str], list[str]] = {}
     for refusal in refused:
         name = f"{refusal.case}, {refusal.method}, {refusal.setting}"

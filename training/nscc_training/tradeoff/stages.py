@@ -1,4 +1,4 @@
-"""What a stage of the joint tradeoff gives."""
+"""The result of a stage of the joint tradeoff."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from nscc.requirements import line_for
 from nscc.tradeoff.points import Point, Refused
 
 PERCENT = "percent"
-"""The unit of all errors: of the mean signal."""
+"""The unit of all errors: percent of the mean signal."""
 
 
 def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError) -> Refused:
-    """Return the refusal of a setting, or with "" of a whole stage, that a message tells of."""
+    """Return the refusal of a setting, or of a whole stage (setting ""), with the message's
+    reason."""
     if isinstance(why, ModuleNotFoundError):
         name = why.name or "a package"
         return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")
@@ -23,7 +24,7 @@ def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFound
 
 @dataclass(frozen=True)
 class StageResult:
-    """A stage's points, what of it cannot be had, and what a reader has to know of its numbers."""
+    """A stage's points, the settings that could not be measured, and notes on its numbers."""
 
     points: tuple[Point, ...]
     misfits: tuple[Refused, ...] = ()

@@ -1,0 +1,54 @@
+"""Arrays in bytes, as container files and assembly texts store them: little endian, without gaps.
+
+Booleans are packed, eight a byte, lowest bit first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import prod
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class StoredArray(NamedTuple):
+    """The name, the type and the shape of an array."""
+
+    name: str
+    dtype: str
+    shape: tuple[int, ...]
+
+    @property
+    def nbytes(self) -> int:
+        items = prod(self.shape)
+        return (items + 7) // 8 if self.dtype == "?" else items * np.dtype(self.dtype).itemsize
+
+
+def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:
+    """The bytes of each array."""
+    return [
+        np.packbits(arrays[name], axis=None, bitorder="little").tobytes()
+        if dtype == "?"
+        else arrays[name].astype(dtype, copy=False).tobytes()
+        for name, dtype, _ in layout
+    ]
+
+
+def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str, NDArray[Any]]:
+    """The arrays by name, from byte `start` on. ValueError unless they take all of `data`."""
+    need = start + sum(array.nbytes for array in layout)
+    if need != len(data):
+        raise ValueError(f"its arrays need {need} bytes and it has {len(data)}")
+    arrays: dict[str, NDArray[Any]] = {}
+    for array in layout:
+        raw = np.frombuffer(data, np.uint8, array.nbytes, start)
+        start += array.nbytes
+        if array.dtype == "?":
+            bits = np.unpackbits(raw, count=prod(array.shape), bitorder="little")
+            values: NDArray[Any] = bits.view(np.bool_)
+        else:
+            values = raw.view(array.dtype).astype(np.dtype(array.dtype).newbyteorder("="))
+        arrays[array.name] = values.reshape(array.shape)
+    return arrays

@@ -1,0 +1,151 @@
+"""Texts on a run: its frames in a few lines, light that lowered reset levels, and plans that exceed
+their tolerance."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
+from nscc.words.pictures import Pictures
+from nscc_runtime.effects import marks
+from nscc_runtime.frame_file import Frame
+
+if TYPE_CHECKING:
+    from nscc_runtime.planning.audit import Audit
+    from nscc_runtime.planning.plan import Plan
+
+
+def eaten(frame: Frame) -> Diagnostic | None:
+    """Return the warning that light lowered reset levels (black suns); None without such pixels."""
+    bit, marked = marks()["level"].bit, frame.saturated_by
+    pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
+    count = int(np.count_nonzero(pixels))
+    if not count:
+        return None
+    affected = "pixel reads less than it" if count == 1 else "pixels read less than they"
+    return Diagnostic(
+        "NS0793",
+        f"{count} {affected} received, possibly 0: light had filled PIX before the reset level "
+        "was read",
+        severity=Severity.WARNING,
+        notes=(f"black suns are {count / pixels.size:.2%} of the pixels",),
+        helps=("saturated_by has bit 16 there; less light reduces their number",),
+        data={"pixels": count},
+    )
+
+
+def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
+    """Return the warning that forced effects, or the given plan, exceed the tolerance."""
+    forced = [
+        decision.name
+        for decision in plan.decisions
+        if decision.forced and decision.decision == "dropped"
+    ]
+    why = (
+        "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
+    )
+    return Diagnostic(
+        "NS0749",
+        breach,
+        severity=Severity.WARNING,
+        notes=(why,),
+        helps=(_instead(plan_given),),
+        data={
+            "predicted_e": plan.predicted_e,
+            "tolerance_e": plan.tolerance_e,
+            "other_states": plan.other_states,
+        },
+    )
+
+
+def _instead(plan_given: bool) -> str:
+    return (
+        "make a new plan for this scene"
+        if plan_given
+        else "let the planner decide on these effects"
+    )
+
+
+def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
+    """Return the error (status 1) for an audit whose error exceeds the promise."""
+    if plan.breach is not None:
+        advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
+    else:
+        advice = (
+            "use --fidelity reference for this scene; a plan that predicts an error within "
+            "the tolerance should not fail: please report it"
+        )
+    return rejected(
+        "NS0749",
+        report.breach(plan) or "the promise is broken",
+        notes=(
+            "its error was not measured before"
+            if plan.predicted_e is None
+            else f"predicted were {plan.predicted_e:.3g} e",
+        ),
+        helps=(advice,),
+        data={
+            "measured_rms_e": report.measured_rms_e,
+            "tolerance_e": plan.tolerance_e,
+            "other_states": report.other_states,
+        },
+        status=1,
+    )
+
+
+def frame_lines(container: Container, frame: Frame) -> list[str]:
+    """Return a summary of a frame, one line per bucket; of the first frame of repeats."""
+    width = max((len(name) for name in container.buckets_read), default=0)
+    lines, first = [], frame.first
+    for b, name in enumerate(container.buckets_read):
+        values = first.exposure_e[b][first.valid[b]]
+        invalid = first.valid[b].size - values.size
+        text = f"{name:<{width}}  {saturation_text(first.saturated_by[b])}"
+        if values.size:
+            text += f", electrons {values.min():.6g} to {values.max():.6g}"
+            text += f", mean {values.mean():.6g}"
+        lines.append(text + (f", {invalid} invalid" if invalid else ""))
+    if container.pictures is not None:
+        lines += picture_lines(container.pictures, first)
+    return lines
+
+
+def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
+    """Return a summary of the images, planes and reports of a frame, one line each."""
+    told_arrays, lines = frame.told, []
+    for name in pictures.reads:
+        if f"image_{name}" in told_arrays:
+            values, by = told_arrays[f"image_{name}"], told_arrays[f"image_saturated_by_{name}"]
+            text = f"electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
+            lines.append(f"image {name}  {np.count_nonzero(by)} of {by.size} pixels marked, {text}")
+        elif f"plane_{name}" in told_arrays:
+            bits = told_arrays[f"plane_{name}"]
+            lines.append(f"plane {name}  {np.count_nonzero(bits)} of {bits.size} pixels are 1")
+    for report in pictures.reports:
+        key = f"report_{report.kind}_{report.plane}"
+        value = told_arrays[key]
+        if report.kind == "any":
+            text = "yes" if value else "no"
+        elif report.kind == "box":
+            least_x, top, right, bottom = value.tolist()
+            text = "empty" if least_x < 0 else f"x {least_x} to {right}, y {top} to {bottom}"
+        else:
+            overflow_note = ", and there are more" if told_arrays[f"{key}_overflow"] else ""
+            text = f"{told_arrays[f'{key}_count']} coordinates{overflow_note}"
+        lines.append(f"report {report.kind} {report.plane}  {text}")
+    margin = np.count_nonzero(told_arrays["margin"])
+    lines.append(f"margin  {margin} pixels depend on what is beyond the array")
+    return lines
+
+
+def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
+    """Return a text with the number of saturated pixels of an array, and the causes."""
+    text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
+    counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
+    named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
+    return f"{text} ({named})" if named else text
