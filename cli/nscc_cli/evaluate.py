@@ -82,10 +82,11 @@ def sci8(
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
-@click.option("--data", type=PATH, metavar="DIR", help="The folder of scenes.")
+@click.option("--data", type=PATH, metavar="DIR",
+              help="The folder of scenes; for class-v1 also `procedural`.")  # fmt: skip
 @click.option("--protocol", type=PROTOCOL, metavar="P",
               help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, "
-              "codes-v1.")  # fmt: skip
+              "codes-v1, class-v1.")  # fmt: skip
 @click.option("--split", type=click.Choice(["val"]), metavar="val",
               help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
                    "in its metrics.csv.")  # fmt: skip
@@ -119,7 +120,8 @@ def of(
     crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
     bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
     Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
-    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any.
+    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any. class-v1 scores runs that
+    name classes.
     """
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")

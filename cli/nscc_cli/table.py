@@ -28,6 +28,7 @@ COMMANDS = {
     "sweep": "Compute every point of a grid, on many processors.",
     "train": "Learn shutters together with a decoder.",
     "reconstruct": "Make a picture or a clip of a frame.",
+    "classify": "Name the class of a frame's scene.",
     "metrics": "Compare a reconstruction with the truth.",
     "evaluate": "Score reconstructions under a protocol.",
     "doctor": "Report on this installation.",

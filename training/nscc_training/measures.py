@@ -21,6 +21,9 @@ NITS = 1000.0
 LARGEST = 1e60
 """Largest data range and value; data ranges have its inverse as lower limit. Fourth powers of such
 numbers fit float64."""
+METRIC_NAMES = {"psnr_db": "PSNR in dB", "ssim": "SSIM", "correct": "share of right classes"}
+"""Names of the metrics of runs."""
+_METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1%} correct"}
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
@@ -97,6 +100,16 @@ def decibels(value: float) -> float | str:
 def number(value: float | str) -> float:
     """Return the dB of a value of `decibels`."""
     return float(np.inf) if value == "inf" else float(value)
+
+
+def score_text(metric: str, value: float | str) -> str:
+    """Return the value of a run's metric with its unit."""
+    return _METRIC_TEXTS[metric].format(number(value))
+
+
+def means_text(means: Mapping[str, float | str]) -> str:
+    """Return the metrics of a run as a text, such as "30.12 dB, SSIM 0.9123"."""
+    return ", ".join(score_text(metric, value) for metric, value in means.items())
 
 
 def measure_files(

@@ -175,7 +175,14 @@ class DataSettings:
     val: str = key(
         TextKind(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
     )
-    protocol: str = key(TextKind(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
+    protocol: str = key(
+        TextKind(NAMES), "stills (hdr-v1), clips, or classes of clips (class-v1)", "hdr-v1"
+    )
+    classes: tuple[str, ...] = key(
+        Several(TextKind()),
+        "with class-v1: the classes of clips, which are the names of their folders; empty: the "
+        "eight directions of procedural scenes", (),
+    )  # fmt: skip
     transfer: str = key(
         TextKind(("", "linear", "srgb")),
         "curve of clips: linear or srgb; empty: as the protocol says", "",
@@ -208,8 +215,9 @@ class LossSettings:
 
     name: str = key(
         TextKind(),
-        "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, a "
-        "custom loss as module:name, or a sum of losses joined by +", "mu-law",
+        "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, "
+        "class (cross-entropy, with the protocol class-v1), a custom loss as module:name, or a "
+        "sum of losses joined by +", "mu-law",
     )  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -42,18 +43,22 @@ class Batch:
         (batch,): the truth that metrics and losses count as 1.
     names : tuple of str
         The scenes and places of the patches.
+    classes : Tensor, optional
+        (batch, classes): 1 for the class of a patch, else 0.
     """
 
     light: Tensor
     truth: Tensor
     peak: Tensor
     names: tuple[str, ...]
+    classes: Tensor | None = None
 
     def patches(self, first: int, last: int) -> Batch:
         """Return the patches from `first` up to `last`."""
         cut = slice(first, last)
         return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
-                       names=self.names[cut])  # fmt: skip
+                       names=self.names[cut],
+                       classes=None if self.classes is None else self.classes[cut])  # fmt: skip
 
     @cached_property
     def goal(self) -> Tensor:
@@ -77,7 +82,8 @@ class Exposures(NamedTuple):
     `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is rotated by
     `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
     power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
-    exposure `source[k]` at `corner[k]` (row, column).
+    exposure `source[k]` at `corner[k]` (row, column). Exposure e is of class i if `classes[e, i]`
+    is 1.
     """
 
     light: Tensor
@@ -89,14 +95,16 @@ class Exposures(NamedTuple):
     source: Tensor
     corner: Tensor
     names: tuple[str, ...]
+    classes: Tensor | None = None
 
 
 class ExposureSet(Dataset[Exposures]):
     """The exposures of a run by step."""
 
     def __init__(
-        self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int
-    ) -> None:
+        self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int,
+        classes: Sequence[str] = (),
+    ) -> None:  # fmt: skip
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
@@ -104,15 +112,19 @@ class ExposureSet(Dataset[Exposures]):
         self.side = min(wanted_side, *(side for light in self.lights for side in light.shape[-2:]))
         grey = load_protocol(settings.protocol).mid_grey_e is not None
         self._lit = 0.5 if grey else 0.01
+        self._classes = torch.tensor(
+            [[float(scene.label == name) for name in classes] for scene in scenes.train]
+        )
 
     def __getitem__(self, step: int) -> Exposures:
         lights: list[Tensor] = []
         draws: list[tuple[float, float, int, bool, bool]] = []
         source: list[int] = []
-        corners, names = [], []
+        corners, names, drawn_scenes = [], [], []
         for place in range(0, self.batch, self.settings.together):
             generator = np.random.default_rng([self.seed, 4, step, place])
             scene = int(generator.integers(len(self.lights)))
+            drawn_scenes.append(scene)
             light, lit, place_text = self._surroundings(scene, generator)
             turned, flipped, reversed_, power = 0, False, False, 1.0
             if self.settings.augment:
@@ -137,6 +149,7 @@ class ExposureSet(Dataset[Exposures]):
         return Exposures(
             torch.stack(lights), share, contrast, turns, mirrored, backwards,
             torch.tensor(source), torch.from_numpy(np.concatenate(corners)), tuple(names),
+            self._classes[drawn_scenes] if self._classes.numel() else None,
         )  # fmt: skip
 
     def _surroundings(
@@ -166,8 +179,9 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
               ) -> Batch:  # fmt: skip
     """Return the patches of a batch, exposed, cut and augmented on a device."""
     light, share, contrast, turns, mirrored, backwards, source, corner = (
-        tensor.to(device, non_blocking=True) for tensor in drawn[:-1]
+        tensor.to(device, non_blocking=True) for tensor in drawn[:8]
     )
+    classes = None if drawn.classes is None else drawn.classes.to(device)[source]
     still = light.ndim == 3
     slots = 1 if still else light.shape[1]
     grey_e = load_protocol(settings.protocol).mid_grey_e
@@ -190,7 +204,8 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
         values = values.clamp(min=1e-20) ** power
     exposed = values * scale[source].reshape(wide).to(values.dtype)
     peak = (white * scale * (slots / full_well_e)).clamp(min=1e-6)[source]
-    return Batch(exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names)
+    return Batch(exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names,
+                 classes)  # fmt: skip
 
 
 def _cut(

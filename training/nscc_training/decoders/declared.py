@@ -14,7 +14,8 @@ SIZES = ("paper", "small")
 @dataclass(frozen=True)
 class DecoderTask:
     """The task of a decoder. `kind` is "still" or "clip", of `slots` slots, coded by a tile (rows,
-    cols) in one or two `buckets`. `sees_code`: the network gets the shutters as input. `guess`: a
+    cols) in one or two `buckets`. With `classes`, the decoder names the class of a clip.
+    `sees_code`: the network gets the shutters as input. `guess`: a
     U-Net starts from a first guess (None: depends on the size)."""
 
     kind: str
@@ -23,6 +24,7 @@ class DecoderTask:
     sees_code: bool = True
     buckets: int = 1
     guess: bool | None = None
+    classes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -37,8 +39,8 @@ class Decoder:
         is loaded when the decoder is built.
     channels : mapping of str to tuple of int
         The channels of the layers, by size.
-    stills, clips : bool
-        Whether the decoder reconstructs stills, and clips.
+    stills, clips, classifies : bool
+        Whether the decoder reconstructs stills, and clips, or names the classes of clips.
     needs_code : str
         Why the decoder needs the shutter code as input; empty if it does not.
     any_code : bool
@@ -56,6 +58,7 @@ class Decoder:
     channels: Mapping[str, tuple[int, ...]]
     stills: bool = False
     clips: bool = True
+    classifies: bool = False
     needs_code: str = ""
     any_code: bool = True
     fixed_channels: bool = False
@@ -104,6 +107,14 @@ _OWN = (
         clips=False,
         fixed_channels=True,
         needs_code="divides by the open time of a code, so it needs the code",
+    ),
+    Decoder(
+        "classifier",
+        f"{_HERE}.classifier:classifier",
+        {"paper": (64, 128, 256), "small": (32, 48, 64)},
+        clips=False,
+        classifies=True,
+        two_buckets=True,
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )

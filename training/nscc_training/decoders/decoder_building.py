@@ -43,7 +43,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
     Notes
     -----
     The user's own code is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..), with
-    buckets=2 for two buckets.
+    buckets=2 for two buckets, and classes=COUNT for classes.
     """
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
@@ -54,10 +54,13 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
             raise ValueError(f"decoder.width applies only to nscc's own decoders, not to '{name}'")
         _check_guess(name, False, task)
         return _own_decoder(name, size, task)
-    if task.kind == "still" and not declared.stills:
-        raise ValueError(f"{name} reconstructs clips, not stills")
-    if task.kind != "still" and not declared.clips:
-        raise ValueError(f"{name} reconstructs stills, not clips")
+    abilities = {
+        "stills": declared.stills, "clips": declared.clips, "classes": declared.classifies
+    }  # fmt: skip
+    wanted = "classes" if task.classes else "stills" if task.kind == "still" else "clips"
+    if not abilities[wanted]:
+        decoded = " and ".join(kind for kind, able in abilities.items() if able)
+        raise ValueError(f"{name} decodes {decoded}, not {wanted}")
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
     if task.buckets > 1 and not declared.two_buckets:
@@ -103,6 +106,7 @@ def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.
 def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
     make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
     extra = {"buckets": task.buckets} if task.buckets > 1 else {}
+    extra |= {"classes": len(task.classes)} if task.classes else {}
     with own_code(name, "decoder"):
         network = make(
             size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code,
@@ -124,7 +128,9 @@ def _called(
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
-    if task.kind != "still":
+    if task.classes:
+        expected_shape = (len(frame), len(task.classes))
+    elif task.kind != "still":
         expected_shape = (expected_shape[0], task.slots, *expected_shape[1:])
     if not isinstance(output, Tensor):
         raise own_failed(name, "decoder", f"it returns a {type(output).__name__}, not a tensor")

@@ -81,7 +81,9 @@ def changes_of(shutters: Tensor) -> Tensor:
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
     """Return prediction and truth relative to the peak, as losses take them. As in metrics, light
-    above the peak counts as the peak wherever the truth exceeds it."""
+    above the peak counts as the peak wherever the truth exceeds it. Classes have no peak."""
+    if batch.classes is not None:
+        return prediction, batch.classes
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
     return torch.minimum(relative, batch.most), batch.goal
 
