@@ -52,6 +52,11 @@ class Protocol:
         return replace(self, values={**self.values, **values})
 
     @property
+    def light(self) -> float:
+        """The light of clips relative to a full well at their brightest percent, always open."""
+        return float(self.values.get("light", 1.0))
+
+    @property
     def mid_grey_e(self) -> float | None:
         """Electrons over the frame for the median of a scene, if the protocol fixes the
         illuminance. None if scenes are scaled to a full well. A lens of f-number A passes 1 / (4

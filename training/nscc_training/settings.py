@@ -105,9 +105,7 @@ class DecoderSettings:
         TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
     )
     size: str = key(TextKind(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
-    width: float = key(
-        Number(0.01, 1), "width of its layers, as a fraction of the size's width", 1.0
-    )
+    width: float = key(Number(0.01, 4), "factor on the width of the layers of its size", 1.0)
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
     guess: str = key(
         TextKind(("by size", "yes", "no")),
@@ -136,6 +134,12 @@ class DecoderSettings:
     exact: float = key(
         Number(0, 1), "the fraction of the remaining lessons `codes` without noise", 0.5
     )
+    still: float = key(Number(0, 1), "the fraction of clips in lessons in which nothing moves", 0.0)
+    searched: float = key(
+        Number(0, 1),
+        "the fraction of lessons with linear light and 16 frames whose code is the searched one",
+        0.0,
+    )  # fmt: skip
     stages: int = key(Integer(1, 64), "stages of a lesson", 8)
     through: int = key(
         Integer(1, 64), "number of stages that a gradient passes between two updates", 4
@@ -206,6 +210,11 @@ class DataSettings:
     saturated: tuple[float, ...] = key(
         Several(Number(0.001, 0.9), 2),
         "range of the fraction of a still's pixels that saturate when always open", (0.3, 0.3),
+    )  # fmt: skip
+    brightness: tuple[float, ...] = key(
+        Several(Number(1e-3, 1e3), 2),
+        "range of a factor on the light of each exposure, drawn uniformly in the logarithm",
+        (1.0, 1.0),
     )  # fmt: skip
 
 

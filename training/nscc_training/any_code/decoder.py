@@ -8,7 +8,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc_training.any_code.decode import shipped, white
-from nscc_training.any_code.network import ClipDenoiser
+from nscc_training.any_code.network import WIDTHS, ClipDenoiser
 from nscc_training.any_code.stages import led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.baselines.gap_tv import gap_tv_of
@@ -28,7 +28,8 @@ def any_code(channels: Sequence[int], task: DecoderTask, size: str) -> AnyCode:
 
 
 class AnyCode(nn.Module):
-    """`stages` of the data term and a denoiser, with the weights of nscc's to begin with.
+    """`stages` of the data term and a denoiser. It begins with the weights that come with nscc, of
+    other widths than theirs with random ones.
 
     Frames (batch, rows, cols), of two buckets (batch, 2, rows, cols), on 1 for a full well,
     saturated from there on; shutters (N, r, c), those of the first bucket, a tile. Gives light in
@@ -40,7 +41,8 @@ class AnyCode(nn.Module):
         super().__init__()
         self.still, self.stages = still, STILL_STAGES if still else stages
         self.denoiser = ClipDenoiser(tuple(channels))
-        self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
+        if self.denoiser.widths == WIDTHS:
+            self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
     def begin_anew(self) -> None:

@@ -81,9 +81,9 @@ class Exposures(NamedTuple):
 
     `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is rotated by
     `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
-    power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
-    exposure `source[k]` at `corner[k]` (row, column). Exposure e is of class i if `classes[e, i]`
-    is 1.
+    power `contrast`. The fraction `share` of a still's pixels saturates at `brightness` 1, which is
+    a factor on the light. Patch k is cut from exposure `source[k]` at `corner[k]` (row, column).
+    Exposure e is of class i if `classes[e, i]` is 1.
     """
 
     light: Tensor
@@ -94,6 +94,7 @@ class Exposures(NamedTuple):
     backwards: Tensor
     source: Tensor
     corner: Tensor
+    brightness: Tensor
     names: tuple[str, ...]
     classes: Tensor | None = None
 
@@ -118,7 +119,7 @@ class ExposureSet(Dataset[Exposures]):
 
     def __getitem__(self, step: int) -> Exposures:
         lights: list[Tensor] = []
-        draws: list[tuple[float, float, int, bool, bool]] = []
+        draws: list[tuple[float, float, int, bool, bool, float]] = []
         source: list[int] = []
         corners, names, drawn_scenes = [], [], []
         for place in range(0, self.batch, self.settings.together):
@@ -142,13 +143,17 @@ class ExposureSet(Dataset[Exposures]):
             ]
             corners.append(drawn)
             lights.append(torch.from_numpy(np.ascontiguousarray(light)))
-            draws.append((lit, power, turned, flipped, reversed_))
-        share, contrast, turns, mirrored, backwards = (
+            factor = 1.0
+            if self.settings.brightness != (1.0, 1.0):
+                factor = float(np.exp(generator.uniform(*np.log(self.settings.brightness))))
+            draws.append((lit, power, turned, flipped, reversed_, factor))
+        share, contrast, turns, mirrored, backwards, brightness = (
             torch.tensor(values) for values in zip(*draws, strict=True)
         )
         return Exposures(
             torch.stack(lights), share, contrast, turns, mirrored, backwards,
-            torch.tensor(source), torch.from_numpy(np.concatenate(corners)), tuple(names),
+            torch.tensor(source), torch.from_numpy(np.concatenate(corners)), brightness,
+            tuple(names),
             self._classes[drawn_scenes] if self._classes.numel() else None,
         )  # fmt: skip
 
@@ -178,13 +183,14 @@ class ExposureSet(Dataset[Exposures]):
 def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
               ) -> Batch:  # fmt: skip
     """Return the patches of a batch, exposed, cut and augmented on a device."""
-    light, share, contrast, turns, mirrored, backwards, source, corner = (
-        tensor.to(device, non_blocking=True) for tensor in drawn[:8]
+    light, share, contrast, turns, mirrored, backwards, source, corner, brightness = (
+        tensor.to(device, non_blocking=True) for tensor in drawn[:9]
     )
     classes = None if drawn.classes is None else drawn.classes.to(device)[source]
     still = light.ndim == 3
     slots = 1 if still else light.shape[1]
-    grey_e = load_protocol(settings.protocol).mid_grey_e
+    protocol = load_protocol(settings.protocol)
+    grey_e = protocol.mid_grey_e
     if still:
         levels, whites = (
             quantiles(light.flatten(1), level_share) for level_share in (1 - share, _WHITE)
@@ -196,7 +202,7 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
         level = level if grey_e is None else level * (full_well_e / grey_e)
         white = torch.ones_like(level)
     # A region without light is dark at any exposure.
-    scale = torch.where(level > 0, full_well_e / level, 0.0)
+    scale = torch.where(level > 0, full_well_e / level, 0.0) * brightness * protocol.light
     values = _cut(light, settings.patch, turns, mirrored, backwards, source, corner)
     wide = (-1,) + (1,) * (values.ndim - 1)
     if still:

@@ -15,6 +15,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.picture_files import PICTURES, read_picture, transfer_of
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb
+from nscc_training.scene_files import folders_of
 
 Picture = NDArray[np.uint8]
 Generator = np.random.Generator
@@ -162,10 +163,12 @@ def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np
 
 
 def pictures_below(folder: Path) -> list[Path]:
-    """Return the pictures in a folder and in folders below it. Rejected (NS0811) without any."""
-    files = sorted(
-        path for path in folder.rglob("*") if path.suffix.lower() in PICTURES and path.is_file()
-    )
+    """Return the pictures in a folder and in folders below it; `folder` may name several, as in
+    `folders_of`. Rejected (NS0811) without any."""
+    files = sorted({
+        path for place in folders_of(str(folder)) for path in place.rglob("*")
+        if path.suffix.lower() in PICTURES and path.is_file()
+    })  # fmt: skip
     if not files:
         raise rejected(
             "NS0811",

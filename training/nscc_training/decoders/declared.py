@@ -47,6 +47,8 @@ class Decoder:
         Whether it decodes codes that it was not trained with.
     fixed_channels : bool
         Whether its width is fixed: it starts from weights that come with nscc, or has no weights.
+    scales : bool
+        Whether it also has other widths, which start from random weights.
     guesses : bool
         Whether it can start from a first guess, or without.
     two_buckets : bool
@@ -62,6 +64,7 @@ class Decoder:
     needs_code: str = ""
     any_code: bool = True
     fixed_channels: bool = False
+    scales: bool = False
     guesses: bool = False
     two_buckets: bool = False
 
@@ -97,6 +100,7 @@ _OWN = (
         stills=True,
         needs_code="simulates the capture of a clip with its code, so it needs the code",
         fixed_channels=True,
+        scales=True,
         two_buckets=True,
     ),
     Decoder(
@@ -111,7 +115,7 @@ _OWN = (
     Decoder(
         "classifier",
         f"{_HERE}.classifier:classifier",
-        {"paper": (64, 128, 256), "small": (32, 48, 64)},
+        {"paper": (64, 128, 256), "small": (16, 32, 64)},
         clips=False,
         classifies=True,
         two_buckets=True,

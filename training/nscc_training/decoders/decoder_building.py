@@ -31,7 +31,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         One of `SIZES`.
     task : DecoderTask
     width : float
-        Factor up to 1 on the channels of all layers.
+        Factor on the channels of all layers.
 
     Raises
     ------
@@ -67,7 +67,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         takers = [decoder.name for decoder in DECODERS.values() if decoder.two_buckets]
         raise ValueError(f"{name} accepts one bucket; {', '.join(takers)} accept two")
     _check_guess(name, declared.guesses, task)
-    if declared.fixed_channels and width != 1:
+    if declared.fixed_channels and not declared.scales and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.fixed_channels or size != "small":
         return _built(declared, size, task, width)

@@ -152,7 +152,8 @@ def _exposure(setup: TrainingSetup) -> str:
         return "30 % of the pixels saturate when always open"
     grey_e = setup.protocol.mid_grey_e
     if grey_e is None:
-        return "percentile 99 of the all-open sum is a full well"
+        part = "" if setup.protocol.light == 1 else f"{setup.protocol.light:g} of "
+        return f"percentile 99 of the all-open sum is {part}a full well"
     return f"the median of the all-open sum is {grey_e:.0f} e"
 
 
