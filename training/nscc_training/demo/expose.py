@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.examples import examples
 from nscc.pipeline import Options
 from nscc.source import Source
@@ -52,7 +53,7 @@ class Settings:
     """How a scene is shown. `exposure` is text as `--exposure` takes it (None: the run's), `tone` a
     curve (None: sRGB for what was made for screens, a logarithm for light), `learned` decodes by
     the run's network, which needs
-    torch; else frames are merged."""
+    torch; else frames are merged. `run` exposes and decodes instead of what comes with nscc."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -61,6 +62,7 @@ class Settings:
     seed: int = 0
     learned: bool = field(default_factory=lambda: find_spec("torch") is not None)
     readouts: int | None = None
+    run: Path | None = None
 
     @property
     def program(self) -> Path:
@@ -85,7 +87,7 @@ class Exposed:
     its frames without light; `seconds` that the coded frame took; `looked`, a still as pixels that
     look have it; `fair`, what an ordinary camera does at its best, and that without light: a still
     at the one stop that suits its light, a clip in a burst of as many frames as `program` has
-    readouts, if these are several. `run` is a still's, None for a clip.
+    readouts, if these are several. `run` is a still's or the user's, else None.
     """
 
     run: Path | None
@@ -139,20 +141,28 @@ class Exposed:
 
 
 def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
-    """A still through its run, a clip through the program with the asked for readouts, under the
-    default sensor, with the effects that it calls for. Raises Rejected for a scene that is dark or
-    cannot be read."""
-    like = run_capture(RUNS[subject.still])
-    program = like.program if subject.still else settings.program
-    compiled = compile_file(program, Options()).container
-    assert compiled is not None  # what comes with nscc has compiled before
+    """A still through its run, a clip through the program with the asked for readouts, or either
+    through the user's run, under the default sensor, with the effects that it calls for. Raises
+    Rejected for a scene that is dark, cannot be read, or is not of the run's kind (NS0821)."""
+    run = settings.run or (RUNS[True] if subject.still else None)
+    like = run_capture(run or RUNS[False])
+    if like.still != subject.still:
+        kinds = {True: "a still", False: "a clip"}
+        raise rejected(
+            "NS0821", f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' "
+                      f"reconstructs {kinds[like.still]}",
+            helps=("name another scene, or leave --run out",),
+        )  # fmt: skip
+    program = settings.program if run is None else like.program
+    target = None if like.target is None else str(like.target)
+    compiled = compile_file(program, Options(target=target)).container
+    assert compiled is not None  # what comes with nscc, or a run, has compiled before
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
     begin = working_s()
     coded_capture = simulate_scene(compiled, laid, sensor, request, listener)
     seconds = working_s() - begin
-    target = None if like.target is None else str(like.target)
     usual_camera = camera(like.slots, like.slot_us, target)
     usual = simulate_scene(usual_camera, laid, sensor, request, listener)
     dark, usual_dark = (
@@ -168,7 +178,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
         fair = (simulate_scene(ordinary, laid, sensor, request, listener),
                 _dark(ordinary, sensor, settings, listener))  # fmt: skip
     return Exposed(
-        RUNS[True] if subject.still else None, program, scene, laid, compiled, sensor,
+        run, program, scene, laid, compiled, sensor,
         coded_capture, dark, usual, usual_dark, seconds, looked, fair,
     )  # fmt: skip
 
