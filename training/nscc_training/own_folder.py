@@ -75,4 +75,5 @@ def _side(path: Path) -> int:
     """Return the shorter side of a picture, or of the first frame of a clip."""
     is_picture = path.suffix.lower() in PICTURES
     stored = read_picture(path) if is_picture else next(iter(frames_in(path)))
-    return min(stored.shape[:2])
+    rows, cols = stored.shape[:2]
+    return int(min(rows, cols))
