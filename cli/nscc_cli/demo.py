@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from nscc.requirements import line_for
+from nscc_cli.completion import RUN
 from nscc_cli.options import OUT, SEED, color_option, fit_option, tone_option
 from nscc_cli.support import CommonCommand, progress, say, say_done
 
@@ -26,10 +27,13 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
 @click.option("--merge", is_flag=True, help="Reconstruct without the decoder, which needs torch.")
 @click.option("--readouts", type=click.IntRange(1, 4), metavar="K",
               help="Readouts of one exposure of a clip, 1 to 4 (default: 4).")  # fmt: skip
+@click.option("--run", type=RUN, metavar="RUN",
+              help="A run of nscc train, whose shutters and decoder are shown.")  # fmt: skip
 @click.option("--seed", type=SEED, default=0, help="Seed of the frame's noise.")
 def command(
     scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
-    fps: float | None, tone: str | None, merge: bool, readouts: int | None, seed: int,
+    fps: float | None, tone: str | None, merge: bool, readouts: int | None, run: Path | None,
+    seed: int,
 ) -> None:  # fmt: skip
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
@@ -42,7 +46,10 @@ def command(
     from nscc_runtime.simulate import Listener
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text
 
-    settings = Settings(fit, color, exposure, tone, seed, readouts=readouts)  # type: ignore[arg-type]  # Choice
+    if run is not None and (merge or readouts):
+        raise click.UsageError("--run has its own decoder and readout: leave out --merge and "
+                               "--readouts")  # fmt: skip
+    settings = Settings(fit, color, exposure, tone, seed, readouts=readouts, run=run)  # type: ignore[arg-type]  # Choice
     if (merge or not settings.learned) and (readouts or 1) > 1:
         raise click.UsageError("several readouts are joined by a decoder: leave out --merge, or "
                                "install torch")  # fmt: skip

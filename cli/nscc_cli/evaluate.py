@@ -81,10 +81,11 @@ def sci8(
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
-@click.option("--data", type=PATH, metavar="DIR", help="The folder of scenes.")
+@click.option("--data", type=PATH, metavar="DIR",
+              help="The folder of scenes; for class-v1 also `procedural`.")  # fmt: skip
 @click.option("--protocol", type=PROTOCOL, metavar="P",
               help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, "
-              "codes-v1.")  # fmt: skip
+              "codes-v1, class-v1.")  # fmt: skip
 @click.option("--split", type=click.Choice(["val"]), metavar="val",
               help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
                    "in its metrics.csv.")  # fmt: skip

@@ -71,7 +71,8 @@ _LESS = {
     "train": "reduce train.batch or data.patch, for instance --set train.batch=2; or use fewer "
     "slots, or a narrower decoder (decoder.width)",
     **dict.fromkeys(
-        ("reconstruct", "evaluate"), "use a run with a smaller decoder, or fewer files at once"
+        ("reconstruct", "classify", "evaluate"),
+        "use a run with a smaller decoder, or fewer files at once",
     ),
 }
 """A help for each command on how to reduce its memory use."""

@@ -28,6 +28,7 @@ COMMANDS = {
     "sweep": "Compute all combinations of settings, in parallel.",
     "train": "Train shutters together with a decoder.",
     "reconstruct": "Decode a frame into a picture or a clip.",
+    "classify": "Name the class of a frame's scene.",
     "metrics": "Compare a reconstruction with the ground truth.",
     "evaluate": "Score reconstructions under a protocol.",
     "doctor": "Report on this installation.",

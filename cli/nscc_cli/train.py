@@ -20,7 +20,7 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 
 
 @click.command("train", cls=CommonCommand)
-@click.argument("config", metavar="CONFIG.toml", type=PATH)
+@click.argument("config", metavar="CONFIG.toml|FOLDER", type=PATH)
 @click.option("--out", required=True, metavar="RUN", type=OUT,
               help="The run folder.")  # fmt: skip
 @click.option("--set", "changes", multiple=True, metavar="K=V",
@@ -34,11 +34,20 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> None:
     """Train shutters together with a decoder, within the limits of the chip.
 
+    A FOLDER of pictures or clips is learned from with settings for its kind: linear pictures are
+    stills, films and photographs become clips. --set changes them; RUN/config.resolved.toml
+    contains all of them. Every fifth file is kept for validation.
+
     The configuration is checked, and its shutters are compiled, before the first step. The same
     command resumes an interrupted run."""
     from nscc_training.config import load_config
 
-    settings = load_config(config, changes)
+    if config.is_dir():
+        from nscc_training.own_folder import folder_settings
+
+        settings = folder_settings(config, changes, say_done)
+    else:
+        settings = load_config(config, changes)
     from nscc_training.loop.train import train
 
     train(settings, out, resume=resume, track=progress, report=say_done)

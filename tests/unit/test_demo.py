@@ -17,11 +17,14 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.examples import START, about, examples
 from nscc_runtime.pictures import images
 from nscc_training import views
+from nscc_training.demo.sheet import Shown, _decoder_text
 from nscc_training.demo.subject import liveliest
 from nscc_training.metrics import mu_psnr
 from nscc_training.run_files import run_capture, shipped_runs
 
 pytest.importorskip("torch")
+
+from small_runs import trained  # noqa: E402
 
 EVALUATIONS = Path(__file__).parents[2] / "training/results/evaluations"
 
@@ -227,3 +230,27 @@ def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:
     assert len(seen) == 8
     assert run_nscc(["view", "nothing.npz"], folder).codes == ["NS0801"]
     assert run_nscc(["view", "frame.npz", "-o", "view.jpg"], folder).codes == ["NS0786"]
+
+
+def test_a_photo_through_ones_own_run(folder: Path, run_nscc: RunNscc, tmp_path: Path) -> None:
+    own = trained(tmp_path / "own", shutter={"slots": 64, "tile": [2, 2]}, decoder={"width": 0.25})
+    outcome = run_nscc(["demo", "photo.jpg", "--run", own, "-o", tmp_path / "shown"], folder)
+    assert outcome.status == 0, outcome.err
+    assert (tmp_path / "shown/picture_sheet.png").is_file()
+    lines = [line.strip() for line in outcome.err.splitlines() if line.startswith("  nscc ")]
+    assert [f"--like {own}" in line for line in lines] == [True, True, False]
+    assert lines[2].startswith(f"nscc reconstruct {own} ")
+    refused = run_nscc(["demo", "short.gif", "--run", own, "-o", tmp_path / "no"], folder)
+    assert refused.codes == ["NS0821"]
+    assert run_nscc(["demo", "photo.jpg", "--run", own, "--merge"], folder).status == 2
+
+
+@pytest.mark.parametrize(("psnr_db", "worse"), [(22.0, True), (25.5, False)])
+def test_the_sheet_says_where_a_result_is_worse_than_an_ordinary_camera(
+    psnr_db: float, worse: bool
+) -> None:
+    shown = SimpleNamespace(open_db=20.0, fair_db=25.0, psnr_db=psnr_db, measure="PSNR",
+                            how="a run", decode_s=0.1)  # fmt: skip
+    shown.camera_db = Shown.camera_db.fget(shown)
+    assert shown.camera_db == 25.0
+    assert (f"{psnr_db} dB, worse than an ordinary camera" in _decoder_text(shown)) == worse

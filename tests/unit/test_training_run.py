@@ -125,7 +125,7 @@ def test_it_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -
     assert f"{run.curves['psnr_db'][-1]:.2f} dB" in repr(run)
     words = {*checked(run).words}
     stops = {f"stop {stop}" for stop in np.unique(run.encoder.codes()["stop"])}
-    assert stops | {"validation PSNR, dB", "training loss", "the program"} <= words
+    assert stops | {"validation PSNR in dB", "training loss", "the program"} <= words
     assert run.program.codes["stop"].tolist() == sorted({*run.encoder.codes()["stop"].flat})
 
 

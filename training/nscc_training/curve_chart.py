@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
+from nscc_training.measures import METRIC_NAMES
 
 _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
 
@@ -15,10 +16,11 @@ _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
 def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
     """Return charts of the validation PSNR and of the training loss over the steps."""
     val = curves["split"] == 1
+    metric = "correct" if "correct" in curves else "psnr_db"
     return html.side_by_side(
         _chart(title, curves["step"][rows], curves[name][rows], colour)
         for title, name, rows, colour in (
-            ("validation PSNR, dB", "psnr_db", val, html.SERIES[0]),
+            (f"validation {METRIC_NAMES[metric]}", metric, val, html.SERIES[0]),
             ("training loss", "loss", ~val, html.SERIES[1]),
         )
     )

@@ -29,7 +29,8 @@ from nscc_training.encoders import Encoder
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import FrameRead, by_colour, read_frame
 from nscc_training.loop.decoding import decoded_frame
-from nscc_training.reconstruct import reconstructed
+from nscc_training.measures import score_text
+from nscc_training.reconstruct import likelihoods, reconstructed
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
@@ -148,8 +149,20 @@ class Run:
         ------
         Rejected
             NS0819 for a frame of another program or sensor, or a dark frame of another program or
-            with light; NS0789 for other arguments.
+            with light; NS0789 for other arguments, or for a run with classes.
         """
+        if self.folder.setup.classes:
+            raise wrong_argument("reconstruct: this run names classes; use `classify`")
+        return self._decoded(frame, force=force, dark=dark)
+
+    def _decoded(
+        self,
+        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
+        *,
+        force: bool = False,
+        dark: Capture | str | os.PathLike[str] | None = None,
+    ) -> NDArray[np.float32]:
+        """Return the decoder's output for a frame."""
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
@@ -178,6 +191,35 @@ class Run:
         warn((*messages, *doubts))
         return light
 
+    def classify(
+        self,
+        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
+        **options: Any,
+    ) -> dict[str, float]:
+        """Name the class of a frame, for a run that was trained with classes.
+
+        Parameters
+        ----------
+        frame : Capture, str, PathLike or array of int
+            As for `reconstruct`.
+        **options
+            Further arguments of `reconstruct`.
+
+        Returns
+        -------
+        dict of str to float
+            The likelihoods of the classes, most likely first. Their sum is 1.
+
+        Raises
+        ------
+        Rejected
+            As `reconstruct`; NS0789 for a run without classes.
+        """
+        classes = self.folder.setup.classes
+        if not classes:
+            raise wrong_argument("classify needs a run that was trained with classes (class-v1)")
+        return likelihoods(classes, self._decoded(frame, **options))
+
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()
         return (
@@ -197,8 +239,9 @@ class Run:
         )  # fmt: skip
 
     def _score(self) -> str:
-        scores_db = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
-        return f", {scores_db[-1]:.2f} dB" if scores_db else ""
+        metric = self.folder.setup.protocol.metrics[0]
+        scores = [v for v in self.curves.get(metric, np.array([])) if np.isfinite(v)]
+        return f", {score_text(metric, scores[-1])}" if scores else ""
 
     def _shutters(self) -> html.Html:
         """Return the chart of the distinct shutters of the tile, with the first code of each."""

@@ -7,6 +7,7 @@ from functools import partial
 
 import torch
 from torch import Tensor
+from torch.nn import functional
 
 from nscc_training.curves import log_curve, mu_law, pu21, srgb
 
@@ -17,6 +18,8 @@ LOG_FLOOR = 1e-3
 """Fraction of the data range above which the log loss measures relative errors."""
 LEAST_ERROR = 1e-7
 """Lower limit of mean squared errors: 70 dB."""
+CLASS = "class"
+"""The name of the loss of classifiers."""
 NITS = 1000.0
 """Luminance in cd/m2 of the data range for PU21, as in protocol hdr-v1."""
 
@@ -39,6 +42,12 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
     """Return the mean absolute error in PU21 units, relative to those of `NITS` cd/m2."""
     most = pu21(torch.tensor(NITS, dtype=torch.float64)).item()
     return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
+
+
+def classification(prediction: Tensor, truth: Tensor) -> Tensor:
+    """Cross-entropy of the logarithms of likelihoods (batch, classes); the truth is 1 for the right
+    class and 0 for the others."""
+    return functional.cross_entropy(prediction, truth)
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
@@ -66,5 +75,6 @@ LOSSES: dict[str, Loss] = {
     "psnr": psnr,
     "psnr-mu": after(mu_law, psnr),
     "psnr-display": after(srgb, psnr),
+    CLASS: classification,
 }
 """The losses by the names that configurations use."""

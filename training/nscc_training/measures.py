@@ -22,6 +22,11 @@ LARGEST = 1e60
 """Largest data range and value; the smallest data range is its inverse.
 
 Fourth powers of such numbers fit float64."""
+METRIC_NAMES = {"psnr_db": "PSNR in dB", "ssim": "SSIM", "correct": "share of right classes"}
+"""Names of the metrics of runs."""
+METRIC_LABELS = {"psnr_db": "PSNR", "mu_psnr_db": "PSNR-mu", "correct": "right classes"}
+"""Short names of metrics in tables."""
+_METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1%} correct"}
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
@@ -100,6 +105,16 @@ def decibels(value: float) -> float | str:
 def number(value: float | str) -> float:
     """Return the dB of a JSON value from `decibels`."""
     return float(np.inf) if value == "inf" else float(value)
+
+
+def score_text(metric: str, value: float | str) -> str:
+    """Return the value of a run's metric with its unit."""
+    return _METRIC_TEXTS[metric].format(number(value))
+
+
+def means_text(means: Mapping[str, float | str]) -> str:
+    """Return the metrics of a run as a text, such as "30.12 dB, SSIM 0.9123"."""
+    return ", ".join(score_text(metric, value) for metric, value in means.items())
 
 
 def measure_files(

@@ -13,9 +13,10 @@ from nscc.diagnostics.rejection import unknown_name
 
 NAMES = (
     "hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1",
+    "class-v1",
 )  # fmt: skip
-
-
+PROCEDURAL = "procedural"
+"""The name of scenes without files."""
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
 """Photons of 555 nm per second, square metre and lux; one watt is 683 lumens."""
 
@@ -36,9 +37,24 @@ class Protocol:
         """Whether scenes are stills instead of clips."""
         return self.name == "hdr-v1"
 
+    @property
+    def classifies(self) -> bool:
+        """Whether decoders name the class of a scene instead of reconstructing it."""
+        return "correct" in self.metrics
+
+    @property
+    def metrics(self) -> tuple[str, ...]:
+        """The metrics of a run: the first one is the score, and the mean of a result."""
+        return (self.values["metric"],) if "metric" in self.values else ("psnr_db", "ssim")
+
     def changed(self, **values: Any) -> Protocol:
         """Return a variant with other values; its digest stays that of the file."""
         return replace(self, values={**self.values, **values})
+
+    @property
+    def light(self) -> float:
+        """The light of clips relative to a full well at their brightest percent, always open."""
+        return float(self.values.get("light", 1.0))
 
     @property
     def mid_grey_e(self) -> float | None:

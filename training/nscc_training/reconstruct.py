@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from hashlib import sha256
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import LEVELS, Options
 from nscc.program.problems import counted
 from nscc.source import Source
@@ -44,6 +45,42 @@ def reconstruct(
     another program or sensor (with `force` a warning, unless its size differs), and for a dark
     frame of another program or with light (with `force` a warning)."""
     folder = load_run(run, trust_code=trust_code)
+    if folder.setup.classes:
+        raise rejected(
+            "NS0821", f"'{run}' was trained to name classes, not to reconstruct light",
+            notes=(f"its classes are {', '.join(folder.setup.classes)}",),
+            helps=(f"use `nscc classify {run} {frame}`",),
+        )  # fmt: skip
+    return _decoded(folder, frame, force, dark)
+
+
+def classify(
+    run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
+) -> tuple[dict[str, float], tuple[Diagnostic, ...]]:
+    """Return the likelihoods of the classes of a frame, most likely first, and warnings. Arguments
+    and errors are those of `reconstruct`; Rejected (NS0821) for a run without classes."""
+    folder = load_run(run, trust_code=trust_code)
+    if not folder.setup.classes:
+        raise rejected(
+            "NS0821", f"'{run}' was trained to reconstruct light, and knows no classes",
+            helps=(f"use `nscc reconstruct {run} {frame} -o OUT`, or train with the protocol "
+                   "class-v1",),
+        )  # fmt: skip
+    decoded = _decoded(folder, frame, force, dark)
+    return likelihoods(folder.setup.classes, decoded.light), decoded.messages
+
+
+def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str, float]:
+    """Return the likelihoods of classes, most likely first, given their logarithms up to a
+    constant. Those of several colours are averaged."""
+    scores = scores if scores.ndim == 1 else scores.mean(axis=-1)
+    shares = np.exp(scores - scores.max(), dtype=np.float64)
+    shares /= shares.sum()
+    return {classes[k]: float(shares[k]) for k in np.argsort(-shares, kind="stable")}
+
+
+def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
+    """Decode a frame file, as `reconstruct`."""
     read, begin = read_frame(frame), working_s()
     offset: NDArray[np.float64] | None = None
     doubts: tuple[Diagnostic, ...] = ()

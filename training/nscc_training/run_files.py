@@ -122,6 +122,7 @@ def run_capture(folder: Path) -> RunCapture:
     percentile = 100 * (1 - share) if still else float(protocol.values.get(
         "full_well_percentile", 99))  # fmt: skip
     exposed_e = float(protocol.values.get("full_well_e", 30000))
+    exposed_e *= protocol.light
     if protocol.mid_grey_e is not None:
         exposed_e, percentile = protocol.mid_grey_e, 50.0
     own_sensor = path / SENSOR_FILE

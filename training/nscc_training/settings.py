@@ -108,8 +108,8 @@ class DecoderSettings:
         TextKind(SIZES), "paper: as in the paper; small: at most 0.6 million parameters", "small"
     )
     width: float = key(
-        Number(0.01, 1),
-        "width of the decoder's layers, as a fraction of the width of this size",
+        Number(0.01, 4),
+        "factor on the decoder's width of the layers of its width of this size",
         1.0,
     )
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
@@ -140,6 +140,12 @@ class DecoderSettings:
     exact: float = key(
         Number(0, 1), "the fraction of the remaining lessons `codes` without noise", 0.5
     )
+    still: float = key(Number(0, 1), "the fraction of clips in lessons in which nothing moves", 0.0)
+    searched: float = key(
+        Number(0, 1),
+        "the fraction of lessons with linear light and 16 frames whose code is the searched one",
+        0.0,
+    )  # fmt: skip
     stages: int = key(Integer(1, 64), "stages of a lesson", 8)
     through: int = key(
         Integer(1, 64), "number of stages that a gradient passes between two updates", 4
@@ -179,7 +185,14 @@ class DataSettings:
     val: str = key(
         TextKind(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
     )
-    protocol: str = key(TextKind(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
+    protocol: str = key(
+        TextKind(NAMES), "stills (hdr-v1), clips, or classes of clips (class-v1)", "hdr-v1"
+    )
+    classes: tuple[str, ...] = key(
+        Several(TextKind()),
+        "with class-v1: the classes of clips, which are the names of their folders; empty: the "
+        "eight directions of procedural scenes", (),
+    )  # fmt: skip
     transfer: str = key(
         TextKind(("", "linear", "srgb")),
         "curve of clips: linear or srgb; empty: as the protocol says", "",
@@ -204,6 +217,11 @@ class DataSettings:
         Several(Number(0.001, 0.9), 2),
         "range of the fraction of a still's pixels that saturate when always open", (0.3, 0.3),
     )  # fmt: skip
+    brightness: tuple[float, ...] = key(
+        Several(Number(1e-3, 1e3), 2),
+        "range of a factor on the light of each exposure, drawn uniformly in the logarithm",
+        (1.0, 1.0),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -212,8 +230,9 @@ class LossSettings:
 
     name: str = key(
         TextKind(),
-        "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, a "
-        "custom loss as module:name, or a sum of losses joined by +", "mu-law",
+        "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, "
+        "class (cross-entropy, with the protocol class-v1), a custom loss as module:name, or a "
+        "sum of losses joined by +", "mu-law",
     )  # fmt: skip
 
 

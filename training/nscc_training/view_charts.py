@@ -16,6 +16,7 @@ from nscc_runtime.pictures.sheet import head, panels
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo.expose import camera
+from nscc_training.measures import METRIC_NAMES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,10 +31,10 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
     """Draw a run's training curves, and its scores under changed conditions."""
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
-    changes = _changes(result)
+    changes, metric = _changes(result), _metric(result)
     figure, (learning, *change_axes) = panels(2 if changes else 1, _PANEL, 2)
     for number, split in enumerate(("train", "val")):
-        scores = [(_number(r.get("step")), _number(r.get("psnr_db"))) for r in rows
+        scores = [(_number(r.get("step")), _number(r.get(metric))) for r in rows
                  if r.get("split") == split]  # fmt: skip
         points = [(step, value) for step, value in scores if step is not None and value is not None]
         if points:
@@ -41,36 +42,39 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
             learning.plot(*zip(*points, strict=True), **style, label=split)
     learning.set_title("learning")
     learning.set_xlabel("step")
-    learning.set_ylabel("PSNR in dB")
+    learning.set_ylabel(METRIC_NAMES[metric])
     for axes in change_axes:
-        _bars(axes, changes, _ELSEWHERE)
+        _bars(axes, changes, _ELSEWHERE, metric)
     handles = learning.get_legend_handles_labels()[0]
-    head(figure, path.name, "PSNR of training and validation patches", handles)
+    head(figure, path.name, f"{METRIC_NAMES[metric]}: training and validation", handles)
     return figure
 
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
-    """Draw the PSNR values of a run's result (`robustness`) or an evaluation (`items`), worst
+    """Draw the scores values of a run (`robustness`) or an evaluation (`items`), worst
     first."""
-    changes = _changes(values)
+    changes, metric = _changes(values), _metric(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)
-        _bars(axes, changes, _ELSEWHERE)
-        head(figure, title, "PSNR of the patches that the run was validated on")
+        _bars(axes, changes, _ELSEWHERE, metric)
+        head(figure, title, f"{METRIC_NAMES[metric]} of the scenes that the run was validated on")
         return figure
     scenes: dict[str, list[float]] = {}
     for item in values.get("items", []):
-        value = _number(item.get("psnr_db"))
+        value = _number(item.get(metric))
         if value is not None:
-            scenes.setdefault(str(item.get("file")), []).append(value)
-    means = sorted((float(np.mean(scores_db)), name) for name, scores_db in scenes.items())
+            scenes.setdefault(str(item.get("class", item.get("file"))), []).append(value)
+    means = sorted((float(np.mean(scores)), name) for name, scores in scenes.items())
     figure, (axes,) = panels(1, (7.0, 0.9 + 0.24 * min(len(means), _MOST_SCENES)), 1)
     _bars(
         axes,
         {name: value for value, name in means[:_MOST_SCENES]},
-        "means by file, the worst first",
+        f"means by {'class' if metric == 'correct' else 'file'}, the worst first",
+        metric,
     )
     note = f"protocol {values.get('protocol')}: PSNR in {values.get('domain')}"
+    if metric == "correct":
+        note = f"protocol {values.get('protocol')}"
     head(figure, title, note)
     return figure
 
@@ -106,18 +110,24 @@ def sensor_sheet(path: Path) -> Figure:
     return figure
 
 
-def _bars(axes: Axes, values: dict[str, float], title: str) -> None:
+def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
     places = range(len(values))
     axes.barh(places, list(values.values()), color=look().bar, height=0.6)
     axes.set_yticks(places, list(values))
     axes.invert_yaxis()
-    axes.set_xlabel("PSNR in dB")
+    axes.set_xlabel(METRIC_NAMES[metric])
     axes.set_title(title)
+
+
+def _metric(values: dict[str, Any]) -> str:
+    """Return the metric of a run's result or of an evaluation."""
+    rows = (*(values.get("robustness") or ()), *(values.get("items") or ()))
+    return "correct" if any("correct" in row for row in rows) else "psnr_db"
 
 
 def _changes(result: dict[str, Any]) -> dict[str, float]:
     rows = result.get("robustness") or ()
-    scores = {str(row["change"]): _number(row["psnr_db"]) for row in rows}
+    scores = {str(row["change"]): _number(row[_metric(result)]) for row in rows}
     return {name: value for name, value in scores.items() if value is not None}
 
 

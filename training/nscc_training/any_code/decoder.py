@@ -8,7 +8,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc_training.any_code.decode import shipped, white
-from nscc_training.any_code.network import ClipDenoiser
+from nscc_training.any_code.network import WIDTHS, ClipDenoiser
 from nscc_training.any_code.stages import led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.baselines.gap_tv import gap_tv_of
@@ -32,7 +32,7 @@ class AnyCode(nn.Module):
     """The decoder for any code as a network: `stages` times a step towards the frames and a
     denoiser.
 
-    It starts from nscc's weights.
+    It starts from nscc, weights.
 
     Inputs: frames (batch, rows, cols), or of two buckets (batch, 2, rows, cols), in full wells and
     saturated at 1; shutters (N, r, c) of the first bucket, as a tile. Output: light in full wells
@@ -43,7 +43,8 @@ class AnyCode(nn.Module):
         super().__init__()
         self.still, self.stages = still, STILL_STAGES if still else stages
         self.denoiser = ClipDenoiser(tuple(channels))
-        self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
+        if self.denoiser.widths == WIDTHS:
+            self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
     def begin_anew(self) -> None:

@@ -5,6 +5,7 @@ Seed and step determine light and shutters. Noise is drawn on the device of the 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -14,11 +15,14 @@ from torch import Tensor
 from torch.utils.data import Dataset
 
 from nscc_training.any_code.decode import white
+from nscc_training.codes_files import load_codes
 from nscc_training.curves import srgb_inverse
 from nscc_training.data.exposures import quantiles
 from nscc_training.data.moving import Generator, Picture, moving
 from nscc_training.draws import uniform
+from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.measured import Measured
+from nscc_training.run_files import searched_codes
 from nscc_training.settings import RunSettings
 
 Mask = NDArray[np.float32]
@@ -28,6 +32,8 @@ _NOISE = (3 / 255, 40 / 255)
 _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
 """Numbers of frames of a clip; 8 is most frequent because the benchmark has 8."""
 _FILM_LENGTHS = (8, 16, 16)
+SEARCHED_SLOTS = 16
+"""Slots of the searched code."""
 _FULL_WELL_E = (2_000.0, 60_000.0)
 _READ_LSB = (0.2, 2.0)
 _TOP = 255.0
@@ -72,7 +78,15 @@ class LessonSet(Dataset[Lesson]):
         frames = lengths[int(generator.integers(len(lengths)))]
         count = max(1, batch * 8 // frames)
         clips = [moving(self.pictures, generator, frames, size) for _ in range(count)]  # type: ignore[arg-type]
+        if settings.decoder.still:
+            clips = [
+                np.repeat(clip[:1], frames, axis=0)
+                if generator.random() < settings.decoder.still else clip
+                for clip in clips
+            ]  # fmt: skip
         draw = _film_mask if filmed else mask_drawn
+        if filmed and frames == SEARCHED_SLOTS and generator.random() < settings.decoder.searched:
+            draw = _searched_mask
         masks = [draw(generator, frames, size) for _ in range(count)]
         light, mask = (torch.from_numpy(np.stack(arrays)) for arrays in (clips, masks))
         return Lesson(light, mask, exact, filmed, (kind,))
@@ -197,6 +211,24 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
     places = generator.permutation(begin).reshape(side, side)
     opened = (np.arange(frames)[:, None, None] - places) % frames < length
     mask = np.tile(opened, (1, -(-size // side), -(-size // side)))[:, :size, :size]
+    return np.ascontiguousarray(mask, np.float32)
+
+
+@cache
+def _searched_tile() -> Mask:
+    """Return the shutters (16, 8, 8) of the searched code that comes with nscc."""
+    encoder = make_encoder(ShutterSpec("e", SEARCHED_SLOTS, (8, 8)), "random", 0)
+    encoder.load_codes(load_codes(searched_codes()))
+    return np.asarray(encoder.hard().numpy(), np.float32)
+
+
+def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
+    """The searched code at a random place of the array, turned, and reversed in time or not."""
+    tile = np.rot90(_searched_tile(), int(generator.integers(4)), axes=(1, 2))
+    tile = tile[:: int(generator.choice((1, -1)))]
+    row, col = generator.integers(8, size=2)
+    repeats = -(-(size + 8) // 8)
+    mask = np.tile(tile, (1, repeats, repeats))[:, row : row + size, col : col + size]
     return np.ascontiguousarray(mask, np.float32)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -41,18 +42,22 @@ class Batch:
         (batch,): the truth that metrics and losses count as 1.
     names : tuple of str
         The scenes and places of the patches.
+    classes : Tensor, optional
+        (batch, classes): 1 for the class of a patch, else 0.
     """
 
     light: Tensor
     truth: Tensor
     peak: Tensor
     names: tuple[str, ...]
+    classes: Tensor | None = None
 
     def patches(self, first: int, last: int) -> Batch:
         """Return the patches from `first` up to `last`."""
         cut = slice(first, last)
         return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
-                       names=self.names[cut])  # fmt: skip
+                       names=self.names[cut],
+                       classes=None if self.classes is None else self.classes[cut])  # fmt: skip
 
     @cached_property
     def goal(self) -> Tensor:
@@ -75,8 +80,8 @@ class Exposures(NamedTuple):
 
     `light` is (E, rows, cols) for stills and (E, N, rows, cols) for clips. Each exposure is rotated
     by `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
-    power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
-    exposure `source[k]` at `corner[k]` (row, column)."""
+    power `contrast`. The fraction `share` of a still's pixels saturates at `brightness` 1, which is
+    a factor on the light. Patch k is cut from exposure `source[k]` at `corner[k]` (row, column)."""
 
     light: Tensor
     share: Tensor
@@ -86,15 +91,18 @@ class Exposures(NamedTuple):
     backwards: Tensor
     source: Tensor
     corner: Tensor
+    brightness: Tensor
     names: tuple[str, ...]
+    classes: Tensor | None = None
 
 
 class ExposureSet(Dataset[Exposures]):
     """The exposures of a run, by training step."""
 
     def __init__(
-        self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int
-    ) -> None:
+        self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int,
+        classes: Sequence[str] = (),
+    ) -> None:  # fmt: skip
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
@@ -102,15 +110,19 @@ class ExposureSet(Dataset[Exposures]):
         self.side = min(wanted_side, *(side for light in self.lights for side in light.shape[-2:]))
         grey = load_protocol(settings.protocol).mid_grey_e is not None
         self._lit = 0.5 if grey else 0.01
+        self._classes = torch.tensor(
+            [[float(scene.label == name) for name in classes] for scene in scenes.train]
+        )
 
     def __getitem__(self, step: int) -> Exposures:
         lights: list[Tensor] = []
-        draws: list[tuple[float, float, int, bool, bool]] = []
+        draws: list[tuple[float, float, int, bool, bool, float]] = []
         source: list[int] = []
-        corners, names = [], []
+        corners, names, drawn_scenes = [], [], []
         for place in range(0, self.batch, self.settings.together):
             generator = np.random.default_rng([self.seed, 4, step, place])
             scene = int(generator.integers(len(self.lights)))
+            drawn_scenes.append(scene)
             light, lit, place_text = self._surroundings(scene, generator)
             turned, flipped, reversed_, power = 0, False, False, 1.0
             if self.settings.augment:
@@ -128,13 +140,18 @@ class ExposureSet(Dataset[Exposures]):
             ]
             corners.append(drawn)
             lights.append(torch.from_numpy(np.ascontiguousarray(light)))
-            draws.append((lit, power, turned, flipped, reversed_))
-        share, contrast, turns, mirrored, backwards = (
+            factor = 1.0
+            if self.settings.brightness != (1.0, 1.0):
+                factor = float(np.exp(generator.uniform(*np.log(self.settings.brightness))))
+            draws.append((lit, power, turned, flipped, reversed_, factor))
+        share, contrast, turns, mirrored, backwards, brightness = (
             torch.tensor(values) for values in zip(*draws, strict=True)
         )
         return Exposures(
             torch.stack(lights), share, contrast, turns, mirrored, backwards,
-            torch.tensor(source), torch.from_numpy(np.concatenate(corners)), tuple(names),
+            torch.tensor(source), torch.from_numpy(np.concatenate(corners)), brightness,
+            tuple(names),
+            self._classes[drawn_scenes] if self._classes.numel() else None,
         )  # fmt: skip
 
     def _surroundings(
@@ -163,12 +180,14 @@ class ExposureSet(Dataset[Exposures]):
 def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
               ) -> Batch:  # fmt: skip
     """Return the patches of a batch, exposed, cut and augmented on a device."""
-    light, share, contrast, turns, mirrored, backwards, source, corner = (
-        tensor.to(device, non_blocking=True) for tensor in drawn[:-1]
+    light, share, contrast, turns, mirrored, backwards, source, corner, brightness = (
+        tensor.to(device, non_blocking=True) for tensor in drawn[:9]
     )
+    classes = None if drawn.classes is None else drawn.classes.to(device)[source]
     still = light.ndim == 3
     slots = 1 if still else light.shape[1]
-    grey_e = load_protocol(settings.protocol).mid_grey_e
+    protocol = load_protocol(settings.protocol)
+    grey_e = protocol.mid_grey_e
     if still:
         levels, whites = (
             quantiles(light.flatten(1), level_share) for level_share in (1 - share, _WHITE)
@@ -180,7 +199,7 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
         level = level if grey_e is None else level * (full_well_e / grey_e)
         white = torch.ones_like(level)
     # A region without light is dark at any exposure.
-    scale = torch.where(level > 0, full_well_e / level, 0.0)
+    scale = torch.where(level > 0, full_well_e / level, 0.0) * brightness * protocol.light
     values = _cut(light, settings.patch, turns, mirrored, backwards, source, corner)
     wide = (-1,) + (1,) * (values.ndim - 1)
     if still:
@@ -188,7 +207,8 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
         values = values.clamp(min=1e-20) ** power
     exposed = values * scale[source].reshape(wide).to(values.dtype)
     peak = (white * scale * (slots / full_well_e)).clamp(min=1e-6)[source]
-    return Batch(exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names)
+    return Batch(exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names,
+                 classes)  # fmt: skip
 
 
 def _cut(

@@ -16,6 +16,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.picture_files import PICTURES, read_picture, transfer_of
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb
+from nscc_training.scene_files import folders_of
 
 Picture = NDArray[np.uint8]
 Generator = np.random.Generator
@@ -168,9 +169,10 @@ def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np
 def pictures_below(folder: Path) -> list[Path]:
     """Return all pictures in a folder and its subfolders; raise Rejected (NS0811) if there are
     none."""
-    files = sorted(
-        path for path in folder.rglob("*") if path.suffix.lower() in PICTURES and path.is_file()
-    )
+    files = sorted({
+        path for place in folders_of(str(folder)) for path in place.rglob("*")
+        if path.suffix.lower() in PICTURES and path.is_file()
+    })  # fmt: skip
     if not files:
         raise rejected(
             "NS0811",

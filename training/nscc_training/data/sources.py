@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
@@ -27,7 +27,9 @@ from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
 from nscc_training.data.moving import light_of_picture, moving, pictures_below, shown_picture
-from nscc_training.import_paths import imported, is_import_path, own_code
+from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
+from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
+from nscc_training.protocols import load_protocol
 from nscc_training.scene_files import CLIPS, files_in, frames_in
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
@@ -49,11 +51,12 @@ class SourceScene:
     """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
     White is 1 in clips from display files. `sha256` is the digest of the file, or of the array if
-    there is no file."""
+    there is no file. `label` is its class, if clips are classified."""
 
     name: str
     sha256: str
     light: NDArray[np.float32]
+    label: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,15 +76,18 @@ class Scenes:
 
 def load_scenes(
     settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False,
-    tell: Callable[[str], object] = lambda _text: None,
+    classes: tuple[str, ...] = (), tell: Callable[[str], object] = lambda _text: None,
 ) -> Scenes:  # fmt: skip
     """Load the training and validation scenes that a configuration names.
 
     With `pictures`, the training scenes are the light of all pictures in a folder and its
-    subfolders. `tell` is called with messages on the validation split and on changes of a scene.
-    Raises Rejected: NS0811 for a folder without suitable scenes, or if training and validation
-    would share a scene; NS0812 for an import path."""
-    kind = _Kind(settings, still, slots, seed, tell)
+    subfolders. With
+    `classes`, each scene has one of them: files are in folders of their names. `tell` is called with messages on the validation split and on changes of a scene.
+    Raises Rejected: NS0811 for a
+    folder without suitable scenes, or if training and validation
+    would share a scene;
+    NS0812 for an import path."""
+    kind = _Kind(settings, still, slots, seed, classes, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
     if settings.val or pictures or settings.train == "procedural":
         if pictures and not settings.val:
@@ -122,6 +128,7 @@ class _Kind:
     still: bool
     slots: int
     seed: int
+    classes: tuple[str, ...] = ()
     tell: Callable[[str], object] = lambda _text: None
 
     def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
@@ -145,10 +152,17 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
         with own_code(source, "data"):
             kind_text = "still" if kind.still else "clip"
             scenes = call(kind=kind_text, part=split_name, slots=kind.slots, seed=kind.seed)
-            pairs = [(str(name), np.asarray(light)) for name, light in scenes]
-        return [_scene(name, light, kind) for name, light in pairs]
+            drawn = [(str(name), np.asarray(light), label) for name, light, *label in scenes]
+        for name, _, label in drawn:
+            if label not in ([[known] for known in kind.classes] or [[]]):
+                wanted = f"one of {', '.join(kind.classes)}" if kind.classes else "no class"
+                raise own_failed(source, "data", f"scene '{name[:60]}' must have {wanted}, after "
+                                 "its name and its light")  # fmt: skip
+        return [
+            replace(_scene(name, light, kind), label="".join(label)) for name, light, label in drawn
+        ]
     folder, endings = Path(source), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
-    files = files_in(folder, endings)
+    files = files_in(class_folders(folder) if kind.classes else folder, endings)
     if not files:
         kind_text = "stills" if kind.still else "clips"
         raise rejected(
@@ -157,20 +171,30 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
             notes=(f"{kind_text} end in {', '.join(endings)}",),
             helps=("name a folder of such files, `procedural`, or a function as module:name",),
         )
-    return [scene for path in files for scene in _read(path, kind)]
+    return [
+        replace(scene, label=class_of(path, kind.classes) if kind.classes else "")
+        for path in files for scene in _read(path, kind)
+    ]  # fmt: skip
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
     count = kind.settings.scenes if split_name == "train" else -(-kind.settings.scenes // 4)
     size = max(kind.settings.patch + kind.settings.patch // 2, 32)
+    protocol = load_protocol(kind.settings.protocol)
     scenes = []
     for index in range(count):
         generator = np.random.default_rng([kind.seed, 1 if split_name == "train" else 2, index])
-        if kind.still:
+        label = ""
+        if kind.classes:
+            label, light = moving_texture(
+                generator, index, kind.classes, kind.slots, size, protocol
+            )
+        elif kind.still:
             light = made_scenes.still(generator, size)
         else:
             light = made_scenes.clip(generator, kind.slots, size)
-        scenes.append(_scene(f"procedural-{split_name}-{index}", light, kind))
+        scene = _scene(f"procedural-{split_name}-{index}", light, kind)
+        scenes.append(replace(scene, label=label))
     return scenes
 
 

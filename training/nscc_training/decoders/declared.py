@@ -16,7 +16,8 @@ class DecoderTask:
     """The task of a decoder.
 
     `kind` is "still" or "clip". The frame has `slots` slots, coded by a tile (rows, cols), in one
-    or two `buckets`. `sees_code` means that the network receives the shutters as input. `guess`
+    or two `buckets`. With `classes`, the decoder names the class of a clip.
+    `sees_code` means that the network receives the shutters as input. `guess`
     means that a U-Net starts from a first guess; None leaves this to the decoder's size."""
 
     kind: str
@@ -25,6 +26,7 @@ class DecoderTask:
     sees_code: bool = True
     buckets: int = 1
     guess: bool | None = None
+    classes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -39,14 +41,16 @@ class Decoder:
         is loaded when the decoder is built.
     channels : mapping of str to tuple of int
         The channels of the layers, by size.
-    stills, clips : bool
-        Whether the decoder reconstructs stills, and clips.
+    stills, clips, classifies : bool
+        Whether the decoder reconstructs stills, and clips, or names the classes of clips.
     needs_code : str
         Why the decoder needs the shutter code as input; empty if it does not.
     any_code : bool
         Whether it decodes codes that it was not trained with.
     fixed_channels : bool
         Whether its width is fixed: it starts from weights that come with nscc, or has no weights.
+    scales : bool
+        Whether it also has other widths, which start from random weights.
     guesses : bool
         Whether it can start from a first guess, or without.
     two_buckets : bool
@@ -58,9 +62,11 @@ class Decoder:
     channels: Mapping[str, tuple[int, ...]]
     stills: bool = False
     clips: bool = True
+    classifies: bool = False
     needs_code: str = ""
     any_code: bool = True
     fixed_channels: bool = False
+    scales: bool = False
     guesses: bool = False
     two_buckets: bool = False
 
@@ -96,6 +102,7 @@ _OWN = (
         stills=True,
         needs_code="simulates the capture of a clip with its code, so it needs the code",
         fixed_channels=True,
+        scales=True,
         two_buckets=True,
     ),
     Decoder(
@@ -106,6 +113,14 @@ _OWN = (
         clips=False,
         fixed_channels=True,
         needs_code="divides by the open time of a code, so it needs the code",
+    ),
+    Decoder(
+        "classifier",
+        f"{_HERE}.classifier:classifier",
+        {"paper": (64, 128, 256), "small": (16, 32, 64)},
+        clips=False,
+        classifies=True,
+        two_buckets=True,
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )

@@ -30,7 +30,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         One of `SIZES`.
     task : DecoderTask
     width : float
-        Factor up to 1 on the channels of all layers.
+        Factor on the channels of all layers.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
     Notes
     -----
     The user's own code is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..), with
-    buckets=2 for two buckets.
+    buckets=2 for two buckets, and classes=COUNT for classes.
     """
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
@@ -53,17 +53,20 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
             raise ValueError(f"decoder.width applies only to nscc's own decoders, not to '{name}'")
         _check_guess(name, False, task)
         return _own_decoder(name, size, task)
-    if task.kind == "still" and not declared.stills:
-        raise ValueError(f"{name} reconstructs clips, not stills")
-    if task.kind != "still" and not declared.clips:
-        raise ValueError(f"{name} reconstructs stills, not clips")
+    abilities = {
+        "stills": declared.stills, "clips": declared.clips, "classes": declared.classifies
+    }  # fmt: skip
+    wanted = "classes" if task.classes else "stills" if task.kind == "still" else "clips"
+    if not abilities[wanted]:
+        decoded = " and ".join(kind for kind, able in abilities.items() if able)
+        raise ValueError(f"{name} decodes {decoded}, not {wanted}")
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
     if task.buckets > 1 and not declared.two_buckets:
         takers = [decoder.name for decoder in DECODERS.values() if decoder.two_buckets]
         raise ValueError(f"{name} accepts one bucket; {', '.join(takers)} accept two")
     _check_guess(name, declared.guesses, task)
-    if declared.fixed_channels and width != 1:
+    if declared.fixed_channels and not declared.scales and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.fixed_channels or size != "small":
         return _built(declared, size, task, width)
@@ -102,6 +105,7 @@ def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.
 def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
     make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
     extra = {"buckets": task.buckets} if task.buckets > 1 else {}
+    extra |= {"classes": len(task.classes)} if task.classes else {}
     with own_code(name, "decoder"):
         network = make(
             size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code,
@@ -123,7 +127,9 @@ def _called(
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
-    if task.kind != "still":
+    if task.classes:
+        expected_shape = (len(frame), len(task.classes))
+    elif task.kind != "still":
         expected_shape = (expected_shape[0], task.slots, *expected_shape[1:])
     if not isinstance(output, Tensor):
         raise own_failed(name, "decoder", f"it returns a {type(output).__name__}, not a tensor")

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.examples import examples
 from nscc.pipeline import Options
 from nscc.source import Source
@@ -55,7 +56,7 @@ class Settings:
 
     `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
     uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
-    which needs torch; otherwise neighbours are merged."""
+    which needs torch; otherwise neighbours are merged. `run` exposes and decodes instead of what comes with nscc."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -64,6 +65,7 @@ class Settings:
     seed: int = 0
     learned: bool = field(default_factory=lambda: find_spec("torch") is not None)
     readouts: int | None = None
+    run: Path | None = None
 
     @property
     def program(self) -> Path:
@@ -149,19 +151,28 @@ class Exposed:
 def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
     """Expose a still with its run's program, or a clip with the program for its number of readouts.
 
-    Uses the default sensor and the effects that `auto` selects. Raises Rejected for a scene that is
-    dark or cannot be read."""
-    like = run_capture(RUNS[subject.still])
-    program = like.program if subject.still else settings.program
-    compiled = compile_file(program, Options()).container
-    assert compiled is not None  # programs that come with nscc compile
+    Uses the default sensor and the effects that `auto` selects. Raises
+    Rejected for a scene that is
+    dark, or cannot be read, or is not of the run's kind (NS0821)."""
+    run = settings.run or (RUNS[True] if subject.still else None)
+    like = run_capture(run or RUNS[False])
+    if like.still != subject.still:
+        kinds = {True: "a still", False: "a clip"}
+        raise rejected(
+            "NS0821", f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' "
+                      f"reconstructs {kinds[like.still]}",
+            helps=("name another scene, or leave --run out",),
+        )  # fmt: skip
+    program = settings.program if run is None else like.program
+    target = None if like.target is None else str(like.target)
+    compiled = compile_file(program, Options(target=target)).container
+    assert compiled is not None  # programs that come with nscc, or a run, compile
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
     begin = working_s()
     coded_capture = simulate_scene(compiled, laid, sensor, request, listener)
     seconds = working_s() - begin
-    target = None if like.target is None else str(like.target)
     usual_camera = camera(like.slots, like.slot_us, target)
     usual = simulate_scene(usual_camera, laid, sensor, request, listener)
     dark, usual_dark = (
@@ -177,7 +188,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
         fair = (simulate_scene(ordinary, laid, sensor, request, listener),
                 _dark(ordinary, sensor, settings, listener))  # fmt: skip
     return Exposed(
-        RUNS[True] if subject.still else None, program, scene, laid, compiled, sensor,
+        run, program, scene, laid, compiled, sensor,
         coded_capture, dark, usual, usual_dark, seconds, looked, fair,
     )  # fmt: skip
 

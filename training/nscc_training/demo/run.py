@@ -51,7 +51,7 @@ def demo(
     `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
     `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark."""
     settings, listener = settings or Settings(), listener or Listener()
-    clips = run_capture(Path("clip"))
+    clips = run_capture(settings.run or Path("clip"))
     scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
     if scene_subject.chosen and listener.say is not None:
         listener.say(f"{Path(scene.name).name}: {scene_subject.chosen}")
@@ -98,7 +98,7 @@ def _reconstructed(
         return (
             reconstruction.light,
             reconstruction.decode_s,
-            f"U-Net of run {exposed_scene.run.name}",
+            f"{'U-Net of ' if settings.run is None else ''}run {exposed_scene.run.name}",
         )
     if settings.learned:
         from nscc_training.reconstruct_any import reconstruct_any

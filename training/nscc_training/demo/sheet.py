@@ -125,6 +125,11 @@ class Shown:
         """The name of the measure that `decibels` returns."""
         return "PSNR" if self.display or not self.still else "PSNR-mu"
 
+    @property
+    def camera_db(self) -> float:
+        """The score of an ordinary camera: the better one of always open and automatic exposure."""
+        return self.open_db if self.fair_db is None else max(self.open_db, self.fair_db)
+
     def decibels(self, light: NDArray[Any]) -> float:
         """Return the PSNR of `light` in dB.
 
@@ -155,10 +160,10 @@ def demo_sheet(shown: Shown) -> Figure:
     if shown.looked_db is not None:
         results.append((shown.looked_db, "pixels that look"))
     best_db, how = max(results)
-    plain_db = shown.open_db if shown.fair_db is None else max(shown.open_db, shown.fair_db)
+    worse = ", worse than" if best_db < shown.camera_db else ";"
     title = (
         f"{name if name.startswith('builtin:') else Path(name).name}: {shown.measure} "
-        f"{best_db:.1f} dB by {how}; an ordinary camera {plain_db:.1f} dB"
+        f"{best_db:.1f} dB by {how}{worse} an ordinary camera {shown.camera_db:.1f} dB"
     )
     rows = _still_rows(shown) if shown.still else _clip_rows(shown)
     return image_sheet(rows, title, _SIDE_INCHES)
@@ -174,7 +179,8 @@ def _readout(shown: Shown) -> Image:
 
 
 def _decoder_text(shown: Shown) -> str:
-    return f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB, in {_time(shown.decode_s)}"
+    worse = ", worse than an ordinary camera" if shown.psnr_db < shown.camera_db else ""
+    return f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB{worse}, in {_time(shown.decode_s)}"
 
 
 def _tone(shown: Shown) -> str:

@@ -16,13 +16,13 @@ from typing import Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.evaluation.results import compare, mean_of, read_result
-from nscc_training.measures import number
+from nscc_training.measures import METRIC_LABELS, number
 from nscc_training.run_files import WEIGHTS, shipped_evaluations
 from nscc_training.statistics import bootstrap
 
 _MISSING = "not run"
 _UNSHIPPED = "†"
-_WORDS = ("mean", "gain", "value", "row", "against", "columns", "paper")
+_WORDS = ("mean", "gain", "value", "row", "against", "verdict", "columns", "paper")
 _SETTINGS = {
     "moved": lambda settings: f"{settings['moved']} of {settings['places']}",
     "steps": lambda settings: str(settings["steps"]),
@@ -138,6 +138,30 @@ class Page:
         mark = self._mark(first) or self._mark(second)
         gains = (self.gain(first, second, metric) for metric in metrics)
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
+
+    def verdict(self, label: str, name: str, metric: str, *others: str) -> str:
+        """Return an item of a list that compares a learned code with the best hand-made code of
+        its table. `others` are the hand-made codes, each LABEL and NAME."""
+        unit = METRIC_LABELS[metric]
+        means = {
+            other: mean
+            for other, other_name in zip(others[::2], others[1::2], strict=True)
+            if (mean := mean_of(self._results_of(other_name), metric)) is not None
+        }
+        results = self._results_of(name)
+        if not (results and means):
+            return f"* {label}, {unit}: {_MISSING}"
+        best = max(means, key=lambda other: means[other])
+        best_name = others[others.index(best) + 1]
+        first = self._results_of(best_name)
+        count = max(len(first), len(results))
+        pairs = zip(first * (count // len(first)), results * (count // len(results)), strict=True)
+        low, high = compare(list(pairs), metric)["ci95"] or (0.0, 0.0)
+        outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
+        if all(entry["settings"].get("moved") == 0 for entry in results):
+            return f"* {label}, {unit}: **not learned**, since no place moved from the start."
+        return (f"* {label}, {unit}: **{outcome}** than the best hand-made code of the table, "
+                f"{best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
         """Return a table row with one cell for each result, NAME[@SHARE].

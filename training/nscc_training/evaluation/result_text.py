@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.files import Product
-from nscc_training.evaluation.results import mean_of
+from nscc_training.evaluation.results import mean_of, score_of
 
 
 def result_json(result: Any) -> str:
@@ -42,24 +42,24 @@ def result_text(result: dict[str, Any]) -> str:
         lines.append(f"  on a chip with effects {effects}; trained with {trained}")
     if result["sees"] == "truth":
         lines.append("  an oracle: it reads the truth, not the capture")
-    for file in dict.fromkeys(item["file"] for item in result["items"]):
-        items = [item for item in result["items"] if item["file"] == file]
-        finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
-        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
-        ssim = sum(item["ssim"] for item in items) / len(items)
-        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
+    classified = score_of(result) == "correct"
+    lines += _class_lines(result["items"]) if classified else _scene_lines(result["items"])
     passed = Counter(f"{entry['file']}: {entry['reason']}" for entry in result["left_out"])
     for reason, count in passed.items():
         lines.append(f"  left out: {reason}" + (f", {count} times" if count > 1 else ""))
     if result["mean"] is not None:
         interval = result["ci95"]
-        between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
-        lines.append(
-            f"  mean {result['mean']:.2f} dB, sd {result['sd']:.2f}, {between}"
-            f", {result['infinite']} infinite"
-        )
+        if classified:
+            low, high = interval or (result["mean"], result["mean"])
+            lines.append(f"  {result['mean']:.1%} correct, 95 % {low:.1%} to {high:.1%}")
+        else:
+            between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
+            lines.append(
+                f"  mean {result['mean']:.2f} dB, sd {result['sd']:.2f}, {between}"
+                f", {result['infinite']} infinite"
+            )
     counts = Counter(item["file"] for item in result["items"])
-    if len(set(counts.values())) > 1:
+    if len(set(counts.values())) > 1 and not classified:
         by_source = mean_of([result], "psnr_db", by_source=True)
         most = max(counts.values())
         if by_source is not None:
@@ -69,6 +69,30 @@ def result_text(result: dict[str, Any]) -> str:
     if result["decoder_ms"] is not None:
         lines.append(f"  {result['decoder_ms']:.0f} ms a scene on {result['device']}")
     return "\n".join(lines) + "\n"
+
+
+def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return a line for each file."""
+    lines = []
+    for file in dict.fromkeys(item["file"] for item in items):
+        file_items = [item for item in items if item["file"] == file]
+        finite = [item["psnr_db"] for item in file_items if item["psnr_db"] != "inf"]
+        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
+        ssim = sum(item["ssim"] for item in file_items) / len(file_items)
+        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(file_items)} items")
+    return lines
+
+
+def _class_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return a line for each class, with the class for which it is most often mistaken."""
+    lines = []
+    for label in dict.fromkeys(item["class"] for item in items):
+        decoded = Counter(item["decoded"] for item in items if item["class"] == label)
+        count, correct = decoded.total(), decoded.pop(label, 0)
+        mistaken = decoded.most_common(1)
+        remark = f", {mistaken[0][1]} for {mistaken[0][0]}" if mistaken else ""
+        lines.append(f"  {label:32} {correct / count:.1%} of {count} correct{remark}")
+    return lines
 
 
 def comparison_text(comparison: Mapping[str, Any], metric: str) -> str:

@@ -145,7 +145,7 @@ def result(
             notes=tuple(list(reasons)[:_MOST_REASONS]),
             helps=("name a folder with other scenes, or convert these to the protocol's form",),
         )
-    values = [number(item.metrics["psnr_db"]) for item in items]
+    values = [number(item.metrics[protocol.metrics[0]]) for item in items]
     return {
         "schema": SCHEMA,
         "protocol": protocol.name,
@@ -187,7 +187,7 @@ def with_arrays(
         place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]
         label = "_".join([called.get(scene.file.name, scene.file.name), *map(str, place)])
         truth = scene.truth_e
-        kind = "image" if truth.ndim == 2 else "video"
+        kind = ("class", "image", "video")[truth.ndim - 1]
         arrays[f"{label}_{kind}"] = reconstruction
         arrays[f"{label}_truth"] = truth if truth.dtype == np.uint8 else truth.astype(np.float32)
     return report, arrays
@@ -202,8 +202,8 @@ def read_result(path: Path) -> dict[str, Any]:
                 raise ValueError("its mean is not a number")
             _ = [str(entry["sha256"]) for entry in document.get("data", ())]
             for item in document["items"]:
-                if math.isnan(number(item["psnr_db"])):
-                    raise ValueError("the PSNR of an item is not a number")
+                if math.isnan(number(item[score_of(document)])):
+                    raise ValueError("the score of an item is not a number")
                 _ = item["file"], item["crop"], item["frame"]
             return dict(document)
         reason = f"it has no schema {SCHEMA}"
@@ -217,6 +217,12 @@ def read_result(path: Path) -> dict[str, Any]:
         notes=(reason,),
         helps=("`nscc evaluate ... -o OUT.json` writes one",),
     )
+
+
+def score_of(result_values: Mapping[str, Any]) -> str:
+    """Return the metric whose mean is that of a result."""
+    classified = any("correct" in item for item in result_values["items"])
+    return "correct" if classified else "psnr_db"
 
 
 def mean_of(

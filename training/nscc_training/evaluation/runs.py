@@ -31,6 +31,7 @@ from nscc_training.evaluation.results import (
 from nscc_training.loop.validation import by_chip, by_model, validation_scenes
 from nscc_training.problems import listed
 from nscc_training.programs import SENSOR_FILE
+from nscc_training.protocol_scenes.classes import class_windows
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
@@ -77,7 +78,11 @@ def evaluate_run(
     decode = (
         _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, seed, effects, changes)
     )
-    scenes, unusable = usable_scenes(scenes_in(files, protocol), protocol)
+    candidates = (
+        class_windows(files, folder.setup.classes, protocol, seed)
+        if protocol.classifies else scenes_in(files, protocol)
+    )  # fmt: skip
+    scenes, unusable = usable_scenes(candidates, protocol)
     left_out = [
         {"file": path.name, "reason": "the run has seen it"} for path in seen_files
     ] + unusable
@@ -103,7 +108,10 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
     Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
     (NS0811) if the scenes of its configuration are missing or have changed."""
     settings = folder.setup.settings
-    scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
+    setup = folder.setup
+    scenes = load_scenes(
+        settings.data, setup.still, setup.slots, settings.train.seed, classes=setup.classes
+    )
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
         raise rejected(
             "NS0811", f"'{folder.path}' was validated on other scenes than those that its "
@@ -200,8 +208,10 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
         known = kind in (protocol["class"], LOOKS)
         matches = setup.still and setup.slots == protocol["slots"] and known
     else:
-        want = f"clips of {protocol['frames']} slots"
+        want = f"{'classes' if protocol.classifies else 'clips'} of {protocol['frames']} slots"
+        have = f"the classes of {have}" if setup.classes else have
         matches = not setup.still and setup.slots == protocol["frames"]
+        matches = matches and protocol.classifies == bool(setup.classes)
     if not matches:
         raise rejected(
             "NS0821",

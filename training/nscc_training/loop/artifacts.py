@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from hashlib import sha256
 from typing import Any
@@ -24,7 +24,7 @@ from nscc_training.least_squares import solve
 from nscc_training.loop.decoding import scene_by_words
 from nscc_training.loop.setup import TrainingSetup, started_encoder
 from nscc_training.loop.validation import as_trained, by_model, validated
-from nscc_training.measures import decibels
+from nscc_training.measures import METRIC_NAMES, means_text, score_text
 from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.sensor_model import shared_out
@@ -41,6 +41,8 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
     ("exposure x 2", {}, 2.0),
 )
 """Name of each change of conditions, factors on sensor values, and a factor on the exposure."""
+_ALONE, _START = "noise_alone_", "start_alone_"
+"""Prefixes of metrics: with noise and no other effects, and with the initial codes."""
 
 
 def artifacts(
@@ -70,6 +72,7 @@ def artifacts(
     files["capture.toml"] = capture_toml(setup).encode()
     side = setup.settings.data.patch
     robustness = _robustness(setup, shown)
+    score_name = METRIC_NAMES[setup.protocol.metrics[0]]
     result = {
         "schema": "nscc-run-2",
         "headline": _headline(setup, shown, robustness[0]),
@@ -79,8 +82,8 @@ def artifacts(
         "split_sha256": split_digest(scenes),
         "step": step,
         "stages": _stages(setup, shown, build.container),
-        "stages_note": f"PSNR in dB of {len(shown)} validation scenes, as the protocol counts it, "
-        "without noise",
+        "stages_note": f"{score_name} of {len(shown)} validation scenes, as the protocol counts "
+        "it, without noise",
         "robustness": robustness,
         "words_per_slot": words_per_slot(build),
         "codes": _codes_report(setup, shown),
@@ -136,6 +139,7 @@ def capture_toml(setup: TrainingSetup) -> str:
         "scenes": "stills" if setup.still else "clips",
         "transfer": setup.settings.data.transfer,
         "exposure": _exposure(setup),
+        **({"classes": [*setup.classes]} if setup.classes else {}),
         "normalisation": f"1 is a full well{slots or ' over the frame'}",
     }  # fmt: skip
     head = "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else."
@@ -149,14 +153,15 @@ def _exposure(setup: TrainingSetup) -> str:
         return "30 % of the pixels saturate when always open"
     grey_e = setup.protocol.mid_grey_e
     if grey_e is None:
-        return "percentile 99 of the all-open sum is a full well"
+        part = "" if setup.protocol.light == 1 else f"{setup.protocol.light:g} of "
+        return f"percentile 99 of the all-open sum is {part}a full well"
     return f"the median of the all-open sum is {grey_e:.0f} e"
 
 
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
-    """Return the PSNR with soft, hard, compiled and emulated shutters, without noise."""
+    """Return the score with soft, hard, compiled and emulated shutters, without noise."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
@@ -182,9 +187,9 @@ def _stages(
     stages: dict[str, Any] = dict.fromkeys(("soft", "hard", "compiled"))
     for name, tile in tiles.items():
         scores = validated(setup, shown, by_model(setup, tile, ideal))
-        stages[name] = decibels(scores.psnr_db)
+        stages[name] = scores.score
     emulated = validated(setup, shown, lambda light_e, _: scene_by_words(setup, container, light_e))
-    return stages | {"emulated": decibels(emulated.psnr_db), "compiled_equals_hard": bool(same)}
+    return stages | {"emulated": emulated.score, "compiled_equals_hard": bool(same)}
 
 
 def _headline(
@@ -193,10 +198,10 @@ def _headline(
     """Return the scores with the sensor of training; with effects also the scores without
     effects."""
     effects = setup.settings.sensor.effects
-    headline = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
+    headline = {"effects": effects, **{key: trained[key] for key in setup.protocol.metrics}}
     if effects:
         alone = validated(setup, shown, by_model(setup))
-        headline |= {"noise_alone_psnr_db": decibels(alone.psnr_db), "noise_alone_ssim": alone.ssim}
+        headline |= {f"{_ALONE}{metric}": value for metric, value in alone.means.items()}
     return headline
 
 
@@ -211,7 +216,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
         else:
             decode = by_model(setup, model=replace(setup.model, **values))
         scores = validated(setup, shown, decode, exposure)
-        rows.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
+        rows.append({"change": name, **scores.means})
     return rows
 
 
@@ -240,7 +245,7 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
         "places": len(shutters),
         "start": chosen.init,
         "moved": int(moved.sum()),
-        "start_alone_psnr_db": decibels(alone.psnr_db),
+        f"{_START}{setup.protocol.metrics[0]}": alone.score,
         "shutters": len(distinct),
         "rank": system.rank,
         "condition": None if np.isinf(system.condition) else system.condition,
@@ -248,16 +253,16 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
     }
 
 
-def _headline_text(headline: dict[str, Any], db: Callable[[float | str], str]) -> str:
+def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
     """Return the headline of a run as a sentence."""
-    score = f"{db(headline['psnr_db'])} dB, SSIM {headline['ssim']:.4f}"
+    score = means_text({metric: headline[metric] for metric in metrics})
     if not headline["effects"]:
         return (
             f"**{score}** on its validation scenes under photon noise, readout noise and "
             "converter alone. It knows\nno other effects of a chip: `nscc evaluate RUN --effects "
             "all` says what they cost it."
         )
-    alone = f"{db(headline['noise_alone_psnr_db'])} dB, SSIM {headline['noise_alone_ssim']:.4f}"
+    alone = means_text({metric: headline[f"{_ALONE}{metric}"] for metric in metrics})
     return (
         f"**{score}** on its validation scenes under the emulated chip's effects "
         f"(`{headline['effects']}`), which it was\ntrained under; {alone} under photon noise, "
@@ -266,27 +271,34 @@ def _headline_text(headline: dict[str, Any], db: Callable[[float | str], str]) -
     )
 
 
+def _purpose(setup: TrainingSetup) -> str:
+    if setup.classes:
+        return f"the class of a clip from one exposure ({', '.join(setup.classes)})"
+    return "stills of high dynamic range" if setup.still else "clips from one exposure"
+
+
 def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
     """Return the text of the model card."""
-    settings = setup.settings
+    settings, metrics = setup.settings, setup.protocol.metrics
+    metric, score_name = metrics[0], METRIC_NAMES[metrics[0]]
 
-    def db(value: float | str) -> str:
+    def plain(value: float | str) -> str:
         return value if isinstance(value, str) else f"{value:.2f}"
 
     alone = ""
-    if result["codes"]["moved"] and "start_alone_psnr_db" in result["codes"]:
+    if result["codes"]["moved"] and f"{_START}{metric}" in result["codes"]:
         # The report of pixels that look lacks this score.
         alone = (f"\nBehind this decoder the start alone gives "
-                 f"{db(result['codes']['start_alone_psnr_db'])} dB where these shutters give "
-                 f"{db(result['robustness'][0]['psnr_db'])}.")  # fmt: skip
+                 f"{score_text(metric, result['codes'][f'{_START}{metric}'])} where these shutters "
+                 f"give {score_text(metric, result['robustness'][0][metric])}.")  # fmt: skip
     stages = " | ".join(
-        "-" if result["stages"][k] is None else db(result["stages"][k])
+        "-" if result["stages"][k] is None else plain(result["stages"][k])
         for k in ("soft", "hard", "compiled", "emulated")
     )
-    rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
+    rows = "\n".join(f"| {r['change']} | {plain(r[metric])} |" for r in result["robustness"])
     return f"""# Model card
 
-{_headline_text(result["headline"], db)}
+{_headline_text(result["headline"], metrics)}
 
 A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["parameters"]} parameters)
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
@@ -294,7 +306,7 @@ and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 {result["codes"]["shutters"]} shutters. Of {result["codes"]["places"]} places \
 {result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.{alone}
 
-* **For** {"stills of high dynamic range" if setup.still else "clips from one exposure"} as the
+* **For** {_purpose(setup)} as the
   protocol {setup.protocol.name} exposes them; `capture.toml` says how. Frames of another program
   or sensor mean nothing to it.
 * **Trained** for {settings.train.steps} steps of {settings.train.batch} patches of \
@@ -303,7 +315,8 @@ and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 (`split.json`).
 * **Not** measured here: other scenes than those of validation. `nscc evaluate` does that.
 
-PSNR in dB of the validation scenes without noise, as the protocol counts it, with the shutters of
+{score_name[0].upper()}{score_name[1:]} of the validation scenes without noise, as the protocol \
+counts it, with the shutters of
 four stages:
 
 | soft | hard | compiled | emulated |
@@ -312,7 +325,7 @@ four stages:
 
 With noise, and with a sensor or exposure that it was not trained for:
 
-| change | PSNR in dB |
+| change | {score_name} |
 |---|---|
 {rows}
 """

@@ -97,8 +97,13 @@ def scene_by_chip(
     opened = frame.told.get(OPEN)
     share = None if opened is None else (opened[0] / slots).astype(np.float32)
     bucket = 0 if setup.buckets == 1 else ...
-    result = decoded_frame(setup, frame.frame[bucket], frame.saturated[bucket], share)
-    return result[..., : size[0], : size[1]].astype(np.float64), perf_counter() - begin
+    visible_part = (..., slice(size[0]), slice(size[1]))
+    codes, saturated = frame.frame[bucket], frame.saturated[bucket]
+    if setup.classes:  # the continuation of the scene has no class
+        result = decoded_frame(setup, codes[visible_part], saturated[visible_part])
+    else:
+        result = decoded_frame(setup, codes, saturated, share)[visible_part]
+    return result.astype(np.float64), perf_counter() - begin
 
 
 @torch.no_grad()
@@ -139,12 +144,15 @@ def decoded_frame(
     share: NDArray[np.float32] | None = None, corner: tuple[int, int] = (0, 0),
 ) -> NDArray[np.float32]:  # fmt: skip
     """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
-    cols).
+    cols), or to a number for each class.
 
     Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of each
     pixel, for pixels that look. `corner` is the place of the first pixel on the array. Frames
     larger than the array are decoded in blocks."""
     rows, cols = frame.shape[-2:]
+    if setup.classes:
+        opened = shutters_at(setup, (rows, cols), corner)
+        return _decoded_block(setup, frame, saturated, opened)
     light: NDArray[np.float32] | None = None
     array = (setup.target.rows, setup.target.cols)
     shutters = lru_cache(maxsize=4)(partial(shutters_at, setup))

@@ -2,31 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.rejection import rejected
 
-COLUMNS = ("step", "split", "loss", "psnr_db", "ssim", "words_per_slot", "dead_share")
 METRICS = "metrics.csv"
 EVENTS = "tensorboard"
 
 
 class Log:
-    """The log of a run in the folder `out`; `rows` are the lines of `metrics.csv`."""
+    """The log of a run in a column for each metric of its protocol; `rows`
+    are the lines of `metrics.csv`."""
 
-    def __init__(self, out: Path, rows: list[str] | None = None) -> None:
+    def __init__(
+        self, out: Path, metrics: Sequence[str], rows: Sequence[str] | None = None
+    ) -> None:
         self.out = out
-        self.rows = rows or [",".join(COLUMNS)]
+        self._columns = ("loss", *metrics, "words_per_slot", "dead_share")
+        self.rows = list(rows or [",".join(["step", "split", *self._columns])])
         self._events: Any = None
 
     @classmethod
-    def of_checkpoint(cls, folder: Path, step: int, out: Path) -> Log:
+    def of_checkpoint(cls, folder: Path, step: int, out: Path, metrics: Sequence[str]) -> Log:
         """Return the log up to the step of a checkpoint; later lines are dropped."""
         path = folder / METRICS
         if not path.is_file():
-            return cls(out)
+            return cls(out, metrics)
         try:
             head, *rows = path.read_text(encoding="utf-8").splitlines()
             kept_rows = [row for row in rows if int(row.partition(",")[0]) <= step]
@@ -37,18 +41,18 @@ class Log:
                 notes=(f"{path.name} is damaged: its lines do not begin with a step",),
                 helps=("without that file the run resumes, and its log starts there",),
             ) from None
-        return cls(out, [head, *kept_rows])
+        return cls(out, metrics, [head, *kept_rows])
 
-    def add(self, step: int, split: str, **values: float | None) -> None:
+    def add(self, step: int, split: str, **values: float | str | None) -> None:
         """Add a line; missing values stay empty."""
-        cells = (values.get(name) for name in COLUMNS[2:])
+        cells = (values.get(name) for name in self._columns)
         texts = ("" if value is None else repr(float(value)) for value in cells)
         self.rows.append(",".join([str(step), split, *texts]))
         events = self._writer()
         if events is not None:
             for name, value in values.items():
                 if value is not None:
-                    events.add_scalar(f"{split}/{name}", value, step)
+                    events.add_scalar(f"{split}/{name}", float(value), step)
             events.flush()
 
     def csv(self) -> bytes:

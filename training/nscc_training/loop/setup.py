@@ -30,7 +30,8 @@ from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
-from nscc_training.losses import LOSSES, Loss
+from nscc_training.losses import CLASS, LOSSES, Loss
+from nscc_training.made_scenes import DIRECTIONS
 from nscc_training.problems import one_line
 from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
@@ -69,8 +70,15 @@ class TrainingSetup:
 
     @property
     def unit_e(self) -> float:
-        """Electrons, over the frame or per slot, that decoders represent as 1."""
+        """Electrons, over the frame or per slot, that decoders represent as 1; 1 for classes."""
+        if self.classes:
+            return 1.0
         return self.model.full_e / (1 if self.still else self.slots)
+
+    @property
+    def classes(self) -> tuple[str, ...]:
+        """The classes that the decoder distinguishes; empty if it reconstructs light."""
+        return classes_of(self.settings, self.protocol)
 
     @property
     def buckets(self) -> int:
@@ -119,6 +127,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
         raise _invalid_setting("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     _check_learning(settings)
+    _check_classes(settings, protocol)
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
@@ -135,6 +144,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
         settings.decoder.sees_code,
         chosen.buckets,
         {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
+        classes_of(settings, protocol),
     )
     # The parameters of a decoder come from torch's global generator, so its state is restored.
     with torch.random.fork_rng(devices=[]):
@@ -278,6 +288,41 @@ def _check_learning(settings: RunSettings) -> None:
         reason = ("with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, "
                   "or set `shutter.learn` to false")  # fmt: skip
         raise _invalid_setting("shutter.warm_up", reason)
+
+
+def classes_of(settings: RunSettings, protocol: Protocol) -> tuple[str, ...]:
+    """Return the classes of a configuration; empty if its protocol has no classes."""
+    return settings.data.classes or DIRECTIONS if protocol.classifies else ()
+
+
+def _check_classes(settings: RunSettings, protocol: Protocol) -> None:
+    """Raise Rejected (NS0815) for settings that do not go together with classes, or need them."""
+    classes, data = classes_of(settings, protocol), settings.data
+    if not classes:
+        if data.classes:
+            raise _invalid_setting("data.classes", "classes need [data] protocol class-v1")
+        if CLASS in settings.loss.name.split("+"):
+            raise _invalid_setting("loss.name", "`class` needs [data] protocol class-v1")
+        return
+    if settings.loss.name != CLASS and not is_import_path(settings.loss.name):
+        raise _invalid_setting("loss.name", "classes are learned with the loss `class`")
+    if len(set(classes)) < max(2, len(classes)):
+        raise _invalid_setting("data.classes", "name at least two classes, each once")
+    if unknown := [c for c in classes if c not in DIRECTIONS and data.train == "procedural"]:
+        raise _invalid_setting(
+            "data.classes", f"procedural scenes have the classes {', '.join(DIRECTIONS)}, not "
+            f"{unknown[0][:40]}",
+        )  # fmt: skip
+    if data.augment:
+        raise _invalid_setting(
+            "data.augment", "rotated, mirrored and reversed clips may change their class: set it "
+            "to false",
+        )  # fmt: skip
+    if settings.shutter.learn and settings.shutter.relaxation == "tried":
+        raise _invalid_setting(
+            "shutter.relaxation", "trials need the loss of each pixel, and a class has one loss: "
+            "use straight-through or search",
+        )  # fmt: skip
 
 
 def _check_effects(settings: RunSettings, encoder: Encoder) -> None:

@@ -44,6 +44,7 @@ from nscc_training.loop.state import unpack as unpacked
 from nscc_training.loop.steps import decoded, finite_norm, loss_of, window
 from nscc_training.loop.trials import pull, trial_of
 from nscc_training.loop.validation import validated, validation_scenes
+from nscc_training.measures import means_text
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.settings import RunSettings
@@ -131,7 +132,8 @@ def start(
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     tell: Callable[[str], object] = report if ranks.first else str
-    scenes = load_scenes(data, setup.still, setup.slots, seed, pictures=bool(lessons), tell=tell)
+    scenes = load_scenes(data, setup.still, setup.slots, seed, pictures=bool(lessons),
+                         classes=setup.classes, tell=tell)  # fmt: skip
     dataset: Dataset[Any]
     if lessons:
         lights = [scene.light for scene in scenes.train]
@@ -139,8 +141,9 @@ def start(
         dataset = LessonSet(pictures, settings)
     else:
         dataset = ExposureSet(
-            scenes, data, slots=setup.slots, batch=settings.train.batch, seed=seed
-        )
+            scenes, data, slots=setup.slots, batch=settings.train.batch, seed=seed,
+            classes=setup.classes,
+        )  # fmt: skip
     if settings.train.compile:
         setup.decoder.compile()
     average = None
@@ -148,10 +151,11 @@ def start(
         decay = get_ema_multi_avg_fn(settings.train.average)  # type: ignore[no-untyped-call]
         average = AveragedModel(setup.decoder, multi_avg_fn=decay, use_buffers=True)
     state = TrainingState(setup, optimizers_of(setup), average)
-    progress, log = TrainingProgress(), Log(out)
+    metrics = setup.protocol.metrics
+    progress, log = TrainingProgress(), Log(out, metrics)
     if checkpoint is not None:
         progress = unpacked(checkpoint, state, scenes)
-        log = Log.of_checkpoint(checkpoint.parent, progress.step, out)
+        log = Log.of_checkpoint(checkpoint.parent, progress.step, out, metrics)
     loss = ranks.parallel(StepLoss(setup, ranks))
     shown = validation_scenes(setup, scenes) if ranks.first else []
     return TrainingRun(state, dataset, scenes, shown, ranks, progress, log, loss)
@@ -357,9 +361,9 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
         setup.decoder.load_state_dict(run.state.average.module.state_dict())
     setup.decoder.eval()
     scores = validated(setup, run.shown)
-    run.log.add(step, "val", loss=scores.loss, psnr_db=scores.psnr_db, ssim=scores.ssim,
-                words_per_slot=words, dead_share=dead)  # fmt: skip
-    report(f"step {step}: loss {scores.loss:.5f}, {scores.psnr_db:.2f} dB, SSIM {scores.ssim:.4f} "
+    run.log.add(step, "val", loss=scores.loss, words_per_slot=words, dead_share=dead,
+                **scores.means)  # fmt: skip
+    report(f"step {step}: loss {scores.loss:.5f}, {means_text(scores.means)} "
            f"({setup.protocol.name}, {len(run.shown)} scenes of validation)"
            + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
     counts = words is not None and within(settings.shutter, words)

@@ -16,9 +16,11 @@ from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
 from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
 from nscc_training.loop.setup import TrainingSetup
-from nscc_training.measures import number
+from nscc_training.measures import decibels, number
+from nscc_training.protocol_scenes.classes import with_class
 from nscc_training.protocol_scenes.given_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
+from nscc_training.protocol_scenes.video import ClipWindow
 from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.statistics import summary
@@ -31,11 +33,16 @@ Returns electrons and seconds."""
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
+    """The loss, and means over scenes of the protocol's metrics, as JSON values; the first one is the
+    score."""
 
     loss: float
-    psnr_db: float
-    ssim: float
+    means: dict[str, float | str]
+
+    @property
+    def score(self) -> float | str:
+        """The mean of the protocol's first metric."""
+        return next(iter(self.means.values()))
 
 
 def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
@@ -50,6 +57,12 @@ def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScen
     lights = [(scene.name, scene.light) for scene in scenes.val]
     srgb = setup.settings.data.transfer != "linear"
     shown = exposed_arrays(lights, srgb, protocol, setup.settings.data.val_items)
+    if setup.classes:
+        labels = {scene.name: scene.label for scene in scenes.val}
+        shown = [
+            with_class(scene, labels[str(scene.file)], setup.classes)
+            for scene in shown if isinstance(scene, ClipWindow)
+        ]  # fmt: skip
     if not shown:
         raise rejected(
             "NS0811",
@@ -71,16 +84,21 @@ def validated(
     `exposure` is a factor on the light, of which the decoder is not informed; the result is divided
     by it."""
     decode = decode or as_trained(setup)
-    losses, scores, similar = [], [], []
+    losses: list[float] = []
+    scores: dict[str, list[float]] = {name: [] for name in setup.protocol.metrics}
     for index, scene in enumerate(shown):
         result_e = decode(scene.light_e * exposure, index)[0] / exposure
         scene_scores = scene.scores(result_e)
-        scores.append(number(scene_scores["psnr_db"]))
-        similar.append(scene_scores["ssim"])
+        for name, values in scores.items():
+            values.append(number(scene_scores[name]))
         losses.append(_loss(setup, scene, result_e))
-    mean = summary(scores, ["scene"] * len(scores))["mean"]
-    psnr_db = float("inf") if mean is None else mean
-    return Validation(float(np.mean(losses)), psnr_db, float(np.mean(similar)))
+    means = {name: float(np.mean(values)) for name, values in scores.items()}
+    name, *_ = scores
+    finite_mean = summary(scores[name], ["scene"] * len(shown))["mean"]
+    means[name] = float("inf") if finite_mean is None else finite_mean
+    return Validation(
+        float(np.mean(losses)), {name: decibels(value) for name, value in means.items()}
+    )
 
 
 def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
@@ -116,7 +134,11 @@ def by_chip(
 
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
-    """Return the loss of a reconstruction, with light above the peak clipped."""
+    """Return the loss of a reconstruction, with light above the peak clipped; of a class if there
+    are classes."""
+    if setup.classes:
+        scores, truth = (torch.from_numpy(values)[None] for values in (result_e, scene.truth_e))
+        return float(setup.loss(scores, truth))
     truth, result = (
         torch.from_numpy(np.asarray(light_e / scene.peak_e, np.float32))[None]
         for light_e in (scene.light_e, result_e)

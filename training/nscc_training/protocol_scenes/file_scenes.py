@@ -8,13 +8,14 @@ from pathlib import Path
 from typing import Any, Literal
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training.protocol_scenes.classes import class_folders
 from nscc_training.protocol_scenes.deblur import moments
 from nscc_training.protocol_scenes.given_scenes import made_scene
 from nscc_training.protocol_scenes.hdr import ENDINGS, crops
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.sci import sci_scenes
 from nscc_training.protocol_scenes.video import windows
-from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.protocols import PROCEDURAL, Protocol, load_protocol
 from nscc_training.scene_files import CLIPS, files_in, protocol_files
 
 Kind = Literal["clips", "stills"]
@@ -24,6 +25,7 @@ _CLIPS = (CLIPS, "clips end in", "clips of at least 256 x 256")
 _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
     "hdr-v1": _PANORAMAS, "deblur-v1": _PANORAMAS, "video-v1": _CLIPS, "two-bucket-v1": _CLIPS,
     "staggered-v1": _CLIPS, "codes-v1": _CLIPS,
+    "class-v1": (CLIPS, "clips end in", "folders of clips, named after classes, or `procedural`"),
     "sci8": ((".mat",), "clips end in", "the benchmark's clips, or one of them"),
 }  # fmt: skip
 
@@ -32,7 +34,12 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
     """Return the files of a folder that a protocol uses, by name; raise Rejected (NS0811) if there
     are none.
 
-    For sci8, `folder` may be a file."""
+    For sci8, `folder` may be a file; for class-v1 it holds a folder for each class, and
+    `procedural` has no files."""
+    if protocol.classifies:
+        if str(folder) == PROCEDURAL:
+            return []
+        folder = class_folders(folder)
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
     return protocol_files(folder, *_WANTED[protocol.name], protocol.name)

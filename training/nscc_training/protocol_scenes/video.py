@@ -84,7 +84,8 @@ def windows_of(
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
 ) -> ClipWindow | Unusable:
-    """Return a window, scaled so that a percentile of its light over the frame is a full well."""
+    """Return a window, scaled so that a percentile of its light over the frame is a full well, or the
+    part `protocol.light` of one."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(
@@ -92,6 +93,7 @@ def exposed_window(
         )
     # In a film of several coded frames, each frame fills a well on average.
     scale_e = float(protocol["full_well_e"]) / level * int(protocol.values.get("film", 1))
+    scale_e *= protocol.light
     return ClipWindow(path, None, first, light * scale_e, protocol, scale_e, srgb)
 
 

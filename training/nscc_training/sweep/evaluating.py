@@ -9,7 +9,7 @@ from typing import Any
 from nscc.files import write_whole
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.protocols import NAMES
+from nscc_training.protocols import NAMES, PROCEDURAL
 from nscc_training.scene_files import folders_of
 from nscc_training.sweep.light import sensor_changes, sensor_keys
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
@@ -57,7 +57,8 @@ def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 def _reads(values: Values) -> Sequence[Path]:
     named = [values.get("subject", ""), values["shutter"]]
-    return [*folders_of(values["data"]), *(Path(name) for name in named if name)]
+    scenes = [] if values["data"] == PROCEDURAL else folders_of(values["data"])
+    return [*scenes, *(Path(name) for name in named if name)]
 
 
 def _evaluate(values: Values, place: Place) -> Figures:
@@ -90,7 +91,7 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
     means = {}
     for name in dict.fromkeys(name for item in items for name in item):
         scored = [item for item in items if isinstance(item.get(name), int | float | str)]
-        if scored and name not in ("file", "crop", "frame"):
+        if scored and name not in ("file", "crop", "frame", "class", "decoded"):
             scores = [float(item[name]) for item in scored]
             means[name] = summary(scores, [item["file"] for item in scored])["mean"]
     return means
@@ -119,7 +120,7 @@ def _result(values: Values) -> dict[str, Any]:
 EVALUATE = PointKind(
     "evaluate", "scores under a protocol; complete results are stored under results", _keys,
     _evaluate,
-    ("psnr_db",), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db", "correct"), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves=".json",
 )  # fmt: skip

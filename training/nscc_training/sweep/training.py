@@ -86,11 +86,11 @@ def _train(values: Values, place: Place) -> Figures:
     torch.set_num_threads(place.threads)
     train(_settings(values), place.files)
     result = json.loads((place.files / "result.json").read_text(encoding="utf-8"))
-    as_trained = result["robustness"][0]
+    scores = {name: value for name, value in result["robustness"][0].items() if name != "change"}
+    unit = "correct" if "correct" in scores else "db"
     return {
-        "psnr_db": as_trained["psnr_db"],
-        "ssim": as_trained["ssim"],
-        **{f"{stage}_db": result["stages"][stage] for stage in _STAGES},
+        **scores,
+        **{f"{stage}_{unit}": result["stages"][stage] for stage in _STAGES},
         "words_a_slot": result["words_per_slot"],
         "parameters": result["parameters"],
     }
@@ -98,7 +98,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 TRAIN = PointKind(
     "train", "a run of nscc train and its validation; the run is stored under runs", _keys, _train,
-    ("psnr_db",), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db", "correct"), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",
 )  # fmt: skip

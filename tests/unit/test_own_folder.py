@@ -1,0 +1,99 @@
+"""Training on a folder: the settings that its files lead to, and the brightness of exposures."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from nscc_command import invoke
+from PIL import Image
+
+torch = pytest.importorskip("torch")
+
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training.config import load_config  # noqa: E402
+from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
+from nscc_training.own_folder import folder_settings  # noqa: E402
+from nscc_training.settings import DataSettings  # noqa: E402
+
+
+def folder(path: Path, ending: str, *sides: int) -> Path:
+    """Write pictures of these sides."""
+    path.mkdir()
+    draw = np.random.default_rng(1)
+    for number, side in enumerate(sides):
+        picture = cv2.resize(draw.uniform(0, 255, (9, 9, 3)).astype(np.float32), (side + 30, side))
+        picture = picture if ending == "hdr" else picture.astype(np.uint8)
+        cv2.imwrite(str(path / f"{number}.{ending}"), picture)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("ending", "sides", "protocol", "kind", "patch"),
+    [("hdr", (300, 140), "hdr-v1", "b", 128), ("png", (300, 100), "video-v1", "d", 96),
+     ("jpg", (20,), "video-v1", "d", 32)],
+)  # fmt: skip
+def test_the_settings_follow_from_the_files(
+    tmp_path: Path, ending: str, sides: tuple[int, ...], protocol: str, kind: str, patch: int
+) -> None:
+    said: list[str] = []
+    settings = folder_settings(folder(tmp_path / "f", ending, *sides), tell=said.append)
+    assert settings.data.protocol == protocol
+    assert settings.shutter.kind == kind
+    assert settings.shutter.relaxation == "tried"
+    assert settings.data.patch == patch
+    assert settings.data.train == str(tmp_path / "f")
+    assert settings.data.saturated == ((0.3, 0.6) if kind == "b" else (0.3, 0.3))
+    assert settings.data.brightness == ((1.0, 1.0) if kind == "b" else (0.25, 1.0))
+    assert f"patches of {patch} x {patch}" in said[0]
+
+
+def test_films_become_clips_and_changes_come_last(tmp_path: Path) -> None:
+    frames = [Image.new("L", (70, 66), 10 * k) for k in range(3)]
+    frames[0].save(tmp_path / "f.gif", save_all=True, append_images=frames[1:])
+    settings = folder_settings(tmp_path, ["train.steps=7", "data.patch=40"])
+    assert settings.data.protocol == "video-v1"
+    assert (settings.train.steps, settings.data.patch) == (7, 40)
+
+
+def test_a_folder_without_pictures_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("no picture")
+    with pytest.raises(Rejected) as refusal:
+        folder_settings(tmp_path)
+    assert refusal.value.diagnostics[0].code == "NS0811"
+
+
+def test_train_takes_a_folder(tmp_path: Path) -> None:
+    folder(tmp_path / "photos", "hdr", *[48] * 5)
+    small = ("shutter.slots=16", "train.steps=2", "train.batch=1", "data.together=1",
+             "data.val_items=1", "decoder.width=0.25")  # fmt: skip
+    changes = [word for change in small for word in ("--set", change)]
+    outcome = invoke(["train", "photos", "--out", "run", *changes], tmp_path)
+    assert outcome.status == 0, outcome.err
+    assert "5 files of 'photos', as stills of high dynamic range" in outcome.out + outcome.err
+    assert load_config(tmp_path / "run/config.resolved.toml").data.patch == 48
+
+
+@pytest.mark.parametrize("protocol", ["hdr-v1", "video-v1"])
+def test_brightness_is_a_factor_on_the_light_of_each_exposure(protocol: str) -> None:
+    data = DataSettings(scenes=4, patch=16, protocol=protocol, augment=False)
+    scenes = load_scenes(data, protocol == "hdr-v1", 4, 0)
+
+    def batch_of(limits: tuple[float, float]) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
+        chosen = replace(data, brightness=limits)
+        drawn = ExposureSet(scenes, chosen, slots=4, batch=8, seed=0)[3]
+        batch = cut_batch(drawn, chosen, 30000.0, torch.device("cpu"))
+        return drawn.brightness, batch.light, batch.peak
+
+    plain, half, tenth = (batch_of((factor, factor)) for factor in (1.0, 0.5, 0.1))
+    assert (plain[0] == 1).all()
+    # The same draws, apart from the brightness: light and peak scale together.
+    for light, other, factor in ((half, tenth, 5.0),):
+        assert torch.allclose(light[1], factor * other[1], rtol=1e-5)
+        assert torch.allclose(light[2], factor * other[2], rtol=1e-5)
+    drawn = batch_of((0.1, 10.0))[0]
+    assert len(set(drawn.tolist())) == 8
+    assert 0.1 <= float(drawn.min()) < 1 < float(drawn.max()) <= 10

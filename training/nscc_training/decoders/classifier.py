@@ -1,0 +1,66 @@
+"""A small network from a coded frame to the class of its scene."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import torch
+from torch import Tensor, nn
+
+from nscc_training.decoders.declared import DecoderTask
+from nscc_training.sensor_model import laid, lifted, shared_out
+
+
+def classifier(channels: Sequence[int], task: DecoderTask, size: str) -> Classifier:
+    """Build the declared decoder `classifier`."""
+    return Classifier(channels, task)
+
+
+class Classifier(nn.Module):
+    """Pairs of convolutions, of which the second halves the resolution, and the mean over places.
+
+    Inputs: the frame, or the frames of two buckets; with `sees_code` also S^T E of each, a channel
+    per slot in which a pixel keeps its mean light where it was open. Both are relative to their
+    mean, so that brightness does not count. Output: (batch, classes), the logarithms of
+    likelihoods, each up to the same constant. Frames may have any size.
+    """
+
+    def __init__(self, widths: Sequence[int], task: DecoderTask) -> None:
+        super().__init__()
+        self.slots, self.sees_code = task.slots, task.sees_code
+        layers: list[nn.Module] = []
+        inputs = task.buckets * (1 + task.sees_code * task.slots)
+        for before, width in pairwise([inputs, *widths]):
+            layers += [*_convolution(before, width, 1), *_convolution(width, width, 2)]
+        self.network = nn.Sequential(*layers)
+        self.last = nn.Linear(widths[-1], len(task.classes))
+
+    def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        frames = frame if frame.ndim == 4 else frame.unsqueeze(1)
+        inputs = [relative(frames, torch.ones_like(frames))]
+        if self.sees_code:
+            opened = laid(shared_out(shutters, frames.shape[1]), *frame.shape[-2:]).to(frame.dtype)
+            for bucket, tile in zip(
+                frames.unbind(1), opened if opened.ndim == 4 else opened[None], strict=True
+            ):
+                inputs.append(relative(lifted(bucket, tile)[0], tile))
+        output: Tensor = self.last(self.network(torch.cat(inputs, dim=1)).mean(dim=(2, 3)))
+        return output.float()
+
+
+def relative(values: Tensor, weight: Tensor) -> Tensor:
+    """Return values (batch, channels, rows, cols) divided by the mean of each of the batch, less 1,
+    where `weight` is 1, and 0 elsewhere."""
+    places = tuple(range(1, values.ndim))
+    weight = weight.expand_as(values)
+    mean = (values * weight).sum(places, keepdim=True) / weight.sum(places, keepdim=True)
+    return (values / mean.clamp(min=1e-6) - 1) * weight
+
+
+def _convolution(inputs: int, outputs: int, stride: int) -> list[nn.Module]:
+    return [
+        nn.Conv2d(inputs, outputs, 3, padding=1, stride=stride, bias=False),
+        nn.BatchNorm2d(outputs),
+        nn.ReLU(inplace=True),
+    ]

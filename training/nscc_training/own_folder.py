@@ -1,0 +1,79 @@
+"""Settings for a folder of one's own pictures or clips: what the documentation advises."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from nscc.diagnostics.rejection import rejected
+from nscc.program.problems import counted
+from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, PICTURES, read_picture
+from nscc_training.config import settings_of
+from nscc_training.scene_files import CLIPS, files_in, frames_in
+from nscc_training.settings import RunSettings
+
+_PATCHES = (128, 96, 64, 48, 32)
+"""Sides of patches in pixels. A network sees more of a scene in larger patches, but a step takes
+longer."""
+_STILLS: dict[str, dict[str, Any]] = {
+    "shutter": {
+        "class": "b", "slots": 256, "tile": [4, 4], "init": "quad", "relaxation": "tried",
+        "noise": 8.0,
+    },
+    "data": {"protocol": "hdr-v1", "together": 8, "val_items": 16, "saturated": [0.3, 0.6]},
+    "loss": {"name": "psnr+psnr-mu"},
+    "train": {"steps": 2500, "batch": 8, "validate_every": 250},
+}  # fmt: skip
+_CLIPS: dict[str, dict[str, Any]] = {
+    "shutter": {
+        "class": "d", "slots": 16, "slot_us": 1000.0, "tile": [8, 8], "init": "quad",
+        "relaxation": "tried", "noise": 0.25, "tried_share": 0.3, "warm_up": 0.2, "settle": 0.4,
+    },
+    "data": {
+        "protocol": "video-v1", "together": 4, "val_items": 16, "paths": 8,
+        "brightness": [0.25, 1.0],
+    },
+    "loss": {"name": "psnr-display"},
+    "train": {"steps": 4000, "batch": 4, "validate_every": 500, "code_rate": 2e-4},
+}  # fmt: skip
+
+
+def folder_settings(
+    folder: Path, changes: Sequence[str] = (), tell: Callable[[str], object] = lambda _text: None
+) -> RunSettings:
+    """Return the settings to train on a folder, with `changes`, each SECTION.KEY=VALUE.
+
+    Linear pictures are stills of high dynamic range. Films, and photographs of a display, become
+    clips. Patches are as large as the smallest file allows, at most 128 x 128. `tell` is called
+    with what was chosen. Raises Rejected: NS0811 for a folder without pictures and clips, otherwise
+    as `settings_of`.
+    """
+    stills = files_in(folder, LINEAR)
+    files = stills or files_in(folder, (*CLIPS, *DISPLAY))
+    if not files:
+        raise rejected(
+            "NS0811",
+            f"the folder '{folder}' contains no pictures or clips to learn from",
+            notes=(f"they end in {', '.join((*PICTURES, *CLIPS))}",),
+            helps=("name a folder of such files, or a configuration, CONFIG.toml",),
+        )
+    least = min(map(_side, files))
+    patch = next((side for side in _PATCHES if side <= least), _PATCHES[-1])
+    advice = _STILLS if stills else _CLIPS
+    values = {**advice, "data": {**advice["data"], "train": str(folder), "patch": patch}}
+    settings = settings_of(values, changes)
+    kind = "stills of high dynamic range" if stills else "clips"
+    tell(f"{counted(len(files), 'file')} of '{folder}', as {kind} (protocol "
+         f"{settings.data.protocol}): class {settings.shutter.kind}, codes "
+         f"{'tried' if settings.shutter.learn else 'fixed'}, patches of {settings.data.patch} x "
+         f"{settings.data.patch}, {settings.train.steps} steps")  # fmt: skip
+    return settings
+
+
+def _side(path: Path) -> int:
+    """Return the shorter side of a picture, or of the first frame of a clip."""
+    is_picture = path.suffix.lower() in PICTURES
+    stored = read_picture(path) if is_picture else next(iter(frames_in(path)))
+    rows, cols = stored.shape[:2]
+    return int(min(rows, cols))

@@ -1,0 +1,100 @@
+"""Protocol class-v1: windows of clips whose class a decoder names. The class of a file is the name
+of its folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc_training import made_scenes
+from nscc_training.protocol_scenes.protocol_scene import Unusable
+from nscc_training.protocol_scenes.video import ClipWindow, exposed_window, windows
+from nscc_training.protocols import Protocol
+
+_TEST = 3
+"""Random-stream index of the scenes of evaluations; 1 and 2 are those of training and validation.
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class ClassWindow(ClipWindow):
+    """A window of a clip of class `label`, one of `classes`. Results are a number per class, the
+    largest for the most likely one."""
+
+    label: str
+    classes: tuple[str, ...]
+
+    @property
+    def truth_e(self) -> NDArray[Any]:
+        return np.array([float(name == self.label) for name in self.classes])
+
+    def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
+        decoded = self.classes[int(np.argmax(result_e))]
+        return {"correct": float(decoded == self.label), "class": self.label, "decoded": decoded}
+
+
+def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
+    """Return a window with its class."""
+    return ClassWindow(**vars(window), label=label, classes=tuple(classes))
+
+
+def class_windows(
+    files: Sequence[Path], classes: Sequence[str], protocol: Protocol, seed: int
+) -> Iterator[ClassWindow | Unusable]:
+    """Yield the windows of files, in order; without files, procedural scenes of a seed."""
+    if not files:
+        return _moving_textures(classes, protocol, seed)
+    return (
+        window if isinstance(window, Unusable)
+        else with_class(window, class_of(path, classes), classes)
+        for path in files for window in windows([path], protocol)
+    )  # fmt: skip
+
+
+def class_folders(folder: Path) -> Path:
+    """Return the text of `files_in` for the folders of all classes in a folder."""
+    return folder / "*" if folder.is_dir() else folder
+
+
+def class_of(path: Path, classes: Sequence[str]) -> str:
+    """Return the class of a file; Rejected (NS0811) if its folder has another name."""
+    name = path.parent.name
+    if name not in classes:
+        raise rejected(
+            "NS0811",
+            f"the folder of '{path}' is not named after a class",
+            notes=(f"the classes are {', '.join(classes)[:200]}",),
+            helps=("put the clips of each class into a folder of its name, or change "
+                   "[data] classes",),
+        )  # fmt: skip
+    return name
+
+
+def moving_texture(
+    generator: np.random.Generator, index: int, classes: Sequence[str], frames: int, size: int,
+    protocol: Protocol,
+) -> tuple[str, NDArray[np.float32]]:  # fmt: skip
+    """Return class and light of the procedural scene with a number; classes take turns."""
+    label = classes[index % len(classes)]
+    speed = float(np.exp(generator.uniform(*np.log(protocol["speed"]))))
+    clip = made_scenes.moving_texture(generator, frames, size, label, speed)
+    return label, clip
+
+
+def _moving_textures(
+    classes: Sequence[str], protocol: Protocol, seed: int
+) -> Iterator[ClassWindow | Unusable]:
+    for index in range(int(protocol["procedural"])):
+        generator = np.random.default_rng([seed, _TEST, index])
+        sides = int(protocol["frames"]), int(protocol["size"])
+        label, clip = moving_texture(generator, index, classes, *sides, protocol)
+        window = exposed_window(
+            Path(f"{label}-{index}"), 0, clip.astype(np.float64), False, protocol
+        )
+        yield window if isinstance(window, Unusable) else with_class(window, label, classes)
