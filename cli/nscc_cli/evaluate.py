@@ -124,7 +124,8 @@ def of(
     any class.
 
     Baselines of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
-    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any."""
+    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any. class-v1 scores runs that
+    predict classes."""
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
     if data is None or protocol is None:

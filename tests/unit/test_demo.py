@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import cv2
@@ -24,7 +25,7 @@ from nscc_training.run_files import run_capture, shipped_runs
 
 pytest.importorskip("torch")
 
-from small_runs import trained  # noqa: E402
+from small_runs import trained
 
 EVALUATIONS = Path(__file__).parents[2] / "training/results/evaluations"
 

@@ -109,7 +109,7 @@ class DecoderSettings:
     )
     width: float = key(
         Number(0.01, 4),
-        "factor on the decoder's width of the layers of its width of this size",
+        "factor on the width of the decoder's layers of this size",
         1.0,
     )
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)

@@ -32,7 +32,7 @@ class AnyCode(nn.Module):
     """The decoder for any code as a network: `stages` times a step towards the frames and a
     denoiser.
 
-    It starts from nscc, weights.
+    It starts from nscc's weights if it has their widths.
 
     Inputs: frames (batch, rows, cols), or of two buckets (batch, 2, rows, cols), in full wells and
     saturated at 1; shutters (N, r, c) of the first bucket, as a tile. Output: light in full wells

@@ -81,12 +81,10 @@ def load_scenes(
     """Load the training and validation scenes that a configuration names.
 
     With `pictures`, the training scenes are the light of all pictures in a folder and its
-    subfolders. With
-    `classes`, each scene has one of them: files are in folders of their names. `tell` is called with messages on the validation split and on changes of a scene.
-    Raises Rejected: NS0811 for a
-    folder without suitable scenes, or if training and validation
-    would share a scene;
-    NS0812 for an import path."""
+    subfolders. With `classes`, each scene has one of these classes, the name of its file's folder.
+    `tell` is called with messages on the validation split and on changes of a scene. Raises
+    Rejected: NS0811 for a folder without suitable scenes, or if training and validation would share
+    a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, classes, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
     if settings.val or pictures or settings.train == "procedural":

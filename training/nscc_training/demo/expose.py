@@ -56,7 +56,8 @@ class Settings:
 
     `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
     uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
-    which needs torch; otherwise neighbours are merged. `run` exposes and decodes instead of what comes with nscc."""
+    which needs torch; otherwise neighbours are merged. `run` is a run that exposes and
+    decodes in place of the run that comes with nscc."""
 
     fit: Fit = "scale"
     color: bool = False

@@ -14,7 +14,7 @@ EVENTS = "tensorboard"
 
 
 class Log:
-    """The log of a run in a column for each metric of its protocol; `rows`
+    """The log of a run in the folder `out`, with a column for each metric of its protocol; `rows`
     are the lines of `metrics.csv`."""
 
     def __init__(

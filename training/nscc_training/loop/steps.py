@@ -87,7 +87,8 @@ def changes_of(shutters: Tensor) -> Tensor:
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
     """Return prediction and truth relative to the peak, for losses.
 
-    As in metrics, predictions above the peak are clipped where the truth reaches the peak. Classes have no peak."""
+    As in metrics, predictions above the peak are clipped where the truth reaches the peak.
+    Classes have no peak."""
     if batch.classes is not None:
         return prediction, batch.classes
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))

@@ -33,8 +33,8 @@ Returns electrons and seconds."""
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and means over scenes of the protocol's metrics, as JSON values; the first one is the
-    score."""
+    """The loss, and the means over scenes of the protocol's metrics as JSON values. The first mean
+    is the score."""
 
     loss: float
     means: dict[str, float | str]
