@@ -3,34 +3,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from nscc.prove.forms import IN, Form, Forms
 from nscc.words import pictures as p
+from nscc.words.reach import Reach
 
 Place = tuple[int, int]
 Fields = dict[Place, Form]
 Bits = dict[Place, int]
-
-
-class Reach(NamedTuple):
-    """How many columns and rows around a pixel what is computed for it depends on."""
-
-    left: int = 0
-    right: int = 0
-    up: int = 0
-    down: int = 0
-
-    def joined(self, reach: Reach) -> Reach:
-        """What one of two values depends on."""
-        return Reach(*map(max, self, reach))
-
-    def moved(self, right: int, down: int) -> Reach:
-        """The reach of a value of the pixel so far away."""
-        return Reach(
-            max(0, self.left - right), max(0, self.right + right),
-            max(0, self.up - down), max(0, self.down + down),
-        )  # fmt: skip
 
 
 def reaches(pictures: p.Pictures) -> dict[str, Reach]:
@@ -41,13 +22,11 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
     def reach(node: p.Node) -> Reach:
         if isinstance(node, p.Source | p.Bit):
             return reach_of.get(node.name, Reach())
-        joined = Reach()
-        for operand in p.operands(node):
-            joined = joined.joined(reach(operand))
+        joined = Reach().joined(*map(reach, p.operands(node)))
         match node:
             case p.Filtered() | p.Near():
                 moved = [joined.moved(*place) for place in weights[node.kernel].taps]
-                joined = Reach(*map(max, *moved, (0,) * 4))
+                joined = Reach().joined(*moved)
             case p.At():
                 joined = joined.moved(node.right, node.down)
         return joined

@@ -9,7 +9,7 @@ depend on a bus beyond the array, of which nothing is known.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -18,18 +18,15 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.prove.diagrams import TooLarge
 from nscc.prove.forms import IN, Form, Forms
-from nscc.prove.meaning import Bits, Fields, PictureMeaning, Reach, reaches
+from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Condition
+from nscc.words.reach import Reach, RegisterReaches
 
 
 class PictureReplayError(Exception):
     """A word does what no proof covers."""
-
-
-Launched = Sequence[tuple[Op, int | None]]
-"""Words in the order in which they run, each with the steps of IN; None: IN is not set."""
 
 
 def pictures_fault(container: Container) -> str | None:
@@ -39,9 +36,8 @@ def pictures_fault(container: Container) -> str | None:
         return None
     try:
         words = picture_words(container)
-        size = words_reach(words, container)
-        for reach in reaches(pictures).values():
-            size = size.joined(reach)
+        by_words = RegisterReaches(container.target, (op for op, _ in words)).reach
+        size = Reach().joined(*by_words.values(), *reaches(pictures).values())
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
         for op, level in words:
@@ -77,44 +73,6 @@ def _difference(
     written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
     return f"{min(spoilt)} holds code, and is written" if spoilt else None
-
-
-def words_reach(words: Launched, container: Container) -> Reach:
-    """How far around a pixel the registers of the end depend on others, by their words."""
-    reach: dict[str, Reach] = {}
-
-    def of(name: str) -> Reach:
-        if name in NEIGHBOURS:
-            return reach.get("NEWS", Reach()).moved(*STEPS[name])
-        return reach.get(name, Reach())
-
-    for op, _ in words:
-        word_reach = Reach()
-        for name in op.sources:
-            word_reach = word_reach.joined(of(name))
-        effect = op.operation.effect
-        if effect is WordEffect.DIGITAL_NEIGHBOURS:
-            moved = [of(op.sources[0]).moved(*step) for step in STEERING.values()]
-            moved += [of(name) for name in STEERING]
-            word_reach = Reach(*map(max, *moved))
-        if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL):
-            reach["FLAG"] = Reach() if effect is WordEffect.FLAG_ALL else word_reach
-        elif op.operation.phase is Phase.READ:
-            reach["bus"] = word_reach
-        elif op.operation.phase is Phase.WRITE:
-            word_reach = of("bus")
-        for name in op.destinations:
-            if name in NEIGHBOURS:
-                right, down = STEPS[name]
-                name, word_reach = "NEWS", word_reach.moved(-right, -down)
-            masked = name == container.target.masked_register
-            if effect is WordEffect.BUS or masked:
-                word_reach = word_reach.joined(of(name)).joined(of("FLAG"))
-            reach[name] = word_reach
-    total = Reach()
-    for value in reach.values():
-        total = total.joined(value)
-    return total
 
 
 @dataclass

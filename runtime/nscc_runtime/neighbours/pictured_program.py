@@ -14,6 +14,7 @@ from nscc.operations import Op
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, PlaneReport
+from nscc.words.reach import Reach, RegisterReaches
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
@@ -97,18 +98,15 @@ class PicturedProgram:
             told[f"image_{name}"] = read[name][0]
             told[f"image_codes_{name}"] = codes[index]
             told[f"image_saturated_by_{name}"] = saturated_by[index]
-        margin = np.zeros(pixels.shape, np.bool_)
-        for name in pictures.outputs:
-            margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
+        reaches = beyond_reaches(self.container)
+        told["margin"] = Reach().joined(*reaches.values()).margin(pixels.shape)
         for name in pictures.reads:
             if name not in read:
                 bits = pixels.digital.read(pictures.registers[name]) == 1
                 told[f"plane_{name}"] = bits.reshape(pixels.shape)
         for report in pictures.reports:
-            register = pictures.registers[report.plane]
-            bits = (pixels.digital.read(register) == 1) & ~pixels.tainted[register]
-            told |= reported(report, bits.reshape(pixels.shape))
-        told["margin"] = margin
+            bits = pixels.digital.read(pictures.registers[report.plane]) == 1
+            told |= reported(report, bits.reshape(pixels.shape), reaches[report.plane])
         kept = [name for name in read if name in buckets]
         frame = self._bucket_frame(kept, read, valid, seeds, number)
         return replace(frame, told=told)
@@ -170,13 +168,23 @@ class PicturedProgram:
         return pixels
 
 
-def reported(report: PlaneReport, bits: NDArray[np.bool_]) -> Told:
-    """What the host is told of a plane (rows, cols).
+def beyond_reaches(container: Container) -> dict[str, Reach]:
+    """How far around a pixel what leaves the chip depends on buses, by name."""
+    pictures = container.pictures
+    assert pictures is not None
+    words = (op for op, _ in picture_words(container))
+    reaches = RegisterReaches(container.target, words, bits_known=True)
+    return {name: reaches.of(pictures.registers[name]) for name in pictures.outputs}
+
+
+def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told:
+    """What the host is told of a plane (rows, cols), where its reach ends on the array.
 
     Events are (x, y) in reading order, -1 behind the last one; the box is the least and the largest
     x and y, -1 where no bit is 1.
     """
     name = f"report_{report.kind}_{report.plane}"
+    bits = bits & ~reach.margin((bits.shape[0], bits.shape[1]))
     if report.kind == "any":
         return {name: np.array(bits.any())}
     rows, cols = np.nonzero(bits)

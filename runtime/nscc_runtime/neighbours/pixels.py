@@ -1,8 +1,7 @@
 """The whole array while the words after an exposure run: registers shifted from pixel to pixel.
 
 The words of one pixel are those of `nscc_runtime.reference.words`. Here NEWS of a neighbour is read
-and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0, and
-`tainted` says which registers of which pixels depend on it.
+and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, WordEffect
 from nscc.words.cost import word_us
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.digital import Digital
@@ -33,8 +32,7 @@ class ArrayPixels(WordPixels):
     """All pixels of an array, `shape` its rows and columns; other arrays are (pixels,).
 
     `exposed` and `exposed_by` are what registers hold of an exposure, and the bits of what cut it
-    off; `code` is what digital registers hold. `cut_by` and `tainted` have by register what cut a
-    value off, and where it depends on what is beyond the array.
+    off; `code` is what digital registers hold. `cut_by` has by register what cut a value off.
     """
 
     shape: tuple[int, int]
@@ -42,7 +40,6 @@ class ArrayPixels(WordPixels):
     exposed_by: Mapping[str, NDArray[np.uint8]]
     code: Mapping[str, Bits]
     cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
-    tainted: dict[str, Bits] = field(init=False)
 
     def __post_init__(self) -> None:
         # Registers without an exposure hold whatever it has left: the same in all of them.
@@ -57,10 +54,9 @@ class ArrayPixels(WordPixels):
         self._rooms: list[Values] = []
         self._own: set[int] = set()
         pixels = len(self.places)
-        self._uncut, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
+        self._uncut = np.zeros(pixels, np.uint8)
         cut = {name: by for name, by in self.exposed_by.items() if by.any()}
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
-        self.tainted = dict.fromkeys((*self.register, *self.digital.bits, "IN"), untainted)
 
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.effects.effects if each.name == name)
@@ -90,37 +86,11 @@ class ArrayPixels(WordPixels):
                 found = total > 0
                 if self.target.where_obeys_flag:
                     found &= digital.read("FLAG") == 1
-                self.tainted["FLAG"] = self._taint(op)
                 digital.write("FLAG", found)
             case WordEffect.DIGITAL_NEIGHBOURS:
                 self._neighbour_values(op)
-            case WordEffect.FLAG_DIGITAL | WordEffect.FLAG_ALL:
-                self.tainted["FLAG"] = self._taint(op)
-                digital.run(op)
             case _:
-                self._taint_bits(op)
                 digital.run(op)
-
-    def _taint(self, op: Op) -> Bits:
-        """Where any source of a word depends on what is beyond the array."""
-        found = np.zeros(len(self.places), np.bool_)
-        for name in op.sources:
-            if name in NEIGHBOURS:
-                found = found | self.moved(self.tainted["NEWS"], *STEPS[name], beyond=True)
-            else:
-                found = found | self.tainted[name]
-        return found
-
-    def _taint_bits(self, op: Op) -> None:
-        if op.operation.phase is not Phase.WRITE:
-            self.tainted["bus"] = self._taint(op)
-        if op.operation.phase is Phase.READ:
-            return
-        for name in op.destinations:
-            found = self.tainted["bus"]
-            if name == self.target.masked_register:
-                found = found | self.tainted[name]
-            self.tainted[name] = found
 
     def _room(self) -> Values:
         """An array of ours that nothing holds: new ones cost more than what is computed in them."""
@@ -151,7 +121,7 @@ class ArrayPixels(WordPixels):
     def _bus_on_array(self, word: RunningWord) -> None:
         result = self.total(word)
         result /= -word.op.operation.divisor
-        cut, taint = self._cut(word.op), self._taint(word.op)
+        cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):
             value = self._written(result, word, index, name)
             by = self._with_range(cut, value)
@@ -160,7 +130,7 @@ class ArrayPixels(WordPixels):
             if index > 0 and value is result:
                 value = self._room()
                 value[:] = result
-            self._store(name, value, by, taint)
+            self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
         """What cut any source of a word off."""
@@ -181,7 +151,7 @@ class ArrayPixels(WordPixels):
         over = (value > high) | (value < low)
         return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
 
-    def _store(self, name: str, value: Values, by: NDArray[np.uint8], tainted: Bits) -> None:
+    def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
         """A register takes a value with its marks, where FLAG is 1."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
@@ -190,16 +160,13 @@ class ArrayPixels(WordPixels):
             value = moved
             if by is not self._uncut:
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
-            tainted = self.moved(tainted, -right, -down, beyond=True)
             name = "NEWS"
-        here, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
-        old = self.register[name]
-        if not here.all() or doubt.any():
+        here, old = self.digital.read("FLAG") == 1, self.register[name]
+        if not here.all():
             np.copyto(value, old, where=~here)
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
                 by = np.where(here, by, self.cut_by[name])
-            tainted = np.where(here, tainted, self.tainted[name]) | doubt
-        self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
+        self.register[name], self.cut_by[name] = value, by
         self._leave(old)
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
@@ -214,17 +181,12 @@ class ArrayPixels(WordPixels):
         """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
-        tainted = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
         for name, (right, down) in STEERING.items():
             chosen = digital.read(name) == 1
             if chosen.any():
                 found |= chosen & self.moved(bits, right, down, beyond=outside)
-                far = self.moved(self.tainted[source], right, down, beyond=False)
-                tainted |= chosen & far
-            tainted |= self.tainted[name]
         digital.write(op.destinations[0], found)
-        self.tainted[op.destinations[0]] = tainted
 
     def moved(
         self, values: NDArray[Any], right: int, down: int, *, beyond: Any,
