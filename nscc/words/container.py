@@ -170,7 +170,12 @@ class Container:
 
 
 def state_registers(container: Container) -> tuple[str, ...]:
-    """The digital registers of which a host makes the states that are read, in their order."""
+    """The digital registers of which a host makes the states and planes that are read or reported,
+    in their order."""
+    if container.pictures is not None:
+        held = (container.pictures.registers[name] for name in container.pictures.outputs)
+        digital = container.target.digital_registers
+        return tuple(dict.fromkeys(register for register in held if register in digital))
     machine = container.machine
     read = [state.name for state in machine.states if state.read] if machine else []
     registers = (r for name in read for r in container.state_planes[name].registers)

@@ -207,12 +207,11 @@ def word_text(word: Word) -> str:
 
 class Masks(NamedTuple):
     """The layout of words as masks, by operation or register: `fixed` is raised by every word of
-    an operation, `read` by a source, `written` by a destination, which `write` alone gives away.
-    The kinds are the lines that tell operations apart, of analog and of digital words."""
+    an operation, `read` by a source, `written` by a destination. The kinds are the lines that tell
+    operations apart, of analog and of digital words."""
 
     fixed: dict[str, Word]
     read: dict[str, Word]
-    write: dict[str, Word]
     written: dict[str, Word]
     kind_analog: Word
     kind_digital: Word
@@ -220,12 +219,10 @@ class Masks(NamedTuple):
 
 def masks() -> Masks:
     """The masks, for those who decode words somewhere else."""
-    lines = {**ANALOG_WRITE, **DIGITAL_WRITE}
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},
-        {name: _split(_READ[name]) for name in READ_LINES},
-        {name: _split(_bit(line)) for name, line in lines.items()},
-        {name: _split(_WRITE[name]) for name in lines},
+        {name: _split(word) for name, word in _READ.items()},
+        {name: _split(word) for name, word in _WRITE.items()},
         _split(_KIND_ANALOG),
         _split(_KIND_DIGITAL),
     )

@@ -1,6 +1,6 @@
 """A compiled program as the objects that a loader takes.
 
-    READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
+    READOUTS   u32 count; each: u8 analog register, u8 whether it is an image, 6 free, f64 gain
     KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
     SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
                u32 runs, each: u32 slots, f64 microseconds of each of them;
@@ -33,14 +33,14 @@ from numpy.typing import NDArray
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.words.container import Container, state_registers
-from nscc.words.legality import refuse_pictures, refuse_planes
+from nscc.words.container import Container, Launch, Word, state_registers
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, ObjectEntry
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Most launches of a frame, whatever its rows."""
-READOUT = Struct("<B7xd")
+READOUT = Struct("<BB6xd")
 SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
 ROW = Struct("<IHH")
@@ -83,7 +83,8 @@ class Upload:
 
     `words`, `kernels`, `rows`, `runs` are its demands on a loader's memory, `frame_ms` and
     `readout_ms` its times; `readouts` and `states` are the numbers of registers sent with a frame
-    of `pixels`; `gains`: readouts are scaled; `levels`: IN is set.
+    of `pixels`; `gains`: readouts are scaled; `levels`: IN is set; `pictures`: images and planes
+    are computed.
     """
 
     target: bytes
@@ -99,6 +100,7 @@ class Upload:
     states: int
     gains: bool
     levels: bool
+    pictures: bool
     pixels: int
 
     @cached_property
@@ -139,7 +141,6 @@ def upload_of(container: Container, label: bytes) -> Upload:
         "the loader runs words, but this program has planes of bits",
         "`nscc build --emit planes` writes an .npz for a driver of the chip",
     )
-    refuse_pictures(container, "the loader cannot be sent this program", "run it on the emulator")
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -147,18 +148,19 @@ def upload_of(container: Container, label: bytes) -> Upload:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    target = container.target
-    rows = list(_rows(container))
+    target, readouts = container.target, device_readouts(container)
+    kernels, launches = all_words(container)
+    rows = list(_rows(launches))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
     schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
     schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
     states = [(target.digital_registers.index(name),) for name in state_registers(container)]
-    objects = [Object(ObjectKind.READOUTS, 0, _readouts(container))]
+    objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, readouts))]
     if states:
         objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
-    objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
+    objects.append(Object(ObjectKind.KERNELS, 0, _kernels(kernels)))
     if sets_in:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
     objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
@@ -171,16 +173,17 @@ def upload_of(container: Container, label: bytes) -> Upload:
         target_digest(target),
         label,
         tuple(objects),
-        words=sum(len(kernel.words) for kernel in container.kernels),
-        kernels=len(container.kernels),
+        words=sum(map(len, kernels)),
+        kernels=len(kernels),
         rows=len(rows),
         runs=len(runs),
         frame_ms=ceil(sum(container.slot_us) / 1000),
-        readout_ms=ceil(len(container.readouts) * target.readout_us / 1000),
-        readouts=len(container.readouts),
+        readout_ms=ceil(len(readouts) * target.readout_us / 1000),
+        readouts=len(readouts),
         states=len(states),
-        gains=any(readout.gain != 1 for readout in container.readouts),
+        gains=any(gain != 1 for *_, gain in readouts),
         levels=sets_in,
+        pictures=container.pictures is not None,
         pixels=target.rows * target.cols,
     )
 
@@ -203,26 +206,40 @@ def grace_ns(target: Target) -> int:
     return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
-def _readouts(container: Container) -> bytes:
+def device_readouts(container: Container) -> list[tuple[int, bool, float]]:
+    """Return the registers that a device converts, whether each is an image, and their gains:
+    buckets first."""
+    registers, pictures = container.target.analog_registers, container.pictures
     by_bucket = {readout.bucket: readout for readout in container.readouts}
-    ordered = [by_bucket[bucket] for bucket in container.buckets]
-    registers = container.target.analog_registers
-    return _counted(
-        READOUT,
-        [
-            (registers.index(register_readout.register), register_readout.gain)
-            for register_readout in ordered
-        ],
-    )
+    if pictures is None:
+        ordered = [by_bucket[bucket] for bucket in container.buckets]
+        return [(registers.index(each.register), False, each.gain) for each in ordered]
+    names = [*container.buckets_read, *pictures.images_read]
+    return [
+        (registers.index(pictures.registers[name]), name not in by_bucket, 1.0) for name in names
+    ]
+
+
+def all_words(container: Container) -> tuple[list[tuple[Word, ...]], list[Launch]]:
+    """Return the kernels and launches of a container, those of its images and planes included."""
+    kernels, launches = [kernel.words for kernel in container.kernels], list(container.launches)
+    if container.pictures is not None:
+        first = len(kernels)
+        kernels += container.pictures.kernels
+        launches += [
+            Launch(container.slots, first + launch.kernel, launch.level)
+            for launch in container.pictures.launches
+        ]
+    return kernels, launches
 
 
 def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
-def _kernels(container: Container) -> bytes:
-    lengths = [len(kernel.words) for kernel in container.kernels]
-    words = [word for kernel in container.kernels for word in kernel.words]
+def _kernels(kernels: Sequence[tuple[Word, ...]]) -> bytes:
+    lengths = list(map(len, kernels))
+    words = [word for kernel in kernels for word in kernel]
     return (
         COUNT.pack(len(lengths))
         + np.array(lengths, "<u4").tobytes()
@@ -230,12 +247,12 @@ def _kernels(container: Container) -> bytes:
     )
 
 
-def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
+def _rows(launches: Sequence[Launch]) -> Iterator[tuple[int, int, int, int | None]]:
     """Yield rows (advance, kernel, times, level) of the schedule, merging launches at equal
     distances."""
     at = 0
     steps = []
-    for launch in container.launches:
+    for launch in launches:
         steps.append((launch.instant - at, launch.kernel, launch.level))
         at = launch.instant
     for (advance, kernel, level), same in groupby(steps):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.operations import Op
-from nscc.words.container import Container
+from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, PlaneReport
 from nscc.words.reach import Reach, RegisterReaches
@@ -47,14 +48,7 @@ class PicturedProgram:
 
     @cached_property
     def _image_sensor(self) -> Sensor:
-        """The sensor where an image is converted: codes are symmetric around 0, not spread."""
-        target = self.container.target
-        own, full = (
-            default_sensor(each).values for each in (target, replace(target, readout="full"))
-        )
-        given = self.sensor.values
-        changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
-        return self.sensor.changed(**changed)
+        return image_sensor(self.sensor, self.container.target)
 
     def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
         """Frames 0 .. `count` - 1 of `light`."""
@@ -98,15 +92,11 @@ class PicturedProgram:
             told[f"image_{name}"] = read[name][0]
             told[f"image_codes_{name}"] = codes[index]
             told[f"image_saturated_by_{name}"] = saturated_by[index]
-        reaches = beyond_reaches(self.container)
-        told["margin"] = Reach().joined(*reaches.values()).margin(pixels.shape)
-        for name in pictures.reads:
-            if name not in read:
-                bits = pixels.digital.read(pictures.registers[name]) == 1
-                told[f"plane_{name}"] = bits.reshape(pixels.shape)
-        for report in pictures.reports:
-            bits = pixels.digital.read(pictures.registers[report.plane]) == 1
-            told |= reported(report, bits.reshape(pixels.shape), reaches[report.plane])
+        planes = {
+            name: (pixels.digital.read(name) == 1).reshape(pixels.shape)
+            for name in state_registers(self.container)
+        }
+        told |= told_of_planes(self.container, planes)
         kept = [name for name in read if name in buckets]
         frame = self._bucket_frame(kept, read, valid, seeds, number)
         return replace(frame, told=told)
@@ -166,6 +156,30 @@ class PicturedProgram:
         )  # fmt: skip
         pixels.run_words(self._words)
         return pixels
+
+
+def image_sensor(sensor: Sensor, target: Target) -> Sensor:
+    """The sensor where an image is converted: codes are symmetric around 0, not spread."""
+    own, full = (default_sensor(each).values for each in (target, replace(target, readout="full")))
+    given = sensor.values
+    changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
+    return sensor.changed(**changed)
+
+
+def told_of_planes(container: Container, planes: Mapping[str, NDArray[np.bool_]]) -> Told:
+    """What a frame says of bits, by the digital registers (rows, cols) that hold them."""
+    pictures = container.pictures
+    assert pictures is not None
+    reaches = beyond_reaches(container)
+    target = container.target
+    told: Told = {"margin": Reach().joined(*reaches.values()).margin((target.rows, target.cols))}
+    for name in pictures.reads:
+        if pictures.registers[name] in planes:
+            told[f"plane_{name}"] = planes[pictures.registers[name]]
+    for report in pictures.reports:
+        bits = planes[pictures.registers[report.plane]]
+        told |= reported(report, bits, reaches[report.plane])
+    return told
 
 
 def beyond_reaches(container: Container) -> dict[str, Reach]:
