@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -167,6 +167,32 @@ class Container:
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
         column = {name: i for i, name in enumerate(self.target.digital_registers)}
         return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}
+
+
+def with_picture_words(container: Container) -> Container:
+    """The container as a chip runs it: its kernels and launches are also those of images and
+    planes, and its readouts the registers that are converted, buckets first."""
+    pictures = container.pictures
+    if pictures is None:
+        return container
+    first = len(container.kernels)
+    names = (*container.buckets_read, *pictures.images_read)
+    return replace(
+        container,
+        kernels=(
+            *container.kernels,
+            *(StoredKernel(f"image{n}", words) for n, words in enumerate(pictures.kernels)),
+        ),
+        launches=(
+            *container.launches,
+            *(
+                Launch(container.slots, first + launch.kernel, launch.level)
+                for launch in pictures.launches
+            ),
+        ),
+        readouts=tuple(Readout(pictures.registers[name], name) for name in names),
+        pictures=replace(pictures, kernels=(), launches=()),
+    )
 
 
 def state_registers(container: Container) -> tuple[str, ...]:

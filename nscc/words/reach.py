@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
+from nscc.words.container import Container
+from nscc.words.legality import picture_words
 
 _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 
@@ -99,3 +101,12 @@ class RegisterReaches:
                     )
                 reach = reach.joined(moved)
         return reach
+
+
+def beyond_reaches(container: Container) -> dict[str, Reach]:
+    """How far around a pixel what leaves the chip depends on buses, by name."""
+    pictures = container.pictures
+    assert pictures is not None
+    words = (op for op, _ in picture_words(container))
+    reaches = RegisterReaches(container.target, words, bits_known=True)
+    return {name: reaches.of(pictures.registers[name]) for name in pictures.outputs}

@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.words.container import Container, Launch, Word, state_registers
+from nscc.words.container import Container, state_registers, with_picture_words
 from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, ObjectEntry
 
@@ -148,9 +148,9 @@ def upload_of(container: Container, label: bytes) -> Upload:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    target, readouts = container.target, device_readouts(container)
-    kernels, launches = all_words(container)
-    rows = list(_rows(launches))
+    container = with_picture_words(container)
+    target, readouts = container.target, _readouts(container)
+    rows = list(_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
@@ -160,7 +160,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
     objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, readouts))]
     if states:
         objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
-    objects.append(Object(ObjectKind.KERNELS, 0, _kernels(kernels)))
+    objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
     if sets_in:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
     objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
@@ -173,8 +173,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
         target_digest(target),
         label,
         tuple(objects),
-        words=sum(map(len, kernels)),
-        kernels=len(kernels),
+        words=sum(len(kernel.words) for kernel in container.kernels),
+        kernels=len(container.kernels),
         rows=len(rows),
         runs=len(runs),
         frame_ms=ceil(sum(container.slot_us) / 1000),
@@ -206,40 +206,25 @@ def grace_ns(target: Target) -> int:
     return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
-def device_readouts(container: Container) -> list[tuple[int, bool, float]]:
-    """Return the registers that a device converts, whether each is an image, and their gains:
-    buckets first."""
-    registers, pictures = container.target.analog_registers, container.pictures
-    by_bucket = {readout.bucket: readout for readout in container.readouts}
-    if pictures is None:
-        ordered = [by_bucket[bucket] for bucket in container.buckets]
-        return [(registers.index(each.register), False, each.gain) for each in ordered]
-    names = [*container.buckets_read, *pictures.images_read]
+def _readouts(container: Container) -> list[tuple[int, bool, float]]:
+    """The registers that a device converts, whether each is an image, and their gains."""
+    registers, by_bucket = container.target.analog_registers, container.readouts
+    if container.pictures is None:
+        by_name = {readout.bucket: readout for readout in container.readouts}
+        by_bucket = tuple(by_name[bucket] for bucket in container.buckets)
     return [
-        (registers.index(pictures.registers[name]), name not in by_bucket, 1.0) for name in names
+        (registers.index(each.register), each.bucket not in container.buckets, each.gain)
+        for each in by_bucket
     ]
-
-
-def all_words(container: Container) -> tuple[list[tuple[Word, ...]], list[Launch]]:
-    """Return the kernels and launches of a container, those of its images and planes included."""
-    kernels, launches = [kernel.words for kernel in container.kernels], list(container.launches)
-    if container.pictures is not None:
-        first = len(kernels)
-        kernels += container.pictures.kernels
-        launches += [
-            Launch(container.slots, first + launch.kernel, launch.level)
-            for launch in container.pictures.launches
-        ]
-    return kernels, launches
 
 
 def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
-def _kernels(kernels: Sequence[tuple[Word, ...]]) -> bytes:
-    lengths = list(map(len, kernels))
-    words = [word for kernel in kernels for word in kernel]
+def _kernels(container: Container) -> bytes:
+    lengths = [len(kernel.words) for kernel in container.kernels]
+    words = [word for kernel in container.kernels for word in kernel.words]
     return (
         COUNT.pack(len(lengths))
         + np.array(lengths, "<u4").tobytes()
@@ -247,12 +232,12 @@ def _kernels(kernels: Sequence[tuple[Word, ...]]) -> bytes:
     )
 
 
-def _rows(launches: Sequence[Launch]) -> Iterator[tuple[int, int, int, int | None]]:
+def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
     """Yield rows (advance, kernel, times, level) of the schedule, merging launches at equal
     distances."""
     at = 0
     steps = []
-    for launch in launches:
+    for launch in container.launches:
         steps.append((launch.instant - at, launch.kernel, launch.level))
         at = launch.instant
     for (advance, kernel, level), same in groupby(steps):

@@ -15,7 +15,7 @@ from nscc.operations import Op
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, PlaneReport
-from nscc.words.reach import Reach, RegisterReaches
+from nscc.words.reach import Reach, beyond_reaches
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
@@ -180,15 +180,6 @@ def told_of_planes(container: Container, planes: Mapping[str, NDArray[np.bool_]]
         bits = planes[pictures.registers[report.plane]]
         told |= reported(report, bits, reaches[report.plane])
     return told
-
-
-def beyond_reaches(container: Container) -> dict[str, Reach]:
-    """How far around a pixel what leaves the chip depends on buses, by name."""
-    pictures = container.pictures
-    assert pictures is not None
-    words = (op for op, _ in picture_words(container))
-    reaches = RegisterReaches(container.target, words, bits_known=True)
-    return {name: reaches.of(pictures.registers[name]) for name in pictures.outputs}
 
 
 def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told:
