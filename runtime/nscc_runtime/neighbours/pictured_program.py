@@ -11,16 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.operations import Op
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, PlaneReport
 from nscc.words.reach import Reach, beyond_reaches
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.neighbours.array_words import ArrayContents, ArrayWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.sensor import default_sensor
 
@@ -41,10 +42,6 @@ class PicturedProgram:
         """What is computed."""
         assert self.container.pictures is not None
         return self.container.pictures
-
-    @cached_property
-    def _words(self) -> list[tuple[Op, int | None]]:
-        return picture_words(self.container)
 
     @cached_property
     def _image_sensor(self) -> Sensor:
@@ -76,14 +73,13 @@ class PicturedProgram:
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
         wait_s = self.container.target.readout_us * 1e-6
-        pixels.hold(pixels.after_us * 1e-6)
         read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
         for name in pictures.reads:
             register = pictures.registers[name]
             if register not in pixels.register:
                 continue
-            values = pixels.register[register].reshape(pixels.shape) + 0.0  # -0 + 0 is +0
-            read[name] = values, pixels.cut_by[register].reshape(pixels.shape)
+            values = pixels.register[register].reshape(valid.shape) + 0.0  # -0 + 0 is +0
+            read[name] = values, pixels.cut_by[register].reshape(valid.shape)
             pixels.hold(wait_s)
         images = [name for name in read if name not in buckets]
         if images:
@@ -93,8 +89,7 @@ class PicturedProgram:
             told[f"image_codes_{name}"] = codes[index]
             told[f"image_saturated_by_{name}"] = saturated_by[index]
         planes = {
-            name: (pixels.digital.read(name) == 1).reshape(pixels.shape)
-            for name in state_registers(self.container)
+            name: pixels.bit(name).reshape(valid.shape) for name in state_registers(self.container)
         }
         told |= told_of_planes(self.container, planes)
         kept = [name for name in read if name in buckets]
@@ -134,7 +129,9 @@ class PicturedProgram:
         frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
-    def _computed(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> ArrayPixels:
+    def _computed(
+        self, exposure: Exposure, seeds: tuple[int, int], number: int
+    ) -> ArrayPixels | ArrayContents:
         """The array after the last word."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
@@ -146,16 +143,29 @@ class PicturedProgram:
             by = np.zeros(values.shape, np.uint8) if marks is None else marks[index].reshape(-1)
             beyond = values > pictures.limits_e[readout.bucket] * (1 + 1e-9)
             exposed[readout.register] = values / readout.gain
-            exposed_by[readout.register] = by | beyond.astype(np.uint8) * np.uint8(RANGE_BIT)
+            exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
+        code = {name: plane.reshape(-1) for name, plane in container.planes().items()}
+        if self.effects.noiseless:
+            words = array_words(container)
+            return words.run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
             places=np.arange(shape[0] * shape[1], dtype=np.int64), container=container,
             effects=self.effects,
-            code={name: plane.reshape(-1) for name, plane in container.planes().items()},
-            shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
+            code=code, shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
-        pixels.run_words(self._words)
+        pixels.run_words(picture_words(container))
+        pixels.hold(pixels.after_us * 1e-6)
         return pixels
+
+
+_beyond_reaches = OfContainer(beyond_reaches)
+
+
+@OfContainer
+def array_words(container: Container) -> ArrayWords:
+    """The words of a container's images and planes for the compiled loop."""
+    return ArrayWords(container.target, picture_words(container))
 
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:
@@ -170,7 +180,7 @@ def told_of_planes(container: Container, planes: Mapping[str, NDArray[np.bool_]]
     """What a frame says of bits, by the digital registers (rows, cols) that hold them."""
     pictures = container.pictures
     assert pictures is not None
-    reaches = beyond_reaches(container)
+    reaches = _beyond_reaches(container)
     target = container.target
     told: Told = {"margin": Reach().joined(*reaches.values()).margin((target.rows, target.cols))}
     for name in pictures.reads:

@@ -58,6 +58,10 @@ class ArrayPixels(WordPixels):
         cut = {name: by for name, by in self.exposed_by.items() if by.any()}
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
 
+    def bit(self, name: str) -> Bits:
+        """A digital register."""
+        return np.asarray(self.digital.read(name) == 1)
+
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.effects.effects if each.name == name)
         return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
