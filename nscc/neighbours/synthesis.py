@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from math import sqrt
+from math import gcd, sqrt
 
+from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.programs import (
     IDENTITY,
-    OF_STEP,
     TURNS,
     UNIT,
     BusWord,
@@ -40,6 +40,10 @@ STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Kernels that a search may take apart, by the level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
+_MOST_ADDED = 12
+"""Kernels of more weights are added one by one only if there is no other program."""
+
+_BEAM_OF_PARTS = 20
 
 _Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
@@ -73,19 +77,35 @@ class Ranged:
 class Synthesis:
     """Programs for kernels, found within so many steps."""
 
-    def __init__(self, steps: int) -> None:
-        self.steps = steps
+    def __init__(self, steps: int, news_keeps: bool = True) -> None:
+        self.steps, self.news_keeps = steps, news_keeps
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
+        self._variants: dict[_Key, list[Ranged]] = {}
 
     def programs(self, taps: Taps) -> list[Ranged]:
         """Programs for a kernel, the shortest first, the others with smaller values in between.
 
         Each is proved: its words compute the kernel.
         """
-        candidates = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
-        candidates = [_ranged(tidied(candidate.program)) for candidate in candidates]
-        assert all(kernel_of(candidate.program) == dict(taps) for candidate in candidates)
-        return _best(candidates)
+        return _best(self.variants(taps))
+
+    def variants(self, taps: Taps) -> list[Ranged]:
+        """Programs for a kernel in no order, longer ones among them."""
+        key = frozenset(taps.items())
+        if key not in self._variants:
+            self._variants[key] = self._proved(taps)
+        return self._variants[key]
+
+    def _proved(self, taps: Taps) -> list[Ranged]:
+        candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
+        if not self.news_keeps:
+            candidates = list(filter(reads_news_once, candidates))
+        if len(taps) <= _MOST_ADDED or not candidates:
+            candidates += additions(taps, self.news_keeps)
+        if self.news_keeps:
+            candidates = [tidied(program) for program in candidates]
+        assert all(kernel_of(program) == dict(taps) for program in candidates)
+        return [_ranged(program) for program in candidates]
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
@@ -120,12 +140,21 @@ class Synthesis:
                 yield chained(_HALVE, remaining.program)
                 if remaining.program:
                     yield chained(remaining.program, _HALVE)
+        for row, column in separated(taps):
+            for first in self._some(row, depth - 1):
+                for second in self._some(column, depth - 1):
+                    yield chained(first, second)
         for factor in factors():
             quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for remaining in self._programs(quotient, depth - 1):
                     yield chained(factor.program, remaining.program)
         yield from self._sums(inverse, depth)
+
+    def _some(self, taps: Polynomial, depth: int) -> list[Program]:
+        """Programs for a part of a kernel."""
+        found = [ranged.program for ranged in self._programs(taps, depth)]
+        return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
 
     def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
         """Programs whose last word adds two values; `inverse` is what they add up to."""
@@ -142,15 +171,39 @@ class Synthesis:
             alone: Taps = {(0, 0): centre_weight}
             remainder = added((1, inverse), (-1, alone))
             if remainder and abs(remainder.get((0, 0), 0)) < abs(middle):
-                seconds = self._programs(dict(alone), depth - 2) or [_ranged(accumulated(alone))]
+                seconds = self._some(dict(alone), depth - 2)
                 for first in self._programs(remainder, depth - 2):
                     for second in seconds:
-                        yield _summed(first.program, second.program)
+                        yield _summed(first.program, second)
         for key, program in table.items():
             remainder = added((1, inverse), (-1, dict(key)))
             remainder_program = table.get(frozenset(remainder.items()))
             if remainder_program is not None:
                 yield _summed(program, remainder_program)
+
+
+def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
+    """A row and a column whose product is a kernel, with its halvings in either or in both."""
+    (left, top), size = _box(taps)
+    if 0 in size:
+        return
+    corner = taps.get((left, top))
+    if not corner:
+        return
+    line = {x: weight for (x, y), weight in taps.items() if y == top}
+    rest = {y: weight for (x, y), weight in taps.items() if x == left}
+    common = gcd(*line.values())
+    product = {(x, y): a * b for x, a in line.items() for y, b in rest.items()}
+    if product != {at: weight * corner for at, weight in taps.items()}:
+        return
+    halvings = halvings_of(taps)
+    for share in sorted({0, halvings // 2, halvings}):
+        scale = 2**share * common
+        if all(weight * common * 2**share % corner == 0 for weight in rest.values()):
+            yield (
+                {(x, 0): weight * UNIT // scale for x, weight in line.items()},
+                {(0, y): weight * scale // corner for y, weight in rest.items()},
+            )
 
 
 def _summed(first: Program, second: Program) -> Program:
@@ -219,86 +272,6 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
             else:
                 dividend.pop(place, None)
     return quotient
-
-
-def halvings_of(taps: Taps) -> int:
-    """How often a kernel of whole weights is halved to give this one."""
-    lowest = min((weight & -weight).bit_length() for weight in taps.values())
-    return max(0, UNIT.bit_length() - lowest)
-
-
-# --- a way that always ends -----------------------------------------------------------------------
-
-_OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
-
-
-def accumulated(taps: Taps) -> Program:
-    """A program that adds one neighbour after the other, for any kernel.
-
-    The input is halved first as often as the weights need it, so that all are integers. The sum so
-    far changes its sign with every word.
-    """
-    halvings = halvings_of(taps)
-    words = [
-        BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
-        for number in range(halvings)
-    ]
-    multiples = _Multiples(f"h{halvings}" if halvings else "x", words)
-    order = sorted(taps, key=lambda at: (-abs(at[0]) - abs(at[1]), at))
-    total: tuple[str, ...] = ()
-    for index, at in enumerate(order):
-        sign = (-1) ** (halvings + len(order) - 1 - index)
-        factor = taps[at] * 2**halvings // UNIT * sign
-        if at == (0, 0):
-            sources = (multiples.of(-factor), *total)
-        else:
-            sources = (_moved_by(at, multiples.of(factor), words), *total)
-        total = (f"s{index}",)
-        words.append(BusWord(total, sources))
-    return tuple(words)
-
-
-def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
-    """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
-    one step to a neighbour, a neighbour's NEWS after two."""
-    x, y = at
-    steps = [OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
-    while len(steps) > 2:
-        first, second, *steps = steps
-        words.append(BusWord((_OPPOSITE[first],), (register,)))
-        register = f"{register}{first}{second}"
-        words.append(BusWord((register,), (second,)))
-    words.append(BusWord((_OPPOSITE[steps[0]],), (register,)))
-    return steps[1] if len(steps) == 2 else "NEWS"
-
-
-class _Multiples:
-    """Integer multiples of a register, made when they are first asked for."""
-
-    def __init__(self, source: str, words: list[BusWord]) -> None:
-        self.words = words
-        self.held = {1: source}
-
-    def of(self, factor: int) -> str:
-        """The register that holds so many times the source."""
-        if factor not in self.held:
-            name = f"m{factor}"
-            sources: tuple[str, ...] = ()
-            if -factor in self.held or factor == -1:
-                sources = (self.of(-factor),)
-            else:
-                sign = 1 if factor > 0 else -1
-                half = sign << (abs(factor).bit_length() - 1)
-                half = half // 2 if half == factor else half
-                first, remainder = self.of(-half), factor - half
-                if remainder == half:
-                    self.words.append(BusWord(("NEWS",), (self.of(half),)))
-                    sources = (first, "NEWS")
-                else:
-                    sources = (first, self.of(-remainder))
-            self.words.append(BusWord((name,), sources))
-            self.held[factor] = name
-        return self.held[factor]
 
 
 # --- choosing -------------------------------------------------------------------------------------
@@ -371,6 +344,19 @@ def _used(words: Sequence[BusWord]) -> Program:
         live -= writes
         live |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
     return tuple(reversed(used_words))
+
+
+def reads_news_once(program: Program) -> bool:
+    """Whether no word reads NEWS after a neighbour has read it."""
+    is_read = False
+    for word in program:
+        reads = NEIGHBOURS.keys() & word.sources
+        if is_read and (reads or "NEWS" in word.sources):
+            return False
+        is_read = is_read or bool(reads)
+        if "NEWS" in word.destinations or NEIGHBOURS.keys() & word.destinations:
+            is_read = False
+    return True
 
 
 def noise_gain(program: Program) -> float:
