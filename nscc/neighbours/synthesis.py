@@ -1,12 +1,12 @@
-"""Short programs for a kernel: rows of a table, turned, chained and added; and one for any kernel.
+"""Short programs for a kernel: rows of a table, turned, chained and added.
 
-The search is deterministic and counts its steps. What it returns is ordered by words; programs of
-more words stay only where their intermediate values are smaller.
+The search is deterministic and counts its steps. Of a part of a kernel it keeps the shortest
+programs, and longer ones only where their intermediate values are smaller.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -82,18 +82,12 @@ class Synthesis:
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[_Key, list[Ranged]] = {}
 
-    def programs(self, taps: Taps) -> list[Ranged]:
-        """Programs for a kernel, the shortest first, the others with smaller values in between.
-
-        Each is proved: its words compute the kernel.
-        """
-        return _best(self.variants(taps))
-
     def variants(self, taps: Taps) -> list[Ranged]:
-        """Programs for a kernel in no order, longer ones among them."""
+        """Programs for a kernel, the shortest first; each is proved to compute the kernel."""
         key = frozenset(taps.items())
         if key not in self._variants:
-            self._variants[key] = self._proved(taps)
+            programs = self._proved(taps)
+            self._variants[key] = sorted(programs, key=lambda ranged: len(ranged.program))
         return self._variants[key]
 
     def _proved(self, taps: Taps) -> list[Ranged]:
@@ -102,8 +96,6 @@ class Synthesis:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED or not candidates:
             candidates += additions(taps, self.news_keeps)
-        if self.news_keeps:
-            candidates = [tidied(program) for program in candidates]
         assert all(kernel_of(program) == dict(taps) for program in candidates)
         return [_ranged(program) for program in candidates]
 
@@ -141,8 +133,8 @@ class Synthesis:
                 if remaining.program:
                     yield chained(remaining.program, _HALVE)
         for row, column in separated(taps):
-            for first in self._some(row, depth - 1):
-                for second in self._some(column, depth - 1):
+            for first in self._programs_of_part(row, depth - 1):
+                for second in self._programs_of_part(column, depth - 1):
                     yield chained(first, second)
         for factor in factors():
             quotient = quotient_of(taps, factor)
@@ -151,7 +143,7 @@ class Synthesis:
                     yield chained(factor.program, remaining.program)
         yield from self._sums(inverse, depth)
 
-    def _some(self, taps: Polynomial, depth: int) -> list[Program]:
+    def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
         """Programs for a part of a kernel."""
         found = [ranged.program for ranged in self._programs(taps, depth)]
         return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
@@ -171,7 +163,7 @@ class Synthesis:
             alone: Taps = {(0, 0): centre_weight}
             remainder = added((1, inverse), (-1, alone))
             if remainder and abs(remainder.get((0, 0), 0)) < abs(middle):
-                seconds = self._some(dict(alone), depth - 2)
+                seconds = self._programs_of_part(dict(alone), depth - 2)
                 for first in self._programs(remainder, depth - 2):
                     for second in seconds:
                         yield _summed(first.program, second)
@@ -300,50 +292,6 @@ def _best(candidates: list[Ranged]) -> list[Ranged]:
         if not best or candidate.peak < best[-1].peak:
             best.append(candidate)
     return best[:_MOST_KEPT]
-
-
-def tidied(program: Program) -> Program:
-    """A program without words for values that are held already, or that nobody reads."""
-    registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
-    names: dict[str, str] = {"x": "x"}
-    words: list[BusWord] = []
-    values = values_of(program)
-    for number, (word, value) in enumerate(zip(program, values, strict=True)):
-        sources = tuple(names.get(name, name) for name in word.sources)
-        if len(set(sources)) < len(sources):
-            return program  # the same register twice is one source
-        first = word.destinations[0]
-        if len(word.destinations) == 1:
-            if first in NEIGHBOURS or first == "NEWS":
-                step = STEPS.get(first, (0, 0))
-                placed = moved(value, -step[0], -step[1])
-                if registers.get("NEWS") == placed:
-                    continue
-            else:
-                same = next((n for n, v in registers.items() if v == value and n != "NEWS"), None)
-                if same is not None and number + 1 < len(program):
-                    names[first] = same
-                    continue
-        for name in word.destinations:
-            step = STEPS.get(name, (0, 0))
-            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
-            names[name] = name
-        words.append(BusWord(word.destinations, sources))
-    return _used(words)
-
-
-def _used(words: Sequence[BusWord]) -> Program:
-    """The words whose results are read."""
-    used_words: list[BusWord] = []
-    live: set[str] = set(words[-1].destinations[:1]) if words else set()
-    for word in reversed(words):
-        writes = {"NEWS" if name in NEIGHBOURS else name for name in word.destinations}
-        if not writes & live:
-            continue
-        used_words.append(word)
-        live -= writes
-        live |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
-    return tuple(reversed(used_words))
 
 
 def reads_news_once(program: Program) -> bool:

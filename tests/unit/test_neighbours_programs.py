@@ -89,7 +89,7 @@ KERNELS = {
 def test_a_kernel_takes_few_words(name: str) -> None:
     rows, divisor, most = KERNELS[name]
     taps = exact_taps(weights_of(rows, divisor))
-    best = Synthesis(20_000).programs(taps)[0].program
+    best = Synthesis(20_000).variants(taps)[0].program
     assert kernel_of(best) == taps
     assert len(best) <= most
 
@@ -103,7 +103,7 @@ def test_a_program_does_what_scipy_does(seed: int) -> None:
     image = rng.integers(0, 1000, (12, 14)).astype(float)
     expected = correlate(image, rows / divisor, mode="wrap")
     taps = exact_taps(weights_of(rows.tolist(), divisor))
-    for each in (*(found.program for found in Synthesis(300).programs(taps)), *additions(taps)):
+    for each in (*(found.program for found in Synthesis(300).variants(taps)), *additions(taps)):
         np.testing.assert_allclose(run_on_array(each, image), expected, atol=1e-9)
 
 
@@ -123,7 +123,7 @@ def test_a_row_of_the_table_and_its_turns_run(line: str) -> None:
 
 def test_the_search_is_deterministic() -> None:
     taps = exact_taps(weights_of(GAUSS_5, 64))
-    assert Synthesis(500).programs(taps) == Synthesis(500).programs(taps)
+    assert Synthesis(500).variants(taps) == Synthesis(500).variants(taps)
 
 
 def test_the_error_of_a_result_adds_up() -> None:

@@ -51,8 +51,6 @@ class ArrayPixels(WordPixels):
         bits = {**dict.fromkeys(registers, arbitrary < 0.5), **self.code}
         self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
         self.number, self.after_us, self.in_e = 0, 0.0, 0.0
-        self._rooms: list[Values] = []
-        self._own: set[int] = set()
         pixels = len(self.places)
         self._uncut = np.zeros(pixels, np.uint8)
         cut = {name: by for name, by in self.exposed_by.items() if by.any()}
@@ -96,44 +94,23 @@ class ArrayPixels(WordPixels):
             case _:
                 digital.run(op)
 
-    def _room(self) -> Values:
-        """An array of ours that nothing holds: new ones cost more than what is computed in them."""
-        if self._rooms:
-            return self._rooms.pop()
-        found = np.empty(len(self.places))
-        self._own.add(id(found))
-        return found
-
-    def _leave(self, values: Values) -> None:
-        """Takes an array of ours back."""
-        if id(values) in self._own:
-            self._rooms.append(values)
-
     def total(self, word: RunningWord) -> Values:
-        found = self._room()
-        found[:] = 0.0
+        total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name in NEIGHBOURS:
-                (right, down), news = STEPS[name], self.register["NEWS"].reshape(self.shape)
-                rows, cols = self.shape
-                here = _overlap(rows, -down), _overlap(cols, -right)
-                found.reshape(self.shape)[here] += news[_overlap(rows, down), _overlap(cols, right)]
+                total += self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
             else:
-                found += word.in_e if name == "IN" else self.register[name]
-        return found
+                total += word.in_e if name == "IN" else self.register[name]
+        return total
 
     def _bus_on_array(self, word: RunningWord) -> None:
-        result = self.total(word)
-        result /= -word.op.operation.divisor
+        result = self.total(word) / -word.op.operation.divisor
         cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):
             value = self._written(result, word, index, name)
             by = self._with_range(cut, value)
             for bends in self.at("registers"):
                 value = bends(self, value)
-            if index > 0 and value is result:
-                value = self._room()
-                value[:] = result
             self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
@@ -159,19 +136,16 @@ class ArrayPixels(WordPixels):
         """A register takes a value with its marks, where FLAG is 1."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
-            moved = self.moved(value, -right, -down, beyond=0.0, into=self._room())
-            self._leave(value)
-            value = moved
+            value = self.moved(value, -right, -down, beyond=0.0)
             if by is not self._uncut:
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
             name = "NEWS"
         here, old = self.digital.read("FLAG") == 1, self.register[name]
         if not here.all():
-            np.copyto(value, old, where=~here)
+            value = np.where(here, value, old)
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
                 by = np.where(here, by, self.cut_by[name])
         self.register[name], self.cut_by[name] = value, by
-        self._leave(old)
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
         """What a word writes of its exact result."""
@@ -192,17 +166,13 @@ class ArrayPixels(WordPixels):
                 found |= chosen & self.moved(bits, right, down, beyond=outside)
         digital.write(op.destinations[0], found)
 
-    def moved(
-        self, values: NDArray[Any], right: int, down: int, *, beyond: Any,
-        into: NDArray[Any] | None = None,
-    ) -> NDArray[Any]:  # fmt: skip
+    def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
         """What the pixels so far to the right and down hold."""
         rows, cols = self.shape
-        found = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
-        found[:] = beyond
-        there, here = _overlap(cols, right), _overlap(cols, -right)
-        found[_overlap(rows, -down), here] = values.reshape(self.shape)[_overlap(rows, down), there]
-        return found.reshape(-1)
+        moved = np.full(self.shape, beyond, values.dtype)
+        here = _overlap(rows, -down), _overlap(cols, -right)
+        moved[here] = values.reshape(self.shape)[_overlap(rows, down), _overlap(cols, right)]
+        return moved.reshape(-1)
 
 
 def _overlap(size: int, step: int) -> slice:
