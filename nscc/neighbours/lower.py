@@ -193,7 +193,7 @@ class Lowering(Emitter):
 
     def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
         """The programs of a kernel, or of minus the kernel, whose values fit the registers: first
-        those of which the fewest words are left to do."""
+        those of which the fewest words are left to do, then those of small values and noise."""
         least, ranked = float("inf"), []
         for sign in (1, -1):
             for candidate in self.synthesis.variants(added((sign, taps))):
@@ -202,11 +202,15 @@ class Lowering(Emitter):
                 if over <= 1 + 1e-9:
                     left = self._reuse(candidate.program, value)
                     inverted = self.is_output and value.sign * sign < 0
-                    ranked.append((len(left.words) + inverted, candidate.program, sign))
+                    words = len(left.words) + inverted
+                    ranked.append((words, candidate.peak, candidate.program, sign))
         if not ranked:
             raise PictureRefused("range", self.now, least, 1.0)
-        ranked.sort(key=lambda each: each[0])
-        return [(program, sign) for _, program, sign in ranked[:_MOST_TRIED]]
+        ranked.sort(key=lambda each: each[:2])
+        best = ranked[: 1 + max(n for n, each in enumerate(ranked) if each[:2] == ranked[0][:2])]
+        best.sort(key=lambda each: noise_gain(each[2]))
+        ranked[: len(best)] = best
+        return [(program, sign) for *_, program, sign in ranked[:_MOST_TRIED]]
 
     def _excess(self, value: Held, taps: Taps) -> float:
         """How many times the registers' range what a kernel makes of a value may be."""

@@ -55,7 +55,7 @@ def reuse(
                 runs = runs or news
             elif name in needed:
                 register = (where_free if number == last else where).get(written[number][name])
-                if register is None:
+                if register is None or register in held.values():  # two sources of one word
                     runs = True
                 else:
                     held[name] = register
