@@ -116,13 +116,8 @@ class Synthesis:
         return best
 
     def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
-        table = rows()
-        if key in table:
-            yield table[key]
-        inverse = added((-1, taps))
-        inverse_key = frozenset(inverse.items())
-        if inverse_key in table:
-            yield chained(table[inverse_key], _NEGATE)
+        if key in rows():
+            yield rows()[key]
         if taps == {(0, 0): -UNIT}:
             yield _NEGATE
             return
@@ -141,16 +136,16 @@ class Synthesis:
             if quotient is not None and quotient != IDENTITY:
                 for remaining in self._programs(quotient, depth - 1):
                     yield chained(factor.program, remaining.program)
-        yield from self._sums(inverse, depth)
+        yield from self._with_centre(added((-1, taps)), depth)
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
         """Programs for a part of a kernel."""
         found = [ranged.program for ranged in self._programs(taps, depth)]
         return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
 
-    def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
-        """Programs whose last word adds two values; `inverse` is what they add up to."""
-        table = rows()
+    def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
+        """Programs whose last word adds a multiple of the pixel itself; `inverse` is what the word
+        adds up."""
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
@@ -167,11 +162,6 @@ class Synthesis:
                 for first in self._programs(remainder, depth - 2):
                     for second in seconds:
                         yield _summed(first.program, second)
-        for key, program in table.items():
-            remainder = added((1, inverse), (-1, dict(key)))
-            remainder_program = table.get(frozenset(remainder.items()))
-            if remainder_program is not None:
-                yield _summed(program, remainder_program)
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
