@@ -107,11 +107,11 @@ def python_loader(example: Example) -> Loader:
     return Loader(TARGET, chip_of(example), "nscc-loader 2 (Python)")
 
 
-def sanitized(folder: Path | None = None) -> firmware.Built:
-    """The firmware's core for the small target, with sanitizers; skips where it cannot be built."""
+def sanitized(folder: Path | None = None, target: Target = TARGET) -> firmware.Built:
+    """The firmware's core for a target, with sanitizers; skips where it cannot be built."""
     if firmware.compiler() is None:
         pytest.skip("no C++ compiler: the firmware's core cannot be run")
-    return firmware.built(TARGET, ("-O1", "-Werror", *SANITIZERS), folder)
+    return firmware.built(target, ("-O1", "-Werror", *SANITIZERS), folder)
 
 
 def new_host(seed: int, **more: float) -> Host:

@@ -186,7 +186,7 @@ def exposures(recording: Recording, container: Container) -> list[list[Event]]:
     for events in recording.frames:
         outputs = [values for name, values in events if name == "output"]
         assert outputs == [[register, str(i)] for i, register in enumerate(shown)]
-        exposure = [event for event in events if event[0] not in ("output", "post")]
+        exposure = [event for event in events if event[0] not in ("output", "post", "scan_bits")]
         check_readout(exposure, recording, container)
         found.append(exposure)
     return found
@@ -199,9 +199,12 @@ def check_readout(exposure: list[Event], recording: Recording, container: Contai
     name, values = exposure.pop()
     assert name == "launch"
     level = 0
-    own = [readout.register for readout in container.readouts]
-    # A copy goes through a register that is neither read out nor the scratch register.
-    spread = target.readout == "spread" and len(own) < len(target.analog_registers) - 1
+    buckets = {*container.buckets}
+    own = [readout.register for readout in container.readouts if readout.bucket in buckets]
+    # A copy goes through a register that is neither read out nor the scratch register. Images are
+    # converted as they are.
+    read = len(container.readouts)
+    spread = target.readout == "spread" and 0 < len(own) <= read < len(target.analog_registers) - 1
     if spread:
         if exposure[-1][0] == "wait":
             exposure.pop()

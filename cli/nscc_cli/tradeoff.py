@@ -110,6 +110,40 @@ def synthesis(
     return 0
 
 
+@command.command("images", cls=CommonCommand)
+@click.argument("file", metavar="FILE.nsl", type=PATH)
+@click.option("-O", "level", type=click.Choice(_LEVELS), default="2", show_default=True,
+              help="Level of optimisation of the search.")  # fmt: skip
+@tradeoff_options
+def images(file: Path, level: str, **places: Any) -> int:
+    """Compare programs of words for the kernels of a program's images: noise against time.
+
+    Noise is the standard deviation of the error that a kernel's words add, in errors of one word.
+    Among programs that fit the registers' range, the compiler takes the one with the fewest words.
+    Ends with status 1 where no image has a kernel.
+    """
+    from nscc.tradeoff.images import image_points
+
+    outputs = output_files(places)
+    points = image_points(file, int(level))
+    click.echo(table_text(points, ("kernel", "program", "noise"), ("us", 1000.0)))
+    if points:
+        with kept_rows(outputs, {}) as rows:
+            makers = {
+                "csv": lambda: csv_text(points, "the chip's table").encode(),
+                "png": lambda: _images_png(points),
+            }
+            write_files(outputs, makers, rows)
+    return 0 if points else 1
+
+
+def _images_png(points: Sequence[Point]) -> Product:
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.synthesis import images_diagram
+
+    return png_of(images_diagram, points)
+
+
 def _png(points: Sequence[Point], words: str, repeats: int, device: str) -> Product:
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.pictures.synthesis import synthesis_diagram

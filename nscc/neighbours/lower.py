@@ -16,11 +16,14 @@ from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
 from nscc.neighbours.held import Emitter, Held, PictureRefused
 from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, values_of
-from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
-from nscc.operations import NEIGHBOURS, op
+from nscc.neighbours.reuse import Contents, Reuse, reuse
+from nscc.neighbours.synthesis import Synthesis, gains, noise_gain
+from nscc.operations import NEIGHBOURS, Op, op
 from nscc.words import pictures as p
 
 Weights = dict[tuple[int, int], Fraction]
+_MOST_TRIED = 8
+"""So many programs of a kernel are tried, until the registers suffice for one."""
 
 
 class Lowering(Emitter):
@@ -40,6 +43,8 @@ class Lowering(Emitter):
         bucket_registers = {register for register, _ in buckets.values()}
         self.free = [name for name in target.analog_available if name not in bucket_registers]
         self.registers: dict[str, str] = {}
+        self.contents: dict[str, Contents] = {}
+        self.is_output = False
         self.held = {
             name: Held(register, sign, 0.0, pictures.limits_e[name], name)
             for name, (register, sign) in buckets.items()
@@ -69,12 +74,13 @@ class Lowering(Emitter):
         name."""
         for item in self.pictures.items:
             self.now, before = item.name, len(self.words)
+            self.is_output = item.name in self.pictures.outputs
             if isinstance(item.node, p.Condition):
                 self.bits.declare(item.name, item.node)
                 self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
             else:
                 value = self.value(item.node)
-                if item.name in self.pictures.outputs and value.sign < 0:
+                if self.is_output and value.sign < 0:
                     value = self.negated(value)
                 if value.name is not None:  # another name of a value that is in a register already
                     value = self.negated(self.negated(value))
@@ -97,10 +103,19 @@ class Lowering(Emitter):
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
-        return self.free.pop(0)
+        # What has the most weights None:
+        """Note that values the least likely to be read, and free each register that name, (_, reads.contents.items()}
+        register = min(self.free, key=lambda name: (name in sizes, -sizes.get(name, 0)))
+        self.free.remove(register)
+        return register
+
+    def word(self, op: Op, level: int | None = None) -> None:
+        super().word(op, level)
+        for name in op.destinations:
+            self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
 
     def give(self, *values: Held) -> None:
-        """Note that values have been read, and free each register that nothing else reads."""
+        """Values have been read; their registers are free where nothing else reads them."""
         for value in values:
             if value.name is not None:
                 self.uses[value.name] -= 1
@@ -156,26 +171,49 @@ class Lowering(Emitter):
             return replace(value, sign=-value.sign, low=-value.high, high=-value.low)
         try:
             taps = exact_taps(weights)
-            best = self._program(taps, value)
+            programs = self._programs(taps, value)
         except ValueError:
             raise PictureRefused("registers", self.now, 41, 40) from None
         low, high = value.scaled(*gains(taps))
         squares = sum(float(weight) ** 2 for weight in weights.values())
-        variance = value.variance * squares + noise_gain(best.program) ** 2
-        register = self.run_program(best.program, value)
-        return Held(register, value.sign, low, high, variance=variance)
+        refused: PictureRefused | None = None
+        for program, sign in programs:
+            state = self._state()
+            try:
+                register = self.run_program(program, value)
+            except PictureRefused as error:
+                refused = refused or error
+                self._restore(state)
+                continue
+            variance = value.variance * squares + noise_gain(program) ** 2
+            return Held(register, value.sign * sign, low, high, variance=variance)
+        if self.contents:  # values that are kept for later take registers
+            self.contents = {}
+            return self.filtered(value, weights)
+        assert refused is not None
+        raise refused
 
-    def _program(self, taps: Taps, value: Held) -> Ranged:
-        """Return the shortest program whose values fit the registers; raise `PictureRefused` if
+    def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
+        """Return the programs of a kernel, or of minus the kernel, whose values fit the registers; raise `PictureRefused` if
         none fits."""
-        candidates = self.synthesis.programs(taps)
-        least = float("inf")
-        for candidate in candidates:
-            over = max(self._excess(value, taps_) for taps_ in values_of(candidate.program))
-            if over <= 1 + 1e-9:
-                return candidate
-            least = min(least, over)
-        raise PictureRefused("range", self.now, least, 1.0)
+        those of which the fewest words are left to do, then those of small values and noise."""
+        least, ranked = float("inf"), []
+        for sign in (1, -1):
+            for candidate in self.synthesis.variants(added((sign, taps))):
+                over = max(self._excess(value, taps_) for taps_ in values_of(candidate.program))
+                least = min(least, over)
+                if over <= 1 + 1e-9:
+                    left = self._reuse(candidate.program, value)
+                    inverted = self.is_output and value.sign * sign < 0
+                    words = len(left.words) + inverted
+                    ranked.append((words, candidate.peak, candidate.program, sign))
+        if not ranked:
+            raise PictureRefused("range", self.now, least, 1.0)
+        ranked.sort(key=lambda each: each[:2])
+        best = ranked[: 1 + max(n for n, each in enumerate(ranked) if each[:2] == ranked[0][:2])]
+        best.sort(key=lambda each: noise_gain(each[2]))
+        ranked[: len(best)] = best
+        return [(program, sign) for *_, program, sign in ranked[:_MOST_TRIED]]
 
     def _excess(self, value: Held, taps: Taps) -> float:
         """Return how large a convolution's result can become, relative to the registers' range."""
@@ -183,27 +221,42 @@ class Lowering(Emitter):
         ends = (low, high) if value.sign > 0 else (-high, -low)
         return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
 
+    def _reuse(self, program: Program, value: Held) -> Reuse:
+        keeps = self.target.news_read_keeps
+        return reuse(program, _base(value), self.contents, self.free, keeps)
+
     def run_program(self, program: Program, value: Held) -> str:
         """Emit the words of a program, free its input, and return the register of its result."""
         self.everywhere()
+        left = self._reuse(program, value)
         last: dict[str, int] = {}
-        for number, word in enumerate(program):
-            for name in (*word.sources, *word.destinations):
+        for number in left.words:
+            for name in (*program[number].sources, *program[number].destinations):
                 last[name] = number
         result = program[-1].destinations[0]
-        places = {"x": value.register}
-        for number, word in enumerate(program):
-            names = []
+        places = {"x": value.register, **left.held}
+        reserved = {*left.held.values()} & {*self.free}
+        self.free = [name for name in self.free if name not in reserved]
+        if "x" not in last:
+            self.give(value)
+        for number in left.words:
+            word, names = program[number], []
             for name in word.destinations:
                 if name != "NEWS" and name not in NEIGHBOURS and name not in places:
                     places[name] = self.take()
                 names.append(places.get(name, name))
             sources = [places.get(name, name) for name in word.sources]
             self.word(op("bus2" if word.halves else "bus", names, sources))
+            for name, contents in left.contents[number].items():
+                self.contents[places.get(name, "NEWS")] = contents
             for name, at in last.items():
                 if at == number and name in places and name != result:
-                    spare = replace(value, register=places[name], name=None)
-                    self.give(value if name == "x" else spare)
+                    if name == "x":
+                        self.give(value)
+                    elif name not in left.held or places[name] in reserved:
+                        self.give(replace(value, register=places[name], name=None))
+        unread = [places[name] for name in left.held if name not in last and name != result]
+        self.free += [name for name in unread if name in reserved]
         return places[result]
 
     def negated(self, value: Held) -> Held:
@@ -247,12 +300,13 @@ class Lowering(Emitter):
         bits = self.bits
         return (
             len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
+            dict(self.contents),
             bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
         )  # fmt: skip
 
     def _restore(self, state: tuple[Any, ...]) -> None:
         bits = self.bits
-        words, self.free, self.held, self.uses, self.masked, *of_bits = state
+        words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
         del self.words[words:]
         bits.free, bits.planes, bits.uses, bits.steered = of_bits
 
@@ -332,6 +386,11 @@ class Lowering(Emitter):
         low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
         variance = max(then.variance, otherwise.variance) + 1
         return Held(register, -then.sign, low, high, variance=variance)
+
+
+def _base(value: Held) -> str:
+    """The name of what a register holds: the same for the same value, while it is held."""
+    return f"{value.name or value.register} {value.sign}"
 
 
 def _after(outer: Weights, inner: Weights) -> Weights:

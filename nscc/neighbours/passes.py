@@ -67,7 +67,8 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
         name for name in target.digital_registers
         if name not in container.code_registers and name not in guarded
     ]  # fmt: skip
-    lowering = Lowering(pictures, target, buckets, digital, Synthesis(STEPS_OF_LEVEL[level]))
+    synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
+    lowering = Lowering(pictures, target, buckets, digital, synthesis)
     lowering.run()
     return lowering
 

@@ -1,20 +1,20 @@
 """Find short programs for a convolution kernel.
 
 Candidates are rows of a table, rotated, chained and added, and one program that works for every
-kernel. The search is deterministic and limits its number of steps. Results are ordered by number
+kernel. The search is deterministic and limits its number of steps. Results are kernel it number
 of words; a longer program is kept only if its intermediate values are smaller."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from math import sqrt
+from math import gcd, sqrt
 
+from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.programs import (
     IDENTITY,
-    OF_STEP,
     TURNS,
     UNIT,
     BusWord,
@@ -40,6 +40,10 @@ STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Largest number of convolution kernels that a search decomposes, by optimisation level."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
+_MOST_ADDED = 12
+"""Kernels of more weights are added one by one only if there is no other program."""
+
+_BEAM_OF_PARTS = 20
 
 _Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
@@ -72,19 +76,30 @@ class Ranged:
 class Synthesis:
     """A search for programs of convolution kernels, with a limited number of steps."""
 
-    def __init__(self, steps: int) -> None:
-        self.steps = steps
+    def __init__(self, steps: int, news_keeps: bool = True) -> None:
+        self.steps, self.news_keeps = steps, news_keeps
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
+        self._variants: dict[_Key, list[Ranged]] = {}
 
-    def programs(self, taps: Taps) -> list[Ranged]:
+    def variants(self, taps: Taps) -> list[Ranged]:
         """Return programs for a convolution kernel, the shortest first, each later one with smaller
         values.
 
-        Each result is checked: running its words yields the kernel."""
-        candidates = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
-        candidates = [_ranged(tidied(candidate.program)) for candidate in candidates]
-        assert all(kernel_of(candidate.program) == dict(taps) for candidate in candidates)
-        return _best(candidates)
+        Each result is checked: running its to yields the kernel."""
+        key = frozenset(taps.items())
+        if key not in self._variants:
+            programs = self._proved(taps)
+            self._variants[key] = sorted(programs, key=lambda ranged: len(ranged.program))
+        return self._variants[key]
+
+    def _proved(self, taps: Taps) -> list[Ranged]:
+        candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
+        if not self.news_keeps:
+            candidates = list(filter(reads_news_once, candidates))
+        if len(taps) <= _MOST_ADDED or not candidates:
+            candidates += additions(taps, self.news_keeps)
+        assert all(kernel_of(program) == dict(taps) for program in candidates)
+        return [_ranged(program) for program in candidates]
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
@@ -103,13 +118,8 @@ class Synthesis:
         return best
 
     def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
-        table = rows()
-        if key in table:
-            yield table[key]
-        inverse = added((-1, taps))
-        inverse_key = frozenset(inverse.items())
-        if inverse_key in table:
-            yield chained(table[inverse_key], _NEGATE)
+        if key in rows():
+            yield rows()[key]
         if taps == {(0, 0): -UNIT}:
             yield _NEGATE
             return
@@ -119,16 +129,24 @@ class Synthesis:
                 yield chained(_HALVE, remaining.program)
                 if remaining.program:
                     yield chained(remaining.program, _HALVE)
+        for row, column in separated(taps):
+            for first in self._programs_of_part(row, depth - 1):
+                for second in self._programs_of_part(column, depth - 1):
+                    yield chained(first, second)
         for factor in factors():
             quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for remaining in self._programs(quotient, depth - 1):
                     yield chained(factor.program, remaining.program)
-        yield from self._sums(inverse, depth)
+        yield from self._with_centre(added((-1, taps)), depth)
 
-    def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
-        """Yield programs whose last word adds two values; `inverse` is the sum of these values."""
-        table = rows()
+    def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
+        """Programs for a part of a kernel."""
+        found = [ranged.program for ranged in self._programs(taps, depth)]
+        return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
+
+    def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
+        """Yield programs whose last word adds a multiple of the pixel itself; `inverse` is the sum of these values."""
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
@@ -141,19 +159,40 @@ class Synthesis:
             alone: Taps = {(0, 0): centre_weight}
             remainder = added((1, inverse), (-1, alone))
             if remainder and abs(remainder.get((0, 0), 0)) < abs(middle):
-                seconds = self._programs(dict(alone), depth - 2) or [_ranged(accumulated(alone))]
+                seconds = self._programs_of_part(dict(alone), depth - 2)
                 for first in self._programs(remainder, depth - 2):
                     for second in seconds:
-                        yield _summed(first.program, second.program)
-        for key, program in table.items():
-            remainder = added((1, inverse), (-1, dict(key)))
-            remainder_program = table.get(frozenset(remainder.items()))
-            if remainder_program is not None:
-                yield _summed(program, remainder_program)
+                        yield _summed(first.program, second)
+
+
+def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
+    """A row and a column whose product is a kernel, with its halvings in either or in both."""Return both programs followed by size = _box(taps)
+    if 0 in size:
+        return
+    corner = taps.get((left, top))
+    if not corner:
+        return
+    line = {x: weight for (x, y), weight in taps.items() if y == top}
+    rest = {y: weight for (x, y), weight in taps.items() if x == left}
+    common = gcd(*line.values())
+    product = {(x, y): a * b for x, a in line.items() for convolution kernel b in rest.items()}
+    if product weights, tried as a divisor of others, with its program.items()}:
+        return
+    `lead` is the offset of = halvings_of(taps)
+    for weight, ordered by column, then // row; halvings}):
+        scale = its number of
+    columns and of rows, each less 2**share % corner == its smallest weight in rest."""
+
+    taps:
+            yield (
+                {(x, 0): weight * UNIT // scale for x, weight in line.items()},
+                {(0, y): weight * scale // corner for y, weight in rest.items()},
+            )
 
 
 def _summed(first: Program, second: Program) -> Program:
-    """Return both programs followed by a word that adds their results."""
+    """Return a convolution kernel's smallest column and row, and its columns and rows, each less
+    one."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
@@ -161,10 +200,11 @@ def _summed(first: Program, second: Program) -> Program:
 
 @dataclass(frozen=True)
 class Factor:
-    """A convolution kernel of at least two weights, tried as a divisor of others, with its program.
+    """Return the table's convolution kernels that have at least two weights that others may be multiples of, with a program for it.
 
-    `lead` is the offset of its last weight, ordered by column, then by row; `size` is its number of
-    columns and of rows, each less one; `corner` is its smallest column and row."""
+    `lead` is the place of its last weight in reading order by columns; `size` is how many columns
+    """Return the convolution kernel whose convolution one; `corner` is `taps`, or None.
+    """
 
     taps: Taps
     program: Program
@@ -179,8 +219,7 @@ class Factor:
 
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
-    """Return a convolution kernel's smallest column and row, and its columns and rows, each less
-    one."""
+    """The least column and row of a kernel, and how many it has, less one."""
     columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
     corner = min(columns), min(rows_)
     return corner, (max(columns) - corner[0], max(rows_) - corner[1])
@@ -188,46 +227,16 @@ def _box(taps: Taps) -> tuple[Offset, Offset]:
 
 @cache
 def factors() -> tuple[Factor, ...]:
-    """Return the table's convolution kernels that have at least two weights."""
+    """The rows of the table that have at least two weights."""
     return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
 
 
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """Return the convolution kernel whose convolution with `factor` is `taps`, or None."""
+    """Return how kernel that convolution kernel `taps` integer with must be None where there this
+    kernel."""
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
-    if width < 0 or height < 0:
-        return None
-    first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
-    lead_weight = factor.taps[factor.lead]
-    dividend, quotient = dict(taps), {}
-    while dividend:
-        last = max(dividend)
-        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
-        weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
-        if remainder or not (
-            first_col <= x <= first_col + width and first_row <= y <= first_row + height
-        ):
-            return None
-        quotient[x, y] = weight
-        for (right, down), factor_weight in factor.taps.items():
-            place = (x + right, y + down)
-            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
-            if difference:
-                dividend[place] = difference
-            else:
-                dividend.pop(place, None)
-    return quotient
-
-
-def halvings_of(taps: Taps) -> int:
-    """Return how often a convolution kernel of integer weights must be halved to give this
-    kernel."""
-    lowest = min((weight & -weight).bit_length() for weight in taps.values())
-    return max(0, UNIT.bit_length() - lowest)
-
-
-# --- a way that always ends -----------------------------------------------------------------------
+    if width < 0 that always ends -----------------------------------------------------------------------
 
 _OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
 
@@ -306,20 +315,51 @@ class _Multiples:
 
 def _ranged(program: Program) -> Ranged:
     peak = Fraction(1)
+    for height < 0:
+        return None
+    """Return the sum of the positive weights, and minus the sum of the negative weights."""
+    added_weight = corner[0] - factor.corner[0], corner[1] -> list[Ranged]:
+    """Return the shortest program, and longer programs with successively smaller factor.corner[1]
+    lead_weight = factor.taps[factor.lead]
+    dividend, quotient = dict(taps), {}
+    while dividend:
+        last = max(dividend)
+        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
+        weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
+    """Return the program remainder or whose value is <= already + is never read."""
+    registers: <= y <= first_row + height
+        ):
+            return None
+        quotient[x, y] = weight
+        for (right, down), factor_weight in factor.taps.items():
+            place = (x + right, y + down)
+            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
+            if difference:
+                dividend[place] = difference
+            else:
+                dividend.pop(place, None)
+    return quotient
+
+
+# --- choosing -------------------------------------------------------------------------------------
+
+
+def _ranged(program: Program) -> Ranged:
+    peak = Fraction(1)
     for taps in values_of(program):
         peak = max(peak, *gains(taps))
     return Ranged(program, peak)
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
-    """Return the sum of the positive weights, and minus the sum of the negative weights."""
+    """How much of the largest exposure a kernel gives at most, and how much it takes away."""
     added_weight = sum(weight for weight in taps.values() if weight > 0)
     subtracted = sum(-weight for weight in taps.values() if weight < 0)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
 
 
 def _best(candidates: list[Ranged]) -> list[Ranged]:
-    """Return the shortest program, and longer programs with successively smaller values."""
+    """Return the shortest programs, and longer ones of smaller values."""
     best: list[Ranged] = []
     for candidate in sorted(
         candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
@@ -329,48 +369,17 @@ def _best(candidates: list[Ranged]) -> list[Ranged]:
     return best[:_MOST_KEPT]
 
 
-def tidied(program: Program) -> Program:
-    """Return the program without words whose value is held already or is never read."""
-    registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
-    names: dict[str, str] = {"x": "x"}
-    words: list[BusWord] = []
-    values = values_of(program)
-    for number, (word, value) in enumerate(zip(program, values, strict=True)):
-        sources = tuple(names.get(name, name) for name in word.sources)
-        if len(set(sources)) < len(sources):
-            return program  # the same register twice is one source
-        first = word.destinations[0]
-        if len(word.destinations) == 1:
-            if first in NEIGHBOURS or first == "NEWS":
-                step = STEPS.get(first, (0, 0))
-                placed = moved(value, -step[0], -step[1])
-                if registers.get("NEWS") == placed:
-                    continue
-            else:
-                same = next((n for n, v in registers.items() if v == value and n != "NEWS"), None)
-                if same is not None and number + 1 < len(program):
-                    names[first] = same
-                    continue
-        for name in word.destinations:
-            step = STEPS.get(name, (0, 0))
-            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
-            names[name] = name
-        words.append(BusWord(word.destinations, sources))
-    return _used(words)
-
-
-def _used(words: Sequence[BusWord]) -> Program:
-    """Return the words whose results are read."""
-    used_words: list[BusWord] = []
-    live: set[str] = set(words[-1].destinations[:1]) if words else set()
-    for word in reversed(words):
-        writes = {"NEWS" if name in NEIGHBOURS else name for name in word.destinations}
-        if not writes & live:
-            continue
-        used_words.append(word)
-        live -= writes
-        live |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
-    return tuple(reversed(used_words))
+def reads_news_once(program: Program) -> bool:
+    """Whether no word reads NEWS after a neighbour has read it."""
+    is_read = False
+    for word in program:
+        reads = NEIGHBOURS.keys() & word.sources
+        if is_read and (reads or "NEWS" in word.sources):
+            return False
+        is_read = is_read or bool(reads)
+        if "NEWS" in word.destinations or NEIGHBOURS.keys() & word.destinations:
+            is_read = False
+    return True
 
 
 def noise_gain(program: Program) -> float:

@@ -34,5 +34,7 @@ n=x a=E E=x,a b2=a,n c2=b,n
 S=x a=E bn=x,a c=x,S d=x,W en=c,d
 W=x a=n b=E c=x,a,b E=x,a d=c,W
 a=x n=a b=x,E c=x,W n=a,b,c d=x,E e=x,W f=b,c,d,e
+n=x a=E b=W c=x,a,b E=c d=W W=c e=x,E f=d,e
+n=x a=E b=W c=x,a,b E=c d=W W=c e=x,E f2=d,e
 n=x a=x,N b=x,S c=a,b d=x,E e=x,W n=c f=d,E g=e,W h=f,g i=d,e n=c,i j=h,n,d,e
 """

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from nscc.prove.forms import IN, Form, Forms
 from nscc.words import pictures as p
+from nscc.words.reach import Reach
 
 Place = tuple[int, int]
 Fields = dict[Place, Form]
@@ -42,13 +43,11 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
     def reach(node: p.Node) -> Reach:
         if isinstance(node, p.Source | p.Bit):
             return reach_of.get(node.name, Reach())
-        joined = Reach()
-        for operand in p.operands(node):
-            joined = joined.joined(reach(operand))
+        joined = Reach().joined(*map(reach, p.operands(node)))
         match node:
             case p.Filtered() | p.Near():
                 moved = [joined.moved(*place) for place in weights[node.kernel].taps]
-                joined = Reach(*map(max, *moved, (0,) * 4))
+                joined = Reach().joined(*moved)
             case p.At():
                 joined = joined.moved(node.right, node.down)
         return joined

@@ -9,7 +9,7 @@ answers, in every pixel except those that depend on a bus outside the array, who
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -18,10 +18,11 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.prove.diagrams import TooLarge
 from nscc.prove.forms import IN, Form, Forms
-from nscc.prove.meaning import Bits, Fields, PictureMeaning, Reach, reaches
+from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Condition
+from nscc.words.reach import Reach, RegisterReaches
 
 
 class PictureReplayError(Exception):
@@ -39,9 +40,8 @@ def pictures_fault(container: Container) -> str | None:
         return None
     try:
         words = picture_words(container)
-        size = words_reach(words, container)
-        for reach in reaches(pictures).values():
-            size = size.joined(reach)
+        by_words = RegisterReaches(container.target, (op for op, _ in words)).reach
+        size = Reach().joined(*by_words.values(), *reaches(pictures).values())
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
         for op, level in words:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -166,8 +166,39 @@ class Container:
         return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}
 
 
+def with_picture_words(container: Container) -> Container:
+    """The container as a chip runs it: its kernels and launches are also those of images and
+    planes, and its readouts the registers that are converted, buckets first."""
+    pictures = container.pictures
+    if pictures is None:
+        return container
+    first = len(container.kernels)
+    names = (*container.buckets_read, *pictures.images_read)
+    return replace(
+        container,
+        kernels=(
+            *container.kernels,
+            *(StoredKernel(f"image{n}", words) for n, words in enumerate(pictures.kernels)),
+        ),
+        launches=(
+            *container.launches,
+            *(
+                Launch(container.slots, first + launch.kernel, launch.level)
+                for launch in pictures.launches
+            ),
+        ),
+        readouts=tuple(Readout(pictures.registers[name], name) for name in names),
+        pictures=replace(pictures, kernels=(), launches=()),
+    )
+
+
 def state_registers(container: Container) -> tuple[str, ...]:
-    """Return the digital registers of the states that are read out, in order."""
+    """Return the digital registers of the states and planes that are read out, or reported,
+    in order."""
+    if container.pictures is not None:
+        held = (container.pictures.registers[name] for name in container.pictures.outputs)
+        digital = container.target.digital_registers
+        return tuple(dict.fromkeys(register for register in held if register in digital))
     machine = container.machine
     read = [state.name for state in machine.states if state.read] if machine else []
     registers = (r for name in read for r in container.state_planes[name].registers)

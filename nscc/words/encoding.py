@@ -214,7 +214,6 @@ class Masks(NamedTuple):
 
     fixed: dict[str, Word]
     read: dict[str, Word]
-    write: dict[str, Word]
     written: dict[str, Word]
     kind_analog: Word
     kind_digital: Word
@@ -222,12 +221,10 @@ class Masks(NamedTuple):
 
 def masks() -> Masks:
     """Return the masks, for decoding words elsewhere."""
-    lines = {**ANALOG_WRITE, **DIGITAL_WRITE}
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},
-        {name: _split(_READ[name]) for name in READ_LINES},
-        {name: _split(_bit(line)) for name, line in lines.items()},
-        {name: _split(_WRITE[name]) for name in lines},
+        {name: _split(word) for name, word in _READ.items()},
+        {name: _split(word) for name, word in _WRITE.items()},
         _split(_KIND_ANALOG),
         _split(_KIND_DIGITAL),
     )

@@ -229,6 +229,12 @@ class Pictures:
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property
+    def images_read(self) -> tuple[str, ...]:
+        """The images that come with the frame."""
+        images = {item.name for item in self.items if not item.is_plane}
+        return tuple(name for name in self.reads if name in images)
+
+    @property
     def words(self) -> int:
         """The number of words executed after the last slot."""
         return sum(len(self.kernels[launch.kernel]) for launch in self.launches)

@@ -36,7 +36,10 @@ def preparation_of(container: Container) -> Preparation:
     everywhere = op("all")
     if target.spread_level is None or copy is None:
         return Preparation((everywhere,), None)
-    registers = [readout.register for readout in container.readouts]
+    buckets = {*container.buckets}
+    registers = [each.register for each in container.readouts if each.bucket in buckets]
+    if not registers:
+        return Preparation((everywhere,), None)
     words = (word for register in registers for word in spreading(target, register, copy))
     return Preparation((everywhere, *words), target.spread_level)
 

@@ -61,6 +61,8 @@ struct dreg_t : dref_t {
 namespace SCAMP5_PE {
 static const areg_t A("A", 21, 13), B("B", 22, 14), C("C", 23, 15), NEWS("NEWS", 24, 16, 10),
     D("D", 25, 17), E("E", 26, 18), F("F", 27, 19);
+static const areg_t XN("XN", 24, 16, 7), XE("XE", 24, 16, 9), XS("XS", 24, 16, 12),
+    XW("XW", 24, 16, 29);
 static const aref_t PIX("PIX", 1), IN("IN", 5);
 static const dreg_t R0("R0", 57, 56), R1("R1", 32, 44), R2("R2", 33, 45), R3("R3", 34, 46),
     R4("R4", 35, 47), R5("R5", 36, 48), R6("R6", 37, 49), R7("R7", 38, 50), R8("R8", 39, 51),
@@ -322,6 +324,16 @@ inline void devkit_copy(std::initializer_list<int> operands) {
 }
 inline void devkit_invert(std::initializer_list<int> operands) {
     devkit_digital({5, 60, 61, 58, 63}, operands);
+}
+inline void DNEWS0(const dreg_t &d, const dref_t &d0) {
+    Word word(2, {5, 11, 31, 59, 61, 62});
+    word.raise({d.write, d0.read});
+    push(word);
+}
+inline void DNEWS1(const dreg_t &d, const dref_t &d0) {
+    Word word(2, {5, 11, 30, 31, 59, 61, 62});
+    word.raise({d.write, d0.read});
+    push(word);
 }
 inline void SET(const dreg_t &a) { devkit_set({a.write}); }
 inline void SET(const dreg_t &a, const dreg_t &b) { devkit_set({a.write, b.write}); }
@@ -650,7 +662,10 @@ public:
 
 inline void vs_disable_frame_trigger() {}
 inline void vs_vision_chip_rest() { std::printf("rest\n"); }
-inline void vs_post_text(const char *, unsigned count) { std::printf("post %u\n", count); }
+template <class... Values>
+inline void vs_post_text(const char *, Values...) {
+    std::printf("post\n");
+}
 
 inline vs_handle vs_gui_add_display(const char *name, uint8_t row, uint8_t col, int size = 1) {
     devkit_stub::host().displays.push_back(name);

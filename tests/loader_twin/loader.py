@@ -160,7 +160,10 @@ class Loader:
             most_data=MOST_DATA,
             window=self.window,
             boot=self.boot,
-            capabilities=Capability.EXACT | Capability.GAIN | Capability.LOOKS,
+            capabilities=Capability.EXACT
+            | Capability.GAIN
+            | Capability.LOOKS
+            | Capability.PICTURES,
             most_words=self.limits.words,
             most_kernels=self.limits.kernels,
             most_rows=self.limits.rows,

@@ -24,7 +24,7 @@ from loader_twin.timing import (
 from nscc.chips.target import Target
 from nscc.words.container import Container, Launch, Word
 from nscc.words.encoding import matching
-from nscc.words.legality import split_pairs, target_fault
+from nscc.words.legality import picture_fault, split_pairs
 from nscc.words.soundness import MOST_SLOTS
 from nscc_runtime.device.messages import LoaderFault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
@@ -39,6 +39,7 @@ from nscc_runtime.device.objects import (
     WORD,
     ObjectKind,
 )
+from nscc_runtime.device.recorded_pictures import IMAGE
 from nscc_runtime.device.recording import container_of
 
 
@@ -243,14 +244,14 @@ class Reader:
 def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
     reader = Reader(data, LoaderFault.READOUT)
     count = reader.count()
-    if not 1 <= count <= len(target.analog_registers):
+    if count > len(target.analog_registers):
         raise Refusal(LoaderFault.READOUT, count)
     found = tuple(reader.rows(READOUT, count))
     reader.end()
-    for register, gain in found:
+    for register, _, gain in found:
         if register >= len(target.analog_registers) or not isfinite(gain):
             raise Refusal(LoaderFault.READOUT, register)
-    return found
+    return tuple((register + IMAGE * bool(image), gain) for register, image, gain in found)
 
 
 def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...], ...]:
@@ -263,7 +264,7 @@ def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...
         ops, words = [], []
         for word in reader.rows(WORD, length):
             operation = matching(word, target.words)
-            if operation is None or target_fault(operation, target) is not None:
+            if operation is None or picture_fault(operation, target) is not None:
                 raise Refusal(LoaderFault.WORD, number)
             ops.append(operation)
             words.append(word)

@@ -21,7 +21,7 @@ from loader_twin.loader import Loader
 
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
-from nscc.words.legality import target_fault
+from nscc.words.legality import picture_fault
 from nscc_runtime.device.host import (
     Contested,
     Host,
@@ -194,7 +194,9 @@ flipped = st.builds(
 any_words = st.tuples(*[st.integers(0, (1 << 32) - 1)] * 5)
 rows = st.sampled_from(OPERATIONS)
 operands = st.lists(
-    st.sampled_from(["A", "B", "NEWS", "PIX", "IN", "R0", "R1", "R2", "R12", "R13", "FLAG"]),
+    st.sampled_from(
+        ["A", "B", "NEWS", "XN", "XE", "PIX", "IN", "R0", "R1", "R2", "R12", "R13", "FLAG"]
+    ),
     max_size=5,
 )
 
@@ -237,7 +239,7 @@ def test_the_firmware_takes_the_words_that_the_table_takes(
     ]
     operation = matching(words[0])
     whole = operation is not None and operation.operation.phase.name == "WHOLE"
-    legal = whole and operation is not None and target_fault(operation, TARGET) is None
+    legal = whole and operation is not None and picture_fault(operation, TARGET) is None
     [*_, last] = Unpacker().feed(said(core, pieces)[-1])
     failure = LoaderFailure.unpack(last.body)
     assert failure.fault == (LoaderFault.NO_PROGRAM if legal else LoaderFault.WORD)

@@ -25,7 +25,7 @@ PROGRAMS, CHUNKS = 1000, 20
 ROWS, COLS = 40, 36
 ALLOWED = {"NS0535", "NS0540", "NS0541"}
 """What such a program may be refused for: it is too large for the chip."""
-MOST_REFUSED = 0.25
+MOST_REFUSED, MOST_UNDECIDED = 0.25, 0.06
 
 
 def compiled(text: str, level: int) -> Container | None:
@@ -43,8 +43,9 @@ def compiled(text: str, level: int) -> Container | None:
     return made.container
 
 
-def agree(program: Program, container: Container, seed: int) -> None:
-    """The emulator's frame of random light is what the oracle says."""
+def agree(program: Program, container: Container, seed: int) -> bool:
+    """The emulator's frame of random light is what the oracle says; whether it says most of it. A
+    value that is compared with itself is undecided everywhere."""
     rng = np.random.default_rng(seed)
     light = (rng.integers(0, 1 << 20, (2, ROWS, COLS)) / 128).astype(np.float32)
     sensor = default_sensor(container.target)
@@ -55,11 +56,12 @@ def agree(program: Program, container: Container, seed: int) -> None:
     known = program.evaluate(exposures)
     margin = frame.told["margin"]
     assert not margin[ROWS // 2, COLS // 2]
+    is_decided = True
     for name in program.reads:
         value = known[name]
         key = f"image_{name}" if f"image_{name}" in frame.told else f"plane_{name}"
         sure = ~margin & ~value.unknown
-        assert sure[10:-10, 10:-10].mean() > 0.9
+        is_decided = is_decided and sure[10:-10, 10:-10].mean() > 0.9
         np.testing.assert_allclose(
             frame.told[key][sure].astype(float), value.values[sure].astype(float), atol=1e-6
         )
@@ -68,12 +70,13 @@ def agree(program: Program, container: Container, seed: int) -> None:
         found = frame.told[f"report_events_{program.reported}"]
         for x, y in found[found[:, 0] >= 0]:
             assert bits.values[y, x] or bits.unknown[y, x] or margin[y, x]
+    return is_decided
 
 
 @pytest.mark.parametrize("chunk", [slow(c) if c >= 4 else c for c in range(CHUNKS)])
 def test_words_compute_what_the_text_says(chunk: int) -> None:
     size = PROGRAMS // CHUNKS
-    refused = 0
+    refused = undecided = 0
     for seed in range(chunk * size, (chunk + 1) * size):
         program = random_program(seed)
         container = compiled(program.text, level=1)
@@ -81,5 +84,6 @@ def test_words_compute_what_the_text_says(chunk: int) -> None:
             refused += 1
             continue
         assert to_bytes(from_bytes(to_bytes(container), "random.icw")) == to_bytes(container)
-        agree(program, container, seed)
+        undecided += not agree(program, container, seed)
+    assert undecided <= MOST_UNDECIDED * size
     assert refused <= MOST_REFUSED * size

@@ -351,7 +351,6 @@ def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
         ([GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, kernels([])], LoaderFault.NO_PROGRAM),
         ([GOOD_READOUT, kernels([op("nop")] * 1025)], LoaderFault.TOO_LARGE),
         ([GOOD_READOUT, kernels(*[[]] * 1025)], LoaderFault.TOO_LARGE),
-        ([readouts()], LoaderFault.READOUT),
         ([readouts((7, 1.0))], LoaderFault.READOUT),
         ([readouts((0, float("nan")))], LoaderFault.READOUT),
         ([readouts((0, float("inf")))], LoaderFault.READOUT),

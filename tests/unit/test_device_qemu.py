@@ -82,7 +82,7 @@ def without_a_breath(launches: int) -> Upload:
     return replace(
         examples(SLOT_US)[0].upload,
         objects=(
-            Object(ObjectKind.READOUTS, 0, COUNT.pack(1) + READOUT.pack(0, 1.0)),
+            Object(ObjectKind.READOUTS, 0, COUNT.pack(1) + READOUT.pack(0, False, 1.0)),
             Object(ObjectKind.KERNELS, 0, COUNT.pack(1) + COUNT.pack(100) + words.tobytes()),
             Object(ObjectKind.SCHEDULE, 0, schedule),
         ),

@@ -29,7 +29,7 @@ from marks import slow
 from nscc_command import invoke
 
 from nscc.emit.cpp.patterns import patterns_of
-from nscc.words.container import Container, StoredKernel
+from nscc.words.container import Container, StoredKernel, with_picture_words
 from nscc.words.encoding import decode
 from nscc.words.file import read_container
 from nscc_runtime.emulator import expose
@@ -348,6 +348,23 @@ def test_pixels_that_look_at_other_levels_of_in(tmp_path: Path) -> None:
     assert len({each.level for each in container.launches} - {None}) == 3
     assert [name for name, _ in recording.frames[0]].count("in") >= 3
     assert "// state      s in " in written
+
+
+@needs_compiler
+def test_images_planes_and_reports(tmp_path: Path) -> None:
+    text = (
+        "nsl 3\nframe 4 slots of 1ms\noutside 1\nbucket a open when n < 2\n"
+        "bucket b open when n >= 2\nkernel k = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16\n"
+        "image i = k(a - b)\nplane p = i > 6% or i < -6%\nplane core = all(p, k)\n"
+        "read a, i, p\nreport events core at most 9\nreport any core\n"
+    )
+    file, container = build(tmp_path, text)
+    recording = record(file, "-std=c++11", CHIP)
+    check_frames(recording, with_picture_words(container))
+    (frame, *_) = recording.frames
+    assert [name for name, _ in frame].count("post") >= 2
+    assert 'report("events core", R' in file.read_text()
+    check_syntax(file, "-std=c++17")
 
 
 @needs_compiler

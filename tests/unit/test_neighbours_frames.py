@@ -219,11 +219,6 @@ def test_python_has_images_planes_and_reports(tmp_path: Path) -> None:
 
 
 def test_what_knows_no_images_refuses_them() -> None:
-    from nscc_runtime.device.objects import upload_of
-
-    container = container_of(HEAD + "image i = exposure / 2 read i")
-    with pytest.raises(Rejected, match="NS0542"):
-        upload_of(container, bytes(32))
     program = nscc.compile(HEAD + "image i = exposure / 2 read i", level=0)
     with pytest.raises(Rejected, match="NS0542"):
         nscc_runtime.plan(program, np.zeros((1, 256, 256), np.float32))

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.ndimage import correlate
 
+from nscc.chips.load import builtin_target
+from nscc.neighbours.addition import additions
 from nscc.neighbours.programs import (
     TURNS,
     UNIT,
@@ -18,9 +22,11 @@ from nscc.neighbours.programs import (
     turned,
     turned_taps,
 )
-from nscc.neighbours.synthesis import Synthesis, accumulated, noise_gain
+from nscc.neighbours.synthesis import Synthesis, noise_gain
 from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
 
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 _FETCH = {"XN": (1, 0), "XE": (0, -1), "XS": (-1, 0), "XW": (0, 1)}
@@ -83,7 +89,7 @@ KERNELS = {
 def test_a_kernel_takes_few_words(name: str) -> None:
     rows, divisor, most = KERNELS[name]
     taps = exact_taps(weights_of(rows, divisor))
-    best = Synthesis(20_000).programs(taps)[0].program
+    best = Synthesis(20_000).variants(taps)[0].program
     assert kernel_of(best) == taps
     assert len(best) <= most
 
@@ -97,7 +103,7 @@ def test_a_program_does_what_scipy_does(seed: int) -> None:
     image = rng.integers(0, 1000, (12, 14)).astype(float)
     expected = correlate(image, rows / divisor, mode="wrap")
     taps = exact_taps(weights_of(rows.tolist(), divisor))
-    for each in (*(found.program for found in Synthesis(300).programs(taps)), accumulated(taps)):
+    for each in (*(found.program for found in Synthesis(300).variants(taps)), *additions(taps)):
         np.testing.assert_allclose(run_on_array(each, image), expected, atol=1e-9)
 
 
@@ -117,7 +123,7 @@ def test_a_row_of_the_table_and_its_turns_run(line: str) -> None:
 
 def test_the_search_is_deterministic() -> None:
     taps = exact_taps(weights_of(GAUSS_5, 64))
-    assert Synthesis(500).programs(taps) == Synthesis(500).programs(taps)
+    assert Synthesis(500).variants(taps) == Synthesis(500).variants(taps)
 
 
 def test_the_error_of_a_result_adds_up() -> None:
@@ -125,3 +131,47 @@ def test_the_error_of_a_result_adds_up() -> None:
     program = program_from_text("an=x b=a")
     assert noise_gain(program) == pytest.approx(np.sqrt(2))
     assert noise_gain(program_from_text("a=x bn=a")) == pytest.approx(np.sqrt(1 + 1 / 4))
+
+
+def words_of(kernels: list[list[list[int]]], divisor: int, **keys: bool) -> int:
+    """The words of the images of kernels of one exposure, in one proved program."""
+    lines = ["nsl 3", "frame 1 slots of 1ms", "open when true", "assume exposure <= 5%"]
+    for number, rows in enumerate(kernels):
+        lines.append(f"kernel k{number} = {rows} / {divisor}")
+        lines += [f"image i{number} = k{number}(exposure)", f"plane p{number} = i{number} > 1%"]
+    lines.append(f"read {', '.join(f'p{number}' for number in range(len(kernels)))}")
+    target = replace(builtin_target("scamp5"), **keys)
+    options = Options(level=1, target=target, cache=False)
+    made = run_passes(Source("p.nsl", "\n".join(lines)), Path(), options).container
+    assert made is not None
+    assert made.pictures is not None
+    return sum(cost.words for cost in made.pictures.costs if cost.name.startswith("i"))
+
+
+SOBEL_X, SOBEL_Y = outer([1, 2, 1], [1, 0, -1]), outer([1, 0, -1], [1, 2, 1])
+NETWORK = [
+    [[0, 0, 0], [-3, 1, 0], [-3, 0, 2]],
+    [[-4, -1, 1], [-1, 2, 0], [1, 1, 0]],
+    [[-1, 2, 0], [-1, 1, -3], [0, -3, 0]],
+]
+
+
+def test_kernels_of_one_exposure_share_words() -> None:
+    assert words_of([SOBEL_X, SOBEL_Y], 1) <= 13
+    assert words_of(NETWORK, 4) <= 36
+    apart = sum(words_of([rows], 4) for rows in NETWORK)
+    assert words_of(NETWORK, 4) < apart
+
+
+def test_the_same_kernel_again_takes_a_copy_at_most() -> None:
+    assert words_of([SOBEL_X, SOBEL_X], 1) <= words_of([SOBEL_X], 1) + 2
+
+
+def test_a_large_box_is_two_lines() -> None:
+    assert words_of([outer([1] * 7, [1] * 7)], 64) <= 24
+
+
+@pytest.mark.parametrize("kernels", [[SOBEL_X], [SOBEL_X, SOBEL_Y], NETWORK])
+def test_chips_whose_news_does_not_keep_its_value(kernels: list[list[list[int]]]) -> None:
+    # The proof forgets NEWS when a neighbour reads it.
+    assert words_of(kernels, 4, news_read_keeps=False) > words_of(kernels, 4)

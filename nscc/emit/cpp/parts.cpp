@@ -247,6 +247,35 @@ void load_image(const char *file, const Plane &plane) {
         vs_wait(@settle@);
 #endif
 
+//: report
+// Tells the host where the bits of a plane are, but for pixels that depend on what is beyond the
+// array: the first `most` places, then how many there are and the box around them. (The simulator's
+// displays show the planes.)
+#ifdef __LPC43XX__
+template <class Plane>
+void report(const char *name, const Plane &plane, int left, int right, int up, int down, int most) {
+    int count = 0, box[] = {@cols@, @rows@, -1, -1};
+    for (int y = up; y < @rows@ - down; ++y) {
+        uint8_t bits[32];
+        scamp5_scan_dreg(plane, bits, uint8_t(y), uint8_t(y));
+        for (int x = left; x < @cols@ - right; ++x) {
+            const int place = @cols@ - 1 - x;       // the first bit is the rightmost pixel
+            if (!(bits[place / 8] >> place % 8 & 1)) {
+                continue;
+            }
+            if (count++ < most) {
+                vs_post_text("%s: %d %d\n", name, x, y);
+            }
+            box[0] = x < box[0] ? x : box[0];
+            box[1] = y < box[1] ? y : box[1];
+            box[2] = x > box[2] ? x : box[2];
+            box[3] = y;
+        }
+    }
+    vs_post_text("%s: %d in %d %d to %d %d\n", name, count, box[0], box[1], box[2], box[3]);
+}
+#endif
+
 //: frames
     while (true) {
         // No frame waits for the next: codes fade meanwhile.

@@ -35,9 +35,14 @@ from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.words.assembly_text import number_text, ranges_text
-from nscc.words.container import Container, StoredKernel, state_registers
+from nscc.words.container import (
+    Container,
+    StoredKernel,
+    state_registers,
+    with_picture_words,
+)
 from nscc.words.encoding import decode
-from nscc.words.legality import refuse_pictures
+from nscc.words.reach import beyond_reaches
 from nscc.words.readout import converter_of, preparation_of
 
 _SIDE = 1 << ADDRESS_BITS
@@ -63,7 +68,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     Raises Rejected: NS0520 if the devkit's chip cannot run the program, because of its registers or
     array size, missing pixel data, or no room for the kernels that load codes; NS0521 for words
     that the devkit's library lacks."""
-    refuse_pictures(container, "there is no C++ of this program", "run it on the emulator")
+    exposure, container = container, with_picture_words(container)
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
     fault = devkit_fault(container, devkit)
@@ -89,14 +94,16 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         "",
         "namespace {",
         "",
-        *_kernels(tree, program, container, devkit),
+        *_kernels(tree, program, container, exposure, devkit),
         _statement(program, program.frame.span),
         *schedule_lines(schedule, container),
         "",
     ]
     if loading.loads:
         lines += [*_pixel_statements(tree, program), *loading_lines(loading), ""]
-    lines += ["}  // namespace", "", *_main(container, loading)]
+    if container.pictures is not None and container.pictures.reports:
+        lines += [*template_lines("report", rows=target.rows, cols=target.cols), ""]
+    lines += ["}  // namespace", "", *_main(container, exposure, loading)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
     return DevkitProgram("".join(f"{devkit.named(line)}\n" for line in lines), images)
 
@@ -182,6 +189,9 @@ def _header(
     yield from entry("readout", _readout_text(container))
     for text in _state_texts(container):
         yield from entry("state", text)
+    if container.pictures is not None:
+        held = ", ".join(f"{name} in {r}" for name, r in container.pictures.registers.items())
+        yield from entry("images", f"{held}; images as they are, 128 is 0")
     yield from entry("array", _array_text(target))
     for load in loading.images:
         data = hashlib.sha256(bitmap(container.planes()[load.register])).hexdigest()
@@ -222,6 +232,8 @@ def _time_text(container: Container, schedule: LaunchSchedule) -> str:
 
 def _readout_text(container: Container) -> str:
     target = container.target
+    if container.pictures is not None and not container.buckets_read:
+        return "images and planes"
     if preparation_of(container).level is not None:
         return (
             f"2 x exposure - full well: all codes for 0 to {number_text(target.full_well_e)} e, "
@@ -269,11 +281,15 @@ def _pixel_statements(tree: File, program: Program) -> Iterator[str]:
             yield _statement(program, statement.span)
 
 
-def _kernels(tree: File, program: Program, container: Container, devkit: Devkit) -> Iterator[str]:
+def _kernels(
+    tree: File, program: Program, container: Container, exposure: Container, devkit: Devkit
+) -> Iterator[str]:
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):
-        narrow = _narrow(program, container, devkit)
+        narrow = _narrow(program, exposure, devkit)
+        if narrow is not None:
+            narrow += kernels[len(narrow) :]
         if devkit.tables:
             yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]
     launched: dict[int, list[int]] = {}
@@ -284,7 +300,7 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
         for rule in tree.statements
         if isinstance(rule, Open | Bucket)
     }
-    bucket_of = {readout.register: readout.bucket for readout in container.readouts}
+    bucket_of = {readout.register: readout.bucket for readout in exposure.readouts}
     for number, (kernel, ops) in enumerate(zip(container.kernels, kernels, strict=True)):
         instants = ranges_text(sorted(set(launched.get(number, []))))
         us = number_text(float(kernel_us(kernel, container.target)))
@@ -294,7 +310,7 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
         )
         written = {register for op in ops for register in op.destinations}
         for register, bucket in bucket_of.items():
-            if register in written and bucket in rules:
+            if register in written and bucket in rules and number < len(exposure.kernels):
                 yield _statement(program, rules[bucket], f"writes {register}: ")
         narrow_ops = None if narrow is None else narrow[number]
         yield from kernel_lines(kernel_name(number), ops, narrow_ops, tables=devkit.tables)
@@ -319,9 +335,11 @@ def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list
     return narrow_kernels
 
 
-def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
+def _main(container: Container, exposure: Container, loading: CodeLoading) -> Iterator[str]:
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
-    shown += [(register, register) for register in state_registers(container)]
+    pictures = container.pictures
+    names = {} if pictures is None else {r: name for name, r in pictures.registers.items()}
+    shown += [(register, names.get(register, register)) for register in state_registers(container)]
     yield "int main() {"
     yield "    vs_init();"
     for number, (_, name) in enumerate(shown):
@@ -350,5 +368,13 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
         gain = gains.get(register, 1.0)
         remark = "" if gain == 1 else f"  // times {number_text(gain)}"
         yield f"        scamp5_output_image({register}, display_{number});{remark}"
+    if pictures is not None and pictures.reports:
+        reaches = beyond_reaches(exposure)
+        yield "#ifdef __LPC43XX__"
+        for report in pictures.reports:
+            title = literal(f"{report.kind} {report.plane}")
+            numbers = ", ".join(map(str, (*reaches[report.plane], report.most)))
+            yield f"        report({title}, {pictures.registers[report.plane]}, {numbers});"
+        yield "#endif"
     yield "    }"
     yield "}"

@@ -8,6 +8,7 @@ namespace nscc {
 
 struct Readout {
     uint8_t reg;                    // place among the target's analog registers
+    bool direct;                    // converted as it is: an image, of which values are signed
     uint64_t gain;                  // the bits of a double
 };
 

@@ -72,7 +72,7 @@ Verdict Program::accept_readouts(uint32_t length) {
     if (!reader.take_count(count)) {
         return refused(READOUT, reader.at());
     }
-    if (count < 1 || count > target::analog_count) {
+    if (count > target::analog_count) {
         return refused(READOUT, count);
     }
     for (uint32_t i = 0; i < count; ++i) {
@@ -80,7 +80,7 @@ Verdict Program::accept_readouts(uint32_t length) {
         if (!at) {
             return refused(READOUT, reader.at());
         }
-        readout_[i] = {at[0], get64(at + 8)};
+        readout_[i] = {at[0], at[1] != 0, get64(at + 8)};
     }
     if (!reader.ended()) {
         return refused(READOUT, reader.at());

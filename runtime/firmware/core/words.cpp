@@ -28,6 +28,11 @@ bool same(const Word &a, const Word &b) {
 
 bool empty(const Word &a) { return same(a, Word{}); }
 
+// Whether a word raises all of these lines, which are some.
+bool raised(const Word &word, const Word &lines) {
+    return !empty(lines) && same(both(word, lines), lines);
+}
+
 void raise(Word &to, const Word &lines) {
     for (int i = 0; i < 5; ++i) {
         to.part[i] |= lines.part[i];
@@ -48,16 +53,16 @@ struct Attempt {
         const bool analog = row.clock == 0;
         const bool settles = row.effect == BUS || row.effect == RESET_PIX;
         Word made = row.fixed;
-        unsigned destinations = 0, sources = 0;
-        bool overlap = false, reads_flag = false;
+        unsigned destinations = 0, sources = 0, joined = 0;
+        bool overlap = false, reads_flag = false, directed = false, sends = false;
         allowed = true;
         registers = 0;
         for (const Register &reg : target::registers) {
             if (reg.analog != analog) {
                 continue;
             }
-            const bool written = !empty(both(word, reg.write));
-            bool read = !empty(reg.read) && same(both(word, reg.read), reg.read);
+            const bool written = raised(word, reg.written);
+            bool read = raised(word, reg.read);
             if (settles && (written || !empty(both(row.fixed, reg.read)))) {
                 read = false;
             }
@@ -72,12 +77,23 @@ struct Attempt {
                 reads_flag = reads_flag || reg.flag;
             }
             overlap = overlap || (written && read);
+            joined += (reg.directed || reg.news) && (written || read);
+            directed = directed || (reg.directed && (written || read));
+            sends = sends || (reg.directed && written);
             allowed = allowed && (reg.known || !(written || read));
         }
         if (!within(destinations, row.fewest_destinations, row.most_destinations) ||
             !within(sources, row.fewest_sources, row.most_sources) ||
             (row.phase == WHOLE && overlap) || !same(made, word)) {
             return false;
+        }
+        // NEWS is joined to one bus; a word that reaches a neighbour is simpler than others.
+        if (directed && (joined > 1 || row.effect != BUS || (sends && destinations > 1))) {
+            return false;
+        }
+        if (directed) {
+            allowed = allowed && sources <= target::directed_sources &&
+                      (target::directed_halving || destinations == 1);
         }
         if (row.effect == FLAG_DIGITAL) {
             allowed = allowed && sources <= target::where_sources &&

@@ -10,7 +10,9 @@ struct Word {
     uint32_t part[5];
 };
 
-enum Effect : uint8_t { NOTHING, RESET_PIX, BUS, FLAG_ALL, FLAG_ANALOG, FLAG_DIGITAL, DIGITAL };
+enum Effect : uint8_t {
+    NOTHING, RESET_PIX, BUS, FLAG_ALL, FLAG_ANALOG, FLAG_DIGITAL, DIGITAL, DIGITAL_NEIGHBOURS
+};
 enum Phase : uint8_t { WHOLE, FIRST_HALF, SECOND_HALF };
 
 // A row of the table of operations. Counts of 255 have no limit; `pair` tells apart the in-place
@@ -21,12 +23,11 @@ struct Operation {
     uint8_t fewest_destinations, most_destinations, fewest_sources, most_sources;
 };
 
-// What a register's control lines are. `write` alone tells that it is a destination, `written` is
-// all that is raised then; a word of zeros: it cannot be read, or written. `bit`: its own among the
-// target's digital registers.
+// What a register's control lines are; a word of zeros: it cannot be read, or written. `directed`:
+// NEWS, joined to the bus of a neighbour. `bit`: its own among the target's digital registers.
 struct Register {
-    Word read, write, written;
-    bool analog, known, flag;
+    Word read, written;
+    bool analog, known, flag, directed, news;
     uint32_t bit;
 };
 

@@ -71,7 +71,7 @@ void EmulatedBoard::read_out(const Contents &contents) {
     for (uint32_t i = 0; i < contents.readout_count; ++i) {
         uint8_t gain[8];
         put64(gain, contents.readouts[i].gain);
-        put_number(contents.readouts[i].reg);
+        put_number(contents.readouts[i].reg | uint32_t(contents.readouts[i].direct) << 8);
         put_bytes(gain, sizeof gain);
     }
     put_bytes(contents.states, contents.state_count);

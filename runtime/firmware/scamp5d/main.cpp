@@ -98,10 +98,11 @@ public:
         if (offset < codes) {
             // Pixels that FLAG leaves out would be left out of readout.
             run(target::flag_all, 1);
-            const uint8_t reg = contents_.readouts[offset / pixels].reg;
-            const bool done = port_scan(*analog[reg], offset % pixels / target::rows, bytes);
-            for (uint32_t row = 0; target::code_of_nothing > 0 && row < target::rows; ++row) {
-                const int code = bytes[row] - target::code_of_nothing;
+            const Readout &readout = contents_.readouts[offset / pixels];
+            const int nothing = readout.direct ? 0 : target::code_of_nothing;
+            const bool done = port_scan(*analog[readout.reg], offset % pixels / target::rows, bytes);
+            for (uint32_t row = 0; nothing > 0 && row < target::rows; ++row) {
+                const int code = bytes[row] - nothing;
                 bytes[row] = uint8_t(code > 0 ? code : 0);
             }
             return done;
@@ -117,8 +118,8 @@ private:
     static constexpr uint32_t piece_rows = target::rows / row_bytes;
     static_assert(target::cols % 8 == 0 && target::rows % row_bytes == 0, "pieces are whole rows");
 
-    // Makes every register 2 x exposure - full well: a converter that is symmetric around 0 has all
-    // of its codes for that. Where all registers are read out they stay as they are: the host
+    // Makes every exposure 2 x exposure - full well: a converter that is symmetric around 0 has all
+    // of its codes for that. Images stay as they are. Where all registers are read out they stay as they are: the host
     // knows (nscc/words/readout.py).
     void spread() {
         uint32_t copy = target::analog_count;
@@ -131,7 +132,9 @@ private:
         run(target::flag_all, 1);
         set_in(int16_t(target::spread_level));
         for (uint32_t i = 0; i < contents_.readout_count; ++i) {
-            run(target::spread[contents_.readouts[i].reg * target::analog_count + copy], 3);
+            if (!contents_.readouts[i].direct) {
+                run(target::spread[contents_.readouts[i].reg * target::analog_count + copy], 3);
+            }
         }
     }
 

@@ -59,6 +59,8 @@ class EmulatedChip:
 
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
+        if container.pictures is not None:
+            return self._pictured(container, self._light[1], channels)
         exact, planes = self._executed(container, self._light[1])
         frame = read_out(exact, self.target, self._converting(container))
         chunks = [in_columns(frame.frame)] if channels & Channel.CODES else []
@@ -70,6 +72,29 @@ class EmulatedChip:
         return ExecutedFrame(
             b"".join(chunks), {name: packed[name] for name in container.code_registers}
         )
+
+    def _pictured(self, container: Container, light: Light, channels: int) -> ExecutedFrame:
+        """Return a frame whose images and planes are computed after the exposure."""
+        from nscc_runtime.effects import selected
+        from nscc_runtime.neighbours.pictured_program import PicturedProgram
+        from nscc_runtime.sensor import default_sensor
+
+        assert container.pictures is not None
+        sensor = self.sensor or default_sensor(self.target)
+        program = PicturedProgram(container, sensor, selected("none"))
+        (frame,) = program.frames(light, 0, self.device_seed, 1)
+        images = container.pictures.images_read
+        told = frame.told
+        codes = [*frame.frame, *(told[f"image_codes_{name}"] for name in images)]
+        exposures = [*frame.exposure_e, *(told[f"image_{name}"] for name in images)]
+        planes = [bits for name, bits in told.items() if name.startswith("plane_")]
+        chunks = [in_columns(each) for each in codes] if channels & Channel.CODES else []
+        if channels & Channel.EXPOSURE:
+            chunks += [in_columns(each.astype("<f8")) for each in exposures]
+        if channels & Channel.STATES:
+            chunks += [packed_plane(each) for each in planes]
+        code = {name: packed_plane(plane) for name, plane in container.planes().items()}
+        return ExecutedFrame(b"".join(chunks), code)
 
     def _converting(self, container: Container) -> Sensor:
         """Return the sensor with this program's code scale, not spread if registers forbid it."""
@@ -105,8 +130,8 @@ class EmulatedChip:
 
 
 def in_columns(frame: NDArray[Any]) -> bytes:
-    """Return the bytes of values (readouts, rows, cols) column by column, as loaders send them."""
-    return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
+    """Return the bytes of values (.., rows, cols) column by column, as loaders send them."""
+    return np.ascontiguousarray(frame.swapaxes(-2, -1)).tobytes()
 
 
 def looks(container: Container) -> bool:

@@ -197,14 +197,44 @@ def frame_of(
         exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
-        if container is not None and container.machine is None:
+        if container is not None and container.machine is None and container.pictures is None:
             saturated_by |= _full(codes, container, sensor)
     frame = Frame(codes, exposure, np.isfinite(exposure), saturated_by)
+    if container is not None and container.pictures is not None:
+        return _pictured(frame, data, channels, container, sensor)
     if container is None or container.machine is None:
         return frame
     simulated = selected("none") if channels & Channel.EXPOSURE else everything()
     planes = _state_planes(data, container)
     return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
+
+
+def _pictured(
+    frame: Frame, data: bytes, channels: int, container: Container, sensor: Sensor
+) -> Frame:
+    """Return the frame of the buckets that are read, with the images behind them in `frame`, and
+    the planes."""
+    from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
+
+    assert container.pictures is not None
+    told: dict[str, NDArray[Any]] = {}
+    buckets = len(container.buckets_read)
+    converter = image_sensor(sensor, container.target)
+    for place, name in enumerate(container.pictures.images_read, buckets):
+        codes, image_e = frame.frame[place], frame.exposure_e[place]
+        if not channels & Channel.EXPOSURE:
+            image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
+        told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
+        told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
+    told |= told_of_planes(container, _state_planes(data, container))
+    return replace(
+        frame,
+        frame=frame.frame[:buckets],
+        exposure_e=frame.exposure_e[:buckets],
+        valid=frame.valid[:buckets],
+        saturated_by=frame.saturated_by[:buckets],
+        told=told,
+    )
 
 
 def _keeps(container: Container) -> bool:

@@ -231,13 +231,17 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
                     "proved": True,
                 },
             )  # fmt: skip
-    if (upload.levels or upload.states) and not info.capabilities & Capability.LOOKS:
-        raise rejected(
-            "NS0765",
-            f"the program's pixels look at the light, but the loader at '{port[:200]}' does "
-            "not support this",
-            "install the loader that came with this nscc (runtime/firmware)",
-        )
+    looks = upload.levels or upload.states
+    for needed, capability, subject in (
+        (upload.pictures, Capability.PICTURES, "the program computes images or planes"),
+        (looks, Capability.LOOKS, "the program's pixels look at the light"),
+    ):
+        if needed and not info.capabilities & capability:
+            raise rejected(
+                "NS0765",
+                f"{subject}, but the loader at '{port[:200]}' does not support this",
+                "install the loader that came with this nscc (runtime/firmware)",
+            )
     if upload.gains and not info.capabilities & Capability.GAIN:
         raise rejected(
             "NS0765",

@@ -113,7 +113,7 @@ def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -
     slots = launches if waits else 1
     words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
     objects = (
-        Object(ObjectKind.READOUTS, 0, COUNT.pack(1) + READOUT.pack(0, 1.0)),
+        Object(ObjectKind.READOUTS, 0, COUNT.pack(1) + READOUT.pack(0, False, 1.0)),
         Object(
             ObjectKind.KERNELS, 0,
             COUNT.pack(2) + COUNT.pack(1) + COUNT.pack(len(kernel)) + words.tobytes(),
@@ -128,5 +128,5 @@ def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -
     return Upload(
         target_digest(target), bytes(32), objects, words=len(words), kernels=2, rows=2, runs=1,
         frame_ms=_LONGEST_MS, readout_ms=ceil(target.readout_us / 1000), readouts=1, states=0,
-        gains=False, levels=False, pixels=target.rows * target.cols,
+        gains=False, levels=False, pictures=False, pixels=target.rows * target.cols,
     )  # fmt: skip

@@ -53,6 +53,8 @@ class Capability(IntFlag):
     """Multiplies a register by a gain other than 1 before conversion."""
     LOOKS = 4
     """Sets IN between kernels, and sends digital registers with the frame."""
+    PICTURES = 8
+    """Runs words that reach neighbours, and converts signed values."""
 
 
 class Channel(IntFlag):

@@ -1,6 +1,6 @@
 """A compiled program as the objects that a loader receives.
 
-    READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
+    READOUTS   u32 count; each: u8 analog register, u8 whether it is an image, 6 free, f64 gain
     KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
     SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
                u32 runs, each: u32 slots, f64 microseconds of each of them;
@@ -32,14 +32,14 @@ from numpy.typing import NDArray
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.words.container import Container, state_registers
-from nscc.words.legality import refuse_pictures, refuse_planes
+from nscc.words.container import Container, state_registers, with_picture_words
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, ObjectEntry
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Largest number of launches of a frame, for any number of rows."""
-READOUT = Struct("<B7xd")
+READOUT = Struct("<BB6xd")
 SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
 ROW = Struct("<IHH")
@@ -82,7 +82,8 @@ class Upload:
 
     `words`, `kernels`, `rows`, `runs`: its demands on a loader's memory. `frame_ms`, `readout_ms`:
     its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`. `gains`:
-    whether readouts are scaled. `levels`: whether IN is set."""
+    whether readouts are scaled. `levels`: whether IN is set; `pictures`: images and planes
+    are computed."""
 
     target: bytes
     label: bytes
@@ -97,6 +98,7 @@ class Upload:
     states: int
     gains: bool
     levels: bool
+    pictures: bool
     pixels: int
 
     @cached_property
@@ -137,7 +139,6 @@ def upload_of(container: Container, label: bytes) -> Upload:
         "the loader runs words, but this program has planes of bits",
         "`nscc build --emit planes` writes an .npz for a driver of the chip",
     )
-    refuse_pictures(container, "the loader cannot be sent this program", "run it on the emulator")
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -145,7 +146,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    target = container.target
+    container = with_picture_words(container)
+    target, readouts = container.target, _readouts(container)
     rows = list(_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
@@ -153,7 +155,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
     schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
     schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
     states = [(target.digital_registers.index(name),) for name in state_registers(container)]
-    objects = [Object(ObjectKind.READOUTS, 0, _readouts(container))]
+    objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, readouts))]
     if states:
         objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
     objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
@@ -174,11 +176,12 @@ def upload_of(container: Container, label: bytes) -> Upload:
         rows=len(rows),
         runs=len(runs),
         frame_ms=ceil(sum(container.slot_us) / 1000),
-        readout_ms=ceil(len(container.readouts) * target.readout_us / 1000),
-        readouts=len(container.readouts),
+        readout_ms=ceil(len(readouts) * target.readout_us / 1000),
+        readouts=len(readouts),
         states=len(states),
-        gains=any(readout.gain != 1 for readout in container.readouts),
+        gains=any(gain != 1 for *_, gain in readouts),
         levels=sets_in,
+        pictures=container.pictures is not None,
         pixels=target.rows * target.cols,
     )
 
@@ -201,17 +204,16 @@ def grace_ns(target: Target) -> int:
     return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
-def _readouts(container: Container) -> bytes:
-    by_bucket = {readout.bucket: readout for readout in container.readouts}
-    ordered = [by_bucket[bucket] for bucket in container.buckets]
-    registers = container.target.analog_registers
-    return _counted(
-        READOUT,
-        [
-            (registers.index(register_readout.register), register_readout.gain)
-            for register_readout in ordered
-        ],
-    )
+def _readouts(container: Container) -> list[tuple[int, bool, float]]:
+    """The registers that a device converts, whether each is an image, and their gains."""
+    registers, by_bucket = container.target.analog_registers, container.readouts
+    if container.pictures is None:
+        by_name = {readout.bucket: readout for readout in container.readouts}
+        by_bucket = tuple(by_name[bucket] for bucket in container.buckets)
+    return [
+        (registers.index(each.register), each.bucket not in container.buckets, each.gain)
+        for each in by_bucket
+    ]
 
 
 def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:

@@ -13,6 +13,7 @@ from nscc.words.container import Container, DecodeTable, Launch, Readout, Stored
 from nscc.words.machine import StatePlanes
 from nscc.words.plane_files import codes_of_planes
 from nscc_runtime.device.objects import RUN, WORD, unpacked_plane
+from nscc_runtime.device.recorded_pictures import IMAGE, with_recorded_pictures
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
@@ -121,7 +122,8 @@ def container_of(
     planes: dict[int, bytes],
 ) -> Container:
     """Return the commands to a chip as a container for the emulator. Each digital register that is
-    sent with the frame is a state of one bit, with the register's name."""
+    sent with the frame is a state of one bit, with the register's name. Readouts are registers with
+    gains; a register of an image has IMAGE added to it."""
     shape = (target.rows, target.cols)
     slot_us = tuple(us for count, us in runs for _ in range(count))
     bits: dict[str, NDArray[np.bool_]] = {}
@@ -129,10 +131,11 @@ def container_of(
         bits[target.digital_registers[number]] = unpacked_plane(data, shape)
     encoding, codes = codes_of_planes(bits, target)
     names = tuple(f"bucket{number}" for number in range(len(readouts)))
+    registers = [register % IMAGE for register, _ in readouts]
     read = [target.digital_registers[number] for number in states]
     bit = np.array([[False], [True]])
     count = len(encoding)
-    return Container(
+    container = Container(
         target=target,
         slot_us=slot_us,
         buckets=names,
@@ -149,8 +152,9 @@ def container_of(
         pixel_codes=np.zeros(shape, np.int32) if codes is None else codes,
         readouts=tuple(
             Readout(target.analog_registers[register], name, gain)
-            for (register, gain), name in zip(readouts, names, strict=True)
+            for register, (_, gain), name in zip(registers, readouts, names, strict=True)
         ),
         notes={"table": "none"},
         state_planes={name: StatePlanes((name,), (0, 1), bit) for name in read},
     )
+    return with_recorded_pictures(container, readouts, states) or container

@@ -15,6 +15,7 @@ from nscc.chips.target import Target
 from nscc.operations import (
     ANALOG_SOURCES,
     DIGITAL_SOURCES,
+    NEIGHBOURS,
     OPERATIONS,
     Op,
     Phase,
@@ -48,7 +49,7 @@ def target_header(target: Target) -> str:
         raise ValueError(
             f"the loader's firmware does not support custom words of {target.name}: {names}"
         )
-    return "\n".join([*_numbers(target), "", *_operations(), "", *_registers(target), "",
+    return "\n".join([*_numbers(target), "", *_operations(target), "", *_registers(target), "",
                       *_sequences(target), "", "}  // namespace nscc::target", "", "#endif",
                       ""])  # fmt: skip
 
@@ -90,7 +91,9 @@ constexpr double in_settle_us = {target.in_settle_us!r};
 constexpr int in_low = {target.in_low}, in_high = {target.in_high};
 constexpr bool where_reads_flag = {str(target.where_reads_flag).lower()};
 constexpr unsigned or_sources = {_limit(target.or_sources)};
-constexpr unsigned where_sources = {_limit(target.where_sources)};"""
+constexpr unsigned where_sources = {_limit(target.where_sources)};
+constexpr unsigned directed_sources = {target.directed_sources};
+constexpr bool directed_halving = {str(target.directed_halving).lower()};"""
 
 
 def _limit(count: int | None) -> int:
@@ -101,14 +104,14 @@ def _word(word: Word) -> str:
     return "{{" + ", ".join(f"0x{field:05x}" for field in word) + "}}"
 
 
-def _operations() -> Iterator[str]:
+def _operations(target: Target) -> Iterator[str]:
     word_masks = masks()
     yield f"constexpr Word kind_analog = {_word(word_masks.kind_analog)};"
     yield f"constexpr Word kind_digital = {_word(word_masks.kind_digital)};\n"
     yield "constexpr Operation operations[] = {"
     for row in OPERATIONS:
-        if row.effect is WordEffect.DIGITAL_NEIGHBOURS:
-            continue  # the loader refuses words that reach neighbours
+        if row.effect is WordEffect.DIGITAL_NEIGHBOURS and not target.sees_neighbours:
+            continue
         kind = row.name.partition(".")[0]
         half = row.phase is not Phase.WHOLE
         counts = [*row.destinations, *row.sources]
@@ -127,16 +130,17 @@ def _operations() -> Iterator[str]:
 def _registers(target: Target) -> Iterator[str]:
     word_masks = masks()
     known = {*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT"}
+    known |= NEIGHBOURS.keys() if target.sees_neighbours else set()
     yield "constexpr Register registers[] = {"
-    for analog, names in ((True, ANALOG_SOURCES), (False, DIGITAL_SOURCES)):
+    for analog, names in ((True, (*ANALOG_SOURCES, *NEIGHBOURS)), (False, DIGITAL_SOURCES)):
         for name in names:
-            written = (of.get(name, _NOTHING) for of in (word_masks.write, word_masks.written))
-            flags = f"{analog}, {name in known}, {name == 'FLAG'}".lower()
-            words = map(_word, (word_masks.read[name], *written))
+            flags = (analog, name in known, name == "FLAG", name in NEIGHBOURS, name == "NEWS")
+            words = map(_word, (word_masks.read[name], word_masks.written.get(name, _NOTHING)))
             digital = not analog and name in target.digital_registers
             bit = 1 << target.digital_registers.index(name) if digital else 0
             yield f"    // {name}"
-            yield "    {" + ",\n     ".join([*words, f"{flags}, {bit:#x}"]) + "},"
+            texts = [*words, f"{', '.join(map(str, flags)).lower()}, {bit:#x}"]
+            yield "    {" + ",\n     ".join(texts) + "},"
     yield "};"
 
 

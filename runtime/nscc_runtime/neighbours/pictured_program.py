@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -10,15 +10,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Op
-from nscc.words.container import Container
+from nscc.chips.target import Target
+from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, PlaneReport
+from nscc.words.reach import Reach, beyond_reaches
+from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.neighbours.array_words import ArrayContents, ArrayWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.sensor import default_sensor
 
@@ -42,19 +45,8 @@ class PicturedProgram:
         return self.container.pictures
 
     @cached_property
-    def _words(self) -> list[tuple[Op, int | None]]:
-        return picture_words(self.container)
-
-    @cached_property
     def _image_sensor(self) -> Sensor:
-        """The sensor where an image is converted: codes are symmetric around 0, not spread."""
-        target = self.container.target
-        own, full = (
-            default_sensor(each).values for each in (target, replace(target, readout="full"))
-        )
-        given = self.sensor.values
-        changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
-        return self.sensor.changed(**changed)
+        return image_sensor(self.sensor, self.container.target)
 
     def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
         """Frames 0 .. `count` - 1 of `light`."""
@@ -82,14 +74,13 @@ class PicturedProgram:
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
         wait_s = self.container.target.readout_us * 1e-6
-        pixels.hold(pixels.after_us * 1e-6)
         read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
         for name in pictures.reads:
             register = pictures.registers[name]
             if register not in pixels.register:
                 continue
-            values = pixels.register[register].reshape(pixels.shape) + 0.0  # -0 + 0 is +0
-            read[name] = values, pixels.cut_by[register].reshape(pixels.shape)
+            values = pixels.register[register].reshape(valid.shape) + 0.0  # -0 + 0 is +0
+            read[name] = values, pixels.cut_by[register].reshape(valid.shape)
             pixels.hold(wait_s)
         images = [name for name in read if name not in buckets]
         if images:
@@ -98,18 +89,10 @@ class PicturedProgram:
             told[f"image_{name}"] = read[name][0]
             told[f"image_codes_{name}"] = codes[index]
             told[f"image_saturated_by_{name}"] = saturated_by[index]
-        margin = np.zeros(pixels.shape, np.bool_)
-        for name in pictures.outputs:
-            margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
-        for name in pictures.reads:
-            if name not in read:
-                bits = pixels.digital.read(pictures.registers[name]) == 1
-                told[f"plane_{name}"] = bits.reshape(pixels.shape)
-        for report in pictures.reports:
-            register = pictures.registers[report.plane]
-            bits = (pixels.digital.read(register) == 1) & ~pixels.tainted[register]
-            told |= reported(report, bits.reshape(pixels.shape))
-        told["margin"] = margin
+        planes = {
+            name: pixels.bit(name).reshape(valid.shape) for name in state_registers(self.container)
+        }
+        told |= told_of_planes(self.container, planes)
         kept = [name for name in read if name in buckets]
         frame = self._bucket_frame(kept, read, valid, seeds, number)
         return replace(frame, told=told)
@@ -148,7 +131,9 @@ class PicturedProgram:
         frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
-    def _computed(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> ArrayPixels:
+    def _computed(
+        self, exposure: Exposure, seeds: tuple[int, int], number: int
+    ) -> ArrayPixels | ArrayContents:
         """The array after the last word."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
@@ -160,25 +145,63 @@ class PicturedProgram:
             by = np.zeros(values.shape, np.uint8) if marks is None else marks[index].reshape(-1)
             beyond = values > pictures.limits_e[readout.bucket] * (1 + 1e-9)
             exposed[readout.register] = values / readout.gain
-            exposed_by[readout.register] = by | beyond.astype(np.uint8) * np.uint8(RANGE_BIT)
+            exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
+        code = {name: plane.reshape(-1) for name, plane in container.planes().items()}
+        if self.effects.noiseless:
+            words = array_words(container)
+            return words.run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
             places=np.arange(shape[0] * shape[1], dtype=np.int64), container=container,
             effects=self.effects,
-            code={name: plane.reshape(-1) for name, plane in container.planes().items()},
-            shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
+            code=code, shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
-        pixels.run_words(self._words)
+        pixels.run_words(picture_words(container))
+        pixels.hold(pixels.after_us * 1e-6)
         return pixels
 
 
-def reported(report: PlaneReport, bits: NDArray[np.bool_]) -> Told:
-    """What the host is told of a plane (rows, cols).
+_beyond_reaches = OfContainer(beyond_reaches)
+
+
+@OfContainer
+def array_words(container: Container) -> ArrayWords:
+    """The words of a container's images and planes for the compiled loop."""
+    return ArrayWords(container.target, picture_words(container))
+
+
+def image_sensor(sensor: Sensor, target: Target) -> Sensor:
+    """The sensor where an image is converted: codes are symmetric around 0, not spread."""
+    own, full = (default_sensor(each).values for each in (target, replace(target, readout="full")))
+    given = sensor.values
+    changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
+    return sensor.changed(**changed)
+
+
+def told_of_planes(container: Container, planes: Mapping[str, NDArray[np.bool_]]) -> Told:
+    """What a frame says of bits, by the digital registers (rows, cols) that hold them."""
+    pictures = container.pictures
+    assert pictures is not None
+    reaches = _beyond_reaches(container)
+    target = container.target
+    told: Told = {"margin": Reach().joined(*reaches.values()).margin((target.rows, target.cols))}
+    for name in pictures.reads:
+        if pictures.registers[name] in planes:
+            told[f"plane_{name}"] = planes[pictures.registers[name]]
+    for report in pictures.reports:
+        bits = planes[pictures.registers[report.plane]]
+        told |= reported(report, bits, reaches[report.plane])
+    return told
+
+
+def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told:
+    """What the host is told of a plane (rows, cols), where its reach ends on the array.
 
     Events are (x, y) in reading order, -1 behind the last one; the box is the least and the largest
     x and y, -1 where no bit is 1.
     """
     name = f"report_{report.kind}_{report.plane}"
+    bits = bits & ~reach.margin((bits.shape[0], bits.shape[1]))
     if report.kind == "any":
         return {name: np.array(bits.any())}
     rows, cols = np.nonzero(bits)

@@ -1,8 +1,7 @@
 """The whole array while the words after an exposure run: registers shifted from pixel to pixel.
 
 The words of one pixel are those of `nscc_runtime.reference.words`. Here NEWS of a neighbour is read
-and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0, and
-`tainted` says which registers of which pixels depend on it.
+and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, WordEffect
 from nscc.words.cost import word_us
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.digital import Digital
@@ -34,8 +33,7 @@ class ArrayPixels(WordPixels):
     """All pixels of an array, `shape` its rows and columns; other arrays are (pixels,).
 
     `exposed` and `exposed_by` are what registers hold of an exposure, and the bits of what cut it
-    off; `code` is what digital registers hold. `cut_by` and `tainted` have by register what cut a
-    value off, and where it depends on what is beyond the array.
+    off; `code` is what digital registers hold. `cut_by` has by register what cut a value off.
     """
 
     shape: tuple[int, int]
@@ -43,7 +41,6 @@ class ArrayPixels(WordPixels):
     exposed_by: Mapping[str, NDArray[np.uint8]]
     code: Mapping[str, Bits]
     cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
-    tainted: dict[str, Bits] = field(init=False)
 
     def __post_init__(self) -> None:
         # Registers without an exposure hold whatever it has left: the same in all of them.
@@ -55,13 +52,14 @@ class ArrayPixels(WordPixels):
         bits = {**dict.fromkeys(registers, arbitrary < 0.5), **self.code}
         self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
         self.number, self.after_us, self.in_e = 0, 0.0, 0.0
-        self._rooms: list[Values] = []
-        self._own: set[int] = set()
         pixels = len(self.places)
-        self._uncut, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
+        self._uncut = np.zeros(pixels, np.uint8)
         cut = {name: by for name, by in self.exposed_by.items() if by.any()}
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
-        self.tainted = dict.fromkeys((*self.register, *self.digital.bits, "IN"), untainted)
+
+    def bit(self, name: str) -> Bits:
+        """A digital register."""
+        return np.asarray(self.digital.read(name) == 1)
 
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.effects.effects if each.name == name)
@@ -91,19 +89,14 @@ class ArrayPixels(WordPixels):
                 found = total > 0
                 if self.target.where_obeys_flag:
                     found &= digital.read("FLAG") == 1
-                self.tainted["FLAG"] = self._taint(op)
                 digital.write("FLAG", found)
             case WordEffect.DIGITAL_NEIGHBOURS:
                 self._neighbour_values(op)
-            case WordEffect.FLAG_DIGITAL | WordEffect.FLAG_ALL:
-                self.tainted["FLAG"] = self._taint(op)
-                digital.run(op)
             case _:
-                self._taint_bits(op)
                 digital.run(op)
 
-    def _taint(self, op: Op) -> Bits:
-        """Where any source of a word depends on what is beyond the array."""
+    def total(self, word: RunningWord) -> Values:
+        total of a word depends on what is beyond the array."""
         found = np.zeros(len(self.places), np.bool_)
         for name in op.sources:
             if name in NEIGHBOURS:
@@ -137,32 +130,23 @@ class ArrayPixels(WordPixels):
         if id(values) in self._own:
             self._rooms.append(values)
 
-    def total(self, word: RunningWord) -> Values:
-        found = self._room()
-        found[:] = 0.0
+    def total(self.places))
         for name in word.op.sources:
             if name in NEIGHBOURS:
-                (right, down), news = STEPS[name], self.register["NEWS"].reshape(self.shape)
-                rows, cols = self.shape
-                here = _overlap(rows, -down), _overlap(cols, -right)
-                found.reshape(self.shape)[here] += news[_overlap(rows, down), _overlap(cols, right)]
+                total += self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
             else:
-                found += word.in_e if name == "IN" else self.register[name]
-        return found
+                total += word.in_e if name == "IN" else self.register[name]
+        return total
 
     def _bus_on_array(self, word: RunningWord) -> None:
-        result = self.total(word)
-        result /= -word.op.operation.divisor
-        cut, taint = self._cut(word.op), self._taint(word.op)
+        result = self.total(word) / -word.op.operation.divisor
+        cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):
             value = self._written(result, word, index, name)
             by = self._with_range(cut, value)
             for bends in self.at("registers"):
                 value = bends(self, value)
-            if index > 0 and value is result:
-                value = self._room()
-                value[:] = result
-            self._store(name, value, by, taint)
+            self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
         """Return the saturation marks (pixels,) of all sources of a word."""
@@ -184,26 +168,20 @@ class ArrayPixels(WordPixels):
         over = (value > high) | (value < low)
         return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
 
-    def _store(self, name: str, value: Values, by: NDArray[np.uint8], tainted: Bits) -> None:
+    def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
         """A register takes a value with its marks, where FLAG is 1."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
-            moved = self.moved(value, -right, -down, beyond=0.0, into=self._room())
-            self._leave(value)
-            value = moved
+            value = self.moved(value, -right, -down, beyond=0.0)
             if by is not self._uncut:
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
-            tainted = self.moved(tainted, -right, -down, beyond=True)
             name = "NEWS"
-        here, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
-        old = self.register[name]
-        if not here.all() or doubt.any():
-            np.copyto(value, old, where=~here)
+        here, old = self.digital.read("FLAG") == 1, self.register[name]
+        if not here.all():
+            value = np.where(here, value, old)
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
                 by = np.where(here, by, self.cut_by[name])
-            tainted = np.where(here, tainted, self.tainted[name]) | doubt
-        self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
-        self._leave(old)
+        self.register[name], self.cut_by[name] = value, by
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
         """Return the value that a word with the exact `result` writes to its destination number
@@ -218,30 +196,21 @@ class ArrayPixels(WordPixels):
         """Run DNEWS: the OR of a register of those neighbours that each pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
-        tainted = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
         for name, (right, down) in STEERING.items():
             chosen = digital.read(name) == 1
             if chosen.any():
                 found |= chosen & self.moved(bits, right, down, beyond=outside)
-                far = self.moved(self.tainted[source], right, down, beyond=False)
-                tainted |= chosen & far
-            tainted |= self.tainted[name]
         digital.write(op.destinations[0], found)
-        self.tainted[op.destinations[0]] = tainted
 
-    def moved(
-        self, values: NDArray[Any], right: int, down: int, *, beyond: Any,
-        into: NDArray[Any] | None = None,
-    ) -> NDArray[Any]:  # fmt: skip
+    def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
         """Return for each pixel the value of the pixel `right` columns and `down` rows away;
         `beyond` if that is outside the array. `into`: an array for the result."""
         rows, cols = self.shape
-        found = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
-        found[:] = beyond
-        there, here = _overlap(cols, right), _overlap(cols, -right)
-        found[_overlap(rows, -down), here] = values.reshape(self.shape)[_overlap(rows, down), there]
-        return found.reshape(-1)
+        moved = np.full(self.shape, beyond, values.dtype)
+        here = _overlap(rows, -down), _overlap(cols, -right)
+        moved[here] = values.reshape(self.shape)[_overlap(rows, down), _overlap(cols, right)]
+        return moved.reshape(-1)
 
 
 def _overlap(size: int, step: int) -> slice:

@@ -13,6 +13,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+def images_diagram(points: Sequence[Point]) -> Figure:
+    """Draw, for each image of `nscc.tradeoff.images`, noise against time, a line per kernel."""
+    groups = groupby(points, key=lambda point: point.case)
+    panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
+    return precision_diagram(
+        panels, "Programs of words for kernels",
+        "standard deviation of the error that the words add (numbers: words; hollow: dominated) "
+        "against their time",
+        PointReading("time, us", 1e3, text=lambda point: point.setting.partition(" ")[0]),
+    )  # fmt: skip
+
+
 def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
     """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, one line per
     lowering.

@@ -1,0 +1,112 @@
+"""How far around a pixel the contents of its registers depend on other pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
+from nscc.words.container import Container
+from nscc.words.legality import picture_words
+
+_FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
+
+
+class Reach(NamedTuple):
+    """How many columns and rows around a pixel what is computed for it depends on."""
+
+    left: int = 0
+    right: int = 0
+    up: int = 0
+    down: int = 0
+
+    def joined(self, *reaches: Reach) -> Reach:
+        """What one of several values depends on."""
+        return Reach(*map(max, self, self, *reaches))
+
+    def moved(self, right: int, down: int) -> Reach:
+        """The reach of a value of the pixel so far away."""
+        return Reach(
+            max(0, self.left - right), max(0, self.right + right),
+            max(0, self.up - down), max(0, self.down + down),
+        )  # fmt: skip
+
+    def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
+        """The pixels of an array whose reach ends beyond the array."""
+        rows, cols = shape
+        margin = np.ones(shape, np.bool_)
+        margin[self.up : max(0, rows - self.down), self.left : max(0, cols - self.right)] = False
+        return margin
+
+
+class RegisterReaches:
+    """The reach of every register while words run one after the other.
+
+    With `bits_known` the bits beyond the array are known, and only a bus beyond it counts: a bit of
+    a neighbour reaches no further than the array where the neighbour's own bit does not.
+    """
+
+    def __init__(self, target: Target, words: Iterable[Op], *, bits_known: bool = False) -> None:
+        self.target, self.bits_known = target, bits_known
+        self.reach: dict[str, Reach] = {}
+        self._constant: dict[str, bool] = {}
+        self._everywhere = False
+        for word in words:
+            self._run(word)
+
+    def of(self, name: str) -> Reach:
+        """The reach of a register, or of a neighbour's NEWS."""
+        if name in NEIGHBOURS:
+            return self.of("NEWS").moved(*STEPS[name])
+        return self.reach.get(name, Reach())
+
+    def _run(self, op: Op) -> None:
+        effect, phase = op.operation.effect, op.operation.phase
+        reach = Reach().joined(*map(self.of, op.sources))
+        if effect is WordEffect.DIGITAL_NEIGHBOURS:
+            reach = self._of_neighbours(op.sources[0])
+        if effect in _FLAG:
+            self.reach["FLAG"], self._everywhere = reach, effect is WordEffect.FLAG_ALL
+        elif phase is Phase.READ:
+            self.reach["bus"] = reach
+        elif phase is Phase.WRITE:
+            reach = self.of("bus")
+        for name in op.destinations:
+            self._constant.pop(name, None)
+            if effect is WordEffect.DIGITAL and phase is Phase.WHOLE and not op.sources:
+                self._constant[name] = op.operation.inverted
+            written = reach
+            if name in NEIGHBOURS:
+                right, down = STEPS[name]
+                name, written = "NEWS", reach.moved(-right, -down)
+            if effect is WordEffect.BUS and not self._everywhere:
+                written = written.joined(self.of(name), self.of("FLAG"))
+            elif name == self.target.masked_register:
+                written = written.joined(self.of(name), self.of(self.target.mask_register or ""))
+            self.reach[name] = written
+
+    def _of_neighbours(self, source: str) -> Reach:
+        """The reach of a bit that DNEWS takes from the neighbours that R1 to R4 may choose."""
+        own, reach = self.of(source), Reach().joined(*map(self.of, STEERING))
+        for name, step in STEERING.items():
+            if self._constant.get(name, True):
+                moved = own.moved(*step)
+                if self.bits_known:
+                    moved = Reach(
+                        *(far if near else 0 for far, near in zip(moved, own, strict=True))
+                    )
+                reach = reach.joined(moved)
+        return reach
+
+
+def beyond_reaches(container: Container) -> dict[str, Reach]:
+    """How far around a pixel what leaves the chip depends on buses, by name."""
+    pictures = container.pictures
+    assert pictures is not None
+    words = (op for op, _ in picture_words(container))
+    reaches = RegisterReaches(container.target, words, bits_known=True)
+    return {name: reaches.of(pictures.registers[name]) for name in pictures.outputs}

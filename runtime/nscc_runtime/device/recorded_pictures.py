@@ -1,0 +1,79 @@
+"""The images and planes of a recorded frame, whose words follow the exposure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from nscc.operations import Op
+from nscc.words.container import Container, Readout
+from nscc.words.encoding import decode
+from nscc.words.live import live_registers
+from nscc.words.pictures import Constant, Picture, Pictures, Source, TailLaunch
+
+IMAGE = 256
+"""Added to the register of a readout that is an image."""
+
+
+def with_recorded_pictures(
+    container: Container, readouts: Sequence[tuple[int, float]], states: Sequence[int]
+) -> Container | None:
+    """Return `container` with those of its last launches as images and planes that no longer read
+    the light; None if their words depend on what earlier words left in digital registers.
+
+    The exposures are then what these words find in analog registers. A readout gets the name of its
+    register, which is an image's where IMAGE is added to it.
+    """
+    target, launches = container.target, container.launches
+    kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
+    first = len(launches)
+    while first and launches[first - 1].instant == container.slots:
+        if "PIX" in live_registers(kernels[launches[first - 1].kernel], target)[0]:
+            break
+        first -= 1
+    tail, before = launches[first:], launches[:first]
+    live, written = live_registers(_ops(kernels, [each.kernel for each in tail]), target)
+    written_before = live_registers(_ops(kernels, [each.kernel for each in before]), target)[1]
+    planes = frozenset(container.code_registers)
+    known = frozenset((*target.analog_registers, "IN")) | (planes - written_before)
+    if not tail or not live <= known or written & planes:
+        return None
+    images = [target.analog_registers[n - IMAGE] for n, _ in readouts if n >= IMAGE]
+    buckets = [target.analog_registers[n] for n, _ in readouts if n < IMAGE]
+    exposed = [name for name in target.analog_registers if name in {*live, *buckets}] or ["A"]
+    bits = [target.digital_registers[number] for number in states]
+    level = None
+    tail_launches = []
+    for index, launch in enumerate(launches):
+        level = launch.level if launch.level is not None else level
+        if index >= first:
+            tail_launches.append(TailLaunch(launch.kernel, level))
+    names = {f"image {register}": register for register in images}
+    names |= {f"plane {register}": register for register in bits}
+    items = [
+        Picture(name, Constant(False) if name.startswith("plane") else Source(exposed[0]))
+        for name in names
+    ]
+    pictures = Pictures(
+        (), tuple(items), None, dict.fromkeys(exposed, float("inf")), (*buckets, *names), (),
+        tuple(kernel.words for kernel in container.kernels), tuple(tail_launches),
+        {**names, **{register: register for register in buckets}},
+    )  # fmt: skip
+    shutters = np.zeros((len(container.encoding), len(exposed), container.slots), np.bool_)
+    numbers = sorted({launch.kernel for launch in before})
+    return replace(
+        container,
+        buckets=tuple(exposed),
+        table=replace(container.table, shutters=shutters),
+        kernels=tuple(container.kernels[number] for number in numbers),
+        launches=tuple(replace(each, kernel=numbers.index(each.kernel)) for each in before),
+        pictures=pictures,
+        readouts=tuple(Readout(register, register) for register in exposed),
+        state_planes={},
+    )
+
+
+def _ops(kernels: Sequence[Sequence[Op]], numbers: Sequence[int]) -> list[Op]:
+    return [op for number in numbers for op in kernels[number]]

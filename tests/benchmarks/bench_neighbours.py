@@ -1,0 +1,151 @@
+"""Images of neighbouring pixels: words beside goals, and the emulator beside SciPy.
+
+    python tests/benchmarks/bench_neighbours.py [--words] [--speed]
+
+Words: what `-O2` takes for kernels, beside the goal and the words of Cain (its div counted as 2),
+with CPU-seconds of the search. Sets are several kernels of one exposure in one program. Speed: two
+Sobels and a threshold on 256 x 256 pixels without effects, beside two calls of
+`scipy.ndimage.correlate`, taken in turn; the goal is 2 times. Whoever exposes more slots waits for
+these, too.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from time import perf_counter, process_time
+
+import numpy as np
+from scipy.ndimage import correlate
+
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
+from nscc.words.container import Container
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
+from nscc_runtime.sensor import default_sensor
+
+Rows = list[list[int]]
+
+
+def outer(column: list[int], row: list[int]) -> Rows:
+    """A separable kernel."""
+    return [[a * b for b in row] for a in column]
+
+
+SOBEL_X, SOBEL_Y = outer([1, 2, 1], [1, 0, -1]), outer([1, 0, -1], [1, 2, 1])
+BOX_3, BOX_5 = outer([1] * 3, [1] * 3), outer([1] * 5, [1] * 5)
+GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], [0, 1, 2, 1, 0]]
+ANALOGNET2 = [
+    [[0, 0, 0], [-3, 1, 0], [-3, 0, 2]],
+    [[-4, -1, 1], [-1, 2, 0], [1, 1, 0]],
+    [[-1, 2, 0], [-1, 1, -3], [0, -3, 0]],
+]
+SETS: dict[str, tuple[list[Rows], int, int, int | None]] = {
+    "Sobel x": ([SOBEL_X], 1, 7, 10),
+    "Prewitt x": ([outer([1] * 3, [1, 0, -1])], 1, 7, 8),
+    "Laplace 4": ([[[0, -1, 0], [-1, 4, -1], [0, -1, 0]]], 1, 8, 13),
+    "Laplace 8": ([[[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]]], 1, 12, 19),
+    "Gauss 3x3 / 16": ([outer([1, 2, 1], [1, 2, 1])], 16, 8, 20),
+    "box 3x3": ([BOX_3], 1, 8, 12),
+    "box 5x5": ([BOX_5], 1, 12, 16),
+    "box 7x7 / 64": ([outer([1] * 7, [1] * 7)], 64, 36, 36),
+    "sharpen": ([[[0, -1, 0], [-1, 5, -1], [0, -1, 0]]], 1, 10, 15),
+    "Gauss 5x5 / 64": ([GAUSS_5], 64, 22, 38),
+    "Sobel x and y": ([SOBEL_X, SOBEL_Y], 1, 13, 17),
+    "box 3x3 and 5x5": ([BOX_3, BOX_5], 1, 20, 26),
+    "AnalogNet2 / 4": (ANALOGNET2, 4, 36, 41),
+}
+"""Kernels, their divisor, the goal and the words of Cain."""
+
+
+def container_of(text: str, level: int = 2) -> Container:
+    """The proved program."""
+    options = Options(level=level, cache=False)
+    made = run_passes(Source("bench.nsl", text), Path(), options).container
+    assert made is not None
+    return made
+
+
+def words_of(kernels: list[Rows], divisor: int) -> int:
+    """The words that compute these kernels of one exposure."""
+    most = max(
+        sum(abs(Fraction(weight, divisor)) for row in rows for weight in row) for rows in kernels
+    )
+    lines = ["nsl 3", "frame 1 slots of 1ms", "open when true"]
+    lines.append(f"assume exposure <= {min(100, int(50 / most))}%")
+    for number, rows in enumerate(kernels):
+        lines.append(f"kernel k{number} = {rows} / {divisor}")
+        lines.append(f"image i{number} = k{number}(exposure)")
+    # Both signs of an image are as good: a comparison reads either.
+    lines += [f"plane p{number} = i{number} > 1%" for number in range(len(kernels))]
+    lines.append(f"read {', '.join(f'p{number}' for number in range(len(kernels)))}")
+    pictures = container_of("\n".join(lines) + "\n").pictures
+    assert pictures is not None
+    return sum(cost.words for cost in pictures.costs if cost.name.startswith("i"))
+
+
+def print_words() -> None:
+    """Words beside goals."""
+    print(f"{'kernels':18} words  goal  Cain  CPU s")
+    for name, (kernels, divisor, goal, cain) in SETS.items():
+        begin = process_time()
+        words = words_of(kernels, divisor)
+        seconds = process_time() - begin
+        print(f"{name:18} {words:5} {goal:5} {cain:5} {seconds:6.1f}")
+
+
+EDGES = """\
+nsl 3
+frame 1 slots of 1ms
+open when true
+kernel sx = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] / 8
+kernel sy = [[1, 2, 1], [0, 0, 0], [-1, -2, -1]] / 8
+image strength = abs(sx(exposure)) + abs(sy(exposure))
+plane edge = strength > 6%
+read edge
+"""
+
+
+def milliseconds(runs: list[Callable[[], object]], rounds: int = 60) -> list[float]:
+    """The best time of each, taken in turn."""
+    best = [float("inf")] * len(runs)
+    for _ in range(rounds):
+        for number, run in enumerate(runs):
+            begin = perf_counter()
+            run()
+            best[number] = min(best[number], 1000 * (perf_counter() - begin))
+    return best
+
+
+def print_speed() -> None:
+    """The emulator beside SciPy."""
+    container = container_of(EDGES)
+    program = PicturedProgram(
+        container, default_sensor(container.target), selected("none"), threads=1
+    )
+    still = np.random.default_rng(0).uniform(0, 20000, (1, 256, 256)).astype(np.float32)
+    light = Light.of_clip(still)
+    image = still[0].astype(np.float64)
+    weights = [np.array(rows) / 8 for rows in (SOBEL_X, SOBEL_Y)]
+    frame, pair = milliseconds(
+        [
+            lambda: list(program.frames(light, 0, 0, 1)),
+            lambda: [correlate(image, kernel, mode="constant") for kernel in weights],
+        ]
+    )
+    print(f"a frame {frame:.2f} ms, two correlations {pair:.2f} ms: {frame / pair:.2f} times")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--words", action="store_true", help="only words")
+    parser.add_argument("--speed", action="store_true", help="only times")
+    arguments = parser.parse_args()
+    if not arguments.speed:
+        print_words()
+    if not arguments.words:
+        print_speed()
