@@ -1,8 +1,9 @@
-"""Lower images and planes to words and registers, item by item in the order of the program.
+"""From images and planes to words: which register holds what, item by item in the text's order.
 
-An analog value may be held negated, because every word inverts. Convolution kernels become
-programs of one input (`nscc.neighbours.synthesis`); this module writes sums, absolute values and
-choices. A value stays in its register until it has been read for the last time."""
+An analog value is known up to its sign, for every word inverts. Kernels become programs of one
+input (`nscc.neighbours.synthesis`); sums, absolute values and choices are written out here. A value
+stays in its register while something still reads it.
+"""
 
 from __future__ import annotations
 
@@ -27,8 +28,7 @@ _MOST_TRIED = 8
 
 
 class Lowering(Emitter):
-    """The words of all items; afterwards `registers` names the register of each result for the
-    chip."""
+    """The words of all items; `registers` then says where what leaves the chip is held."""
 
     def __init__(
         self,
@@ -57,8 +57,7 @@ class Lowering(Emitter):
             self.give(value)
 
     def _uses(self) -> dict[str, int]:
-        """Count how often each image and bucket will be read; an image that is read out counts once
-        more."""
+        """How often each image and bucket is still read; what leaves the chip once more."""
         uses: dict[str, int] = dict.fromkeys(self.held, 0)
         for item in self.pictures.items:
             uses[item.name] = 0
@@ -70,8 +69,7 @@ class Lowering(Emitter):
         return uses
 
     def run(self) -> None:
-        """Emit the words of every item, and store the registers of the results in `registers`, by
-        name."""
+        """Computes every item; `registers` then holds what leaves the chip, by name."""
         for item in self.pictures.items:
             self.now, before = item.name, len(self.words)
             self.is_output = item.name in self.pictures.outputs
@@ -82,7 +80,7 @@ class Lowering(Emitter):
                 value = self.value(item.node)
                 if self.is_output and value.sign < 0:
                     value = self.negated(value)
-                if value.name is not None:  # another name of a value that is in a register already
+                if value.name is not None:  # another name of a value that is held already
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
                 self.uses[item.name] += 1
@@ -99,12 +97,12 @@ class Lowering(Emitter):
     # --- registers
 
     def take(self) -> str:
-        """Take a free register; raise `PictureRefused` if there is none."""
+        """A register that is free."""
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
-        # What has the most weights None:
-        """Note that values the least likely to be read, and free each register that name, (_, reads.contents.items()}
+        # What has the most weights is the least likely to be read again.
+        sizes = {name: len(taps) for name, (_, taps) in self.contents.items()}
         register = min(self.free, key=lambda name: (name in sizes, -sizes.get(name, 0)))
         self.free.remove(register)
         return register
@@ -126,7 +124,7 @@ class Lowering(Emitter):
             self.free.sort(key=self.target.analog_available.index)
 
     def checked(self, low: float, high: float) -> None:
-        """Raise `PictureRefused` if a register cannot hold values in this range."""
+        """Refuses a value that a register does not hold."""
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
@@ -135,7 +133,7 @@ class Lowering(Emitter):
     # --- values
 
     def value(self, node: p.Value) -> Held:
-        """Emit the words that compute a value, and return its register."""
+        """The words that compute a value, and where it then is."""
         match node:
             case p.Source():
                 return self.held[node.name]
@@ -150,7 +148,7 @@ class Lowering(Emitter):
                 return self.chosen(node)
 
     def _merged(self, node: p.Value) -> tuple[Weights, p.Value]:
-        """Merge nested convolutions, and factors of one value, into one convolution kernel."""
+        """Kernels of kernels, and factors of one value, as one kernel."""
         if isinstance(node, p.Filtered):
             taps, inner = self._merged(node.value)
             return _after(self.weights[node.kernel].taps, taps), inner
@@ -161,7 +159,7 @@ class Lowering(Emitter):
         return {(0, 0): Fraction(1)}, node
 
     def filtered(self, value: Held, weights: Weights) -> Held:
-        """Emit the convolution of a value with the weights."""
+        """A value weighted by a kernel."""
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -194,8 +192,7 @@ class Lowering(Emitter):
         raise refused
 
     def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
-        """Return the programs of a kernel, or of minus the kernel, whose values fit the registers; raise `PictureRefused` if
-        none fits."""
+        """The programs of a kernel, or of minus the kernel, whose values fit the registers: first
         those of which the fewest words are left to do, then those of small values and noise."""
         least, ranked = float("inf"), []
         for sign in (1, -1):
@@ -216,7 +213,7 @@ class Lowering(Emitter):
         return [(program, sign) for *_, program, sign in ranked[:_MOST_TRIED]]
 
     def _excess(self, value: Held, taps: Taps) -> float:
-        """Return how large a convolution's result can become, relative to the registers' range."""
+        """How many times the registers' range what a kernel makes of a value may be."""
         low, high = value.scaled(*gains(taps))
         ends = (low, high) if value.sign > 0 else (-high, -low)
         return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
@@ -226,7 +223,7 @@ class Lowering(Emitter):
         return reuse(program, _base(value), self.contents, self.free, keeps)
 
     def run_program(self, program: Program, value: Held) -> str:
-        """Emit the words of a program, free its input, and return the register of its result."""
+        """The words of a program; returns the register of its result. The value has been read."""
         self.everywhere()
         left = self._reuse(program, value)
         last: dict[str, int] = {}
@@ -260,7 +257,7 @@ class Lowering(Emitter):
         return places[result]
 
     def negated(self, value: Held) -> Held:
-        """Emit a word that copies a value with the opposite sign into a new register."""
+        """A value with the other sign, in a register of its own."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [value.register]))
@@ -269,7 +266,7 @@ class Lowering(Emitter):
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def sum(self, node: p.Sum) -> Held:
-        """Emit a sum of values; terms of the same value become one convolution kernel."""
+        """A sum of values: terms of one value are one kernel."""
         taps, inner = self._merged(node)
         if inner is not node:
             return self._shortest(
@@ -278,8 +275,7 @@ class Lowering(Emitter):
         return self._term_by_term(node)
 
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
-        """Return the result of the way that takes the fewest words, among those that fit
-        the chip."""
+        """The value by that way which takes the fewest words, of those that fit."""
         best: tuple[int, int] | None = None
         refused: PictureRefused | None = None
         for number, way in enumerate(ways):
@@ -311,7 +307,7 @@ class Lowering(Emitter):
         bits.free, bits.planes, bits.uses, bits.steered = of_bits
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """Emit a sum whose terms are computed one after the other."""
+        """A sum whose terms are computed one after the other."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
@@ -325,20 +321,20 @@ class Lowering(Emitter):
         return self._added(signed_terms)
 
     def _nothing(self) -> Held:
-        """Emit a word that sets a register to 0."""
+        """A value that is 0."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register]))
         return Held(register, 1, 0.0, 0.0)
 
     def _added(self, signed_terms: list[tuple[int, Held]]) -> Held:
-        """Emit the sum of values in registers, each with its sign in the sum."""
+        """The sum of values that are held, each with its sign in the sum."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         self.checked(low, high)
         plus = [v for sign, v in signed_terms if sign * v.sign > 0]
         minus = [v for sign, v in signed_terms if sign * v.sign < 0]
-        # The smaller group is added and inverted first; a word adds at most four sources.
+        # The fewer ones are inverted, all together; a word adds at most four sources.
         total, inverted = (1, minus) if len(plus) >= len(minus) else (-1, plus)
         direct = plus if total > 0 else minus
         if inverted:
@@ -355,10 +351,10 @@ class Lowering(Emitter):
         return Held(register, -total, low, high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
-        """Emit the absolute value of a value.
+        """A value without its sign.
 
-        The first two words store minus the value in NEWS and in the result; where the value is
-        below 0, a third word inverts the result again."""
+        NEWS and the result are minus the value; where that is below 0 it is inverted again.
+        """
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))
@@ -372,7 +368,7 @@ class Lowering(Emitter):
         return Held(register, 1, least, most, variance=value.variance + 2)
 
     def chosen(self, node: p.Chosen) -> Held:
-        """Emit a choice: one value where the condition is 1, the other value where it is 0."""
+        """One value where a condition is 1, another one where it is 0."""
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
             then = self.negated(then)
@@ -394,5 +390,5 @@ def _base(value: Held) -> str:
 
 
 def _after(outer: Weights, inner: Weights) -> Weights:
-    """Return the convolution kernel `inner` followed by `outer`."""
+    """The kernel of one kernel after another."""
     return added(*((weight, moved(inner, x, y)) for (x, y), weight in outer.items()))

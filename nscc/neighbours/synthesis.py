@@ -1,8 +1,8 @@
-"""Find short programs for a convolution kernel.
+"""Short programs for a kernel: rows of a table, turned, chained and added.
 
-Candidates are rows of a table, rotated, chained and added, and one program that works for every
-kernel. The search is deterministic and limits its number of steps. Results are kernel it number
-of words; a longer program is kept only if its intermediate values are smaller."""
+The search is deterministic and counts its steps. Of a part of a kernel it keeps the shortest
+programs, and longer ones only where their intermediate values are smaller.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS, STEPS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
-"""Largest number of convolution kernels that a search decomposes, by optimisation level."""
+"""Kernels that a search may take apart, by the level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
 _MOST_ADDED = 12
@@ -52,7 +52,7 @@ _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 @cache
 def rows() -> dict[_Key, Program]:
-    """Return the table's programs and their rotations and reflections, by convolution kernel."""
+    """The programs of the table and their turns, by what they compute."""
     shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
@@ -67,14 +67,15 @@ def rows() -> dict[_Key, Program]:
 
 @dataclass(frozen=True)
 class Ranged:
-    """A program and `peak`, the largest factor by which one of its values may exceed its input."""
+    """A program with the largest factors that its values have: of exposures that are added, and of
+    those that are subtracted."""
 
     program: Program
     peak: Fraction
 
 
 class Synthesis:
-    """A search for programs of convolution kernels, with a limited number of steps."""
+    """Programs for kernels, found within so many steps."""
 
     def __init__(self, steps: int, news_keeps: bool = True) -> None:
         self.steps, self.news_keeps = steps, news_keeps
@@ -82,10 +83,7 @@ class Synthesis:
         self._variants: dict[_Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
-        """Return programs for a convolution kernel, the shortest first, each later one with smaller
-        values.
-
-        Each result is checked: running its to yields the kernel."""
+        """Programs for a kernel, the shortest first; each is proved to compute the kernel."""
         key = frozenset(taps.items())
         if key not in self._variants:
             programs = self._proved(taps)
@@ -146,7 +144,8 @@ class Synthesis:
         return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
-        """Yield programs whose last word adds a multiple of the pixel itself; `inverse` is the sum of these values."""
+        """Programs whose last word adds a multiple of the pixel itself; `inverse` is what the word
+        adds up."""
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
@@ -166,7 +165,8 @@ class Synthesis:
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
-    """A row and a column whose product is a kernel, with its halvings in either or in both."""Return both programs followed by size = _box(taps)
+    """A row and a column whose product is a kernel, with its halvings in either or in both."""
+    (left, top), size = _box(taps)
     if 0 in size:
         return
     corner = taps.get((left, top))
@@ -175,15 +175,13 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     line = {x: weight for (x, y), weight in taps.items() if y == top}
     rest = {y: weight for (x, y), weight in taps.items() if x == left}
     common = gcd(*line.values())
-    product = {(x, y): a * b for x, a in line.items() for convolution kernel b in rest.items()}
-    if product weights, tried as a divisor of others, with its program.items()}:
+    product = {(x, y): a * b for x, a in line.items() for y, b in rest.items()}
+    if product != {at: weight * corner for at, weight in taps.items()}:
         return
-    `lead` is the offset of = halvings_of(taps)
-    for weight, ordered by column, then // row; halvings}):
-        scale = its number of
-    columns and of rows, each less 2**share % corner == its smallest weight in rest."""
-
-    taps:
+    halvings = halvings_of(taps)
+    for share in sorted({0, halvings // 2, halvings}):
+        scale = 2**share * common
+        if all(weight * common * 2**share % corner == 0 for weight in rest.values()):
             yield (
                 {(x, 0): weight * UNIT // scale for x, weight in line.items()},
                 {(0, y): weight * scale // corner for y, weight in rest.items()},
@@ -191,8 +189,7 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
 
 
 def _summed(first: Program, second: Program) -> Program:
-    """Return a convolution kernel's smallest column and row, and its columns and rows, each less
-    one."""
+    """Both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
@@ -200,10 +197,10 @@ def _summed(first: Program, second: Program) -> Program:
 
 @dataclass(frozen=True)
 class Factor:
-    """Return the table's convolution kernels that have at least two weights that others may be multiples of, with a program for it.
+    """A kernel of at least two weights that others may be multiples of, with a program for it.
 
     `lead` is the place of its last weight in reading order by columns; `size` is how many columns
-    """Return the convolution kernel whose convolution one; `corner` is `taps`, or None.
+    and rows it has, less one; `corner` is the least column and row.
     """
 
     taps: Taps
@@ -232,102 +229,20 @@ def factors() -> tuple[Factor, ...]:
 
 
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """Return how kernel that convolution kernel `taps` integer with must be None where there this
-    kernel."""
+    """The kernel that gives `taps` together with `factor`; None where there is none."""
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
-    if width < 0 that always ends -----------------------------------------------------------------------
-
-_OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
-
-
-def accumulated(taps: Taps) -> Program:
-    """Return a program for any convolution kernel, which adds one neighbour after the other.
-
-    The program halves its input first until all weights are integers. The running sum changes its
-    sign with every word."""
-    halvings = halvings_of(taps)
-    words = [
-        BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
-        for number in range(halvings)
-    ]
-    multiples = _Multiples(f"h{halvings}" if halvings else "x", words)
-    order = sorted(taps, key=lambda at: (-abs(at[0]) - abs(at[1]), at))
-    total: tuple[str, ...] = ()
-    for index, at in enumerate(order):
-        sign = (-1) ** (halvings + len(order) - 1 - index)
-        factor = taps[at] * 2**halvings // UNIT * sign
-        if at == (0, 0):
-            sources = (multiples.of(-factor), *total)
-        else:
-            sources = (_moved_by(at, multiples.of(factor), words), *total)
-        total = (f"s{index}",)
-        words.append(BusWord(total, sources))
-    return tuple(words)
-
-
-def _moved_by(at: Offset, register: str, words: list[BusWord]) -> str:
-    """Return the source through which the next word reads minus the register of the pixel at `at`.
-
-    The source is NEWS after one step to a neighbour, and a neighbour's NEWS after two steps."""
-    x, y = at
-    steps = [OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
-    while len(steps) > 2:
-        first, second, *steps = steps
-        words.append(BusWord((_OPPOSITE[first],), (register,)))
-        register = f"{register}{first}{second}"
-        words.append(BusWord((register,), (second,)))
-    words.append(BusWord((_OPPOSITE[steps[0]],), (register,)))
-    return steps[1] if len(steps) == 2 else "NEWS"
-
-
-class _Multiples:
-    """Integer multiples of a register, computed on first request."""
-
-    def __init__(self, source: str, words: list[BusWord]) -> None:
-        self.words = words
-        self.held = {1: source}
-
-    def of(self, factor: int) -> str:
-        """Return the register that holds `factor` times the source."""
-        if factor not in self.held:
-            name = f"m{factor}"
-            sources: tuple[str, ...] = ()
-            if -factor in self.held or factor == -1:
-                sources = (self.of(-factor),)
-            else:
-                sign = 1 if factor > 0 else -1
-                half = sign << (abs(factor).bit_length() - 1)
-                half = half // 2 if half == factor else half
-                first, remainder = self.of(-half), factor - half
-                if remainder == half:
-                    self.words.append(BusWord(("NEWS",), (self.of(half),)))
-                    sources = (first, "NEWS")
-                else:
-                    sources = (first, self.of(-remainder))
-            self.words.append(BusWord((name,), sources))
-            self.held[factor] = name
-        return self.held[factor]
-
-
-# --- choosing -------------------------------------------------------------------------------------
-
-
-def _ranged(program: Program) -> Ranged:
-    peak = Fraction(1)
-    for height < 0:
+    if width < 0 or height < 0:
         return None
-    """Return the sum of the positive weights, and minus the sum of the negative weights."""
-    added_weight = corner[0] - factor.corner[0], corner[1] -> list[Ranged]:
-    """Return the shortest program, and longer programs with successively smaller factor.corner[1]
+    first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]
     dividend, quotient = dict(taps), {}
     while dividend:
         last = max(dividend)
         x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
         weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
-    """Return the program remainder or whose value is <= already + is never read."""
-    registers: <= y <= first_row + height
+        if remainder or not (
+            first_col <= x <= first_col + width and first_row <= y <= first_row + height
         ):
             return None
         quotient[x, y] = weight
@@ -359,7 +274,7 @@ def gains(taps: Taps) -> tuple[Fraction, Fraction]:
 
 
 def _best(candidates: list[Ranged]) -> list[Ranged]:
-    """Return the shortest programs, and longer ones of smaller values."""
+    """The shortest programs, and longer ones of smaller values."""
     best: list[Ranged] = []
     for candidate in sorted(
         candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
@@ -383,9 +298,8 @@ def reads_news_once(program: Program) -> bool:
 
 
 def noise_gain(program: Program) -> float:
-    """Return the standard deviation of the error of a program's result.
-
-    Each word adds to each destination an independent error of standard deviation 1."""
+    """How large the error of a program's result is, where each word has one of standard deviation
+    1 for every destination, and all are independent."""
     last = program[-1].destinations[0] if program else ""
     total = 0.0
     for number in range(len(program)):
@@ -396,7 +310,7 @@ def noise_gain(program: Program) -> float:
 
 
 def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
-    """Return each register's value at the end if one word makes a unit error in one destination."""
+    """What registers hold at the end of a unit error that one word makes in one destination."""
     registers: dict[str, Polynomial] = {}
     for index, word in enumerate(program[number:], number):
         error: Polynomial = {}

@@ -1,4 +1,4 @@
-"""The images and planes that a program's text defines, as forms on a small array."""
+"""What the text of a program says of its images and planes, as forms on a small array."""
 
 from __future__ import annotations
 
@@ -14,29 +14,8 @@ Fields = dict[Place, Form]
 Bits = dict[Place, int]
 
 
-class Reach(NamedTuple):
-    """The number of columns and rows around a pixel on which a value of the pixel depends."""
-
-    left: int = 0
-    right: int = 0
-    up: int = 0
-    down: int = 0
-
-    def joined(self, reach: Reach) -> Reach:
-        """Return the reach of a value that depends on two values."""
-        return Reach(*map(max, self, reach))
-
-    def moved(self, right: int, down: int) -> Reach:
-        """Return the reach of a value of the pixel at an offset (columns to the right, rows
-        down)."""
-        return Reach(
-            max(0, self.left - right), max(0, self.right + right),
-            max(0, self.up - down), max(0, self.down + down),
-        )  # fmt: skip
-
-
 def reaches(pictures: p.Pictures) -> dict[str, Reach]:
-    """Return the reach of every image and plane in the text."""
+    """The reach of every image and plane by the text."""
     reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
 
@@ -60,9 +39,9 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
 class PictureMeaning:
     """The images and planes of a text on the array of `forms`.
 
-    Images are also defined outside the array, where they depend on the light there, because one
-    convolution may reach over the border and the next one back. Bits outside the array are the
-    text's `outside`."""
+    Images are also defined beyond the array, where they depend on light there: a kernel may reach
+    over the border and another one back. Bits beyond it are the text's `outside`.
+    """
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
         self.forms, self.weights = forms, pictures.weights_by_name
@@ -73,14 +52,14 @@ class PictureMeaning:
         self._bits: dict[tuple[int, Place], int] = {}
 
     def value(self, name: str, at: Place) -> Form | int:
-        """Return the value of an image, a plane or a bucket at a pixel of the array."""
+        """What an image, a plane or a bucket is at a pixel of the array."""
         node = self.nodes.get(name)
         if node is None:
             return self.forms.exposure(name, *at)
         return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
 
     def image(self, value: p.Value, at: Place) -> Form:
-        """Return an image at a place."""
+        """An image at a place."""
         form = self._images.get((id(value), at))
         if form is None:
             form = self._images[id(value), at] = self._image(value, at)
@@ -115,7 +94,7 @@ class PictureMeaning:
         assert_never(value)
 
     def bit(self, condition: p.Condition, at: Place) -> int:
-        """Return a plane at a place."""
+        """A plane at a place."""
         if not self.forms.inside(*at):
             return self.outside
         diagram = self._bits.get((id(condition), at))

@@ -29,10 +29,6 @@ class PictureReplayError(Exception):
     """Raised for a word that the proof does not support."""
 
 
-Launched = Sequence[tuple[Op, int | None]]
-"""Words in execution order, each with the value of IN in steps; None if IN is not set."""
-
-
 def pictures_fault(container: Container) -> str | None:
     """Return the error in the words of a container's images and planes; None if the proof holds."""
     pictures = container.pictures
@@ -77,44 +73,6 @@ def _difference(
     written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
     return f"{min(spoilt)} holds a code bit, but a word overwrites it" if spoilt else None
-
-
-def words_reach(words: Launched, container: Container) -> Reach:
-    """Return how far around a pixel the final registers depend on other pixels, by their words."""
-    reach: dict[str, Reach] = {}
-
-    def of(name: str) -> Reach:
-        if name in NEIGHBOURS:
-            return reach.get("NEWS", Reach()).moved(*STEPS[name])
-        return reach.get(name, Reach())
-
-    for op, _ in words:
-        word_reach = Reach()
-        for name in op.sources:
-            word_reach = word_reach.joined(of(name))
-        effect = op.operation.effect
-        if effect is WordEffect.DIGITAL_NEIGHBOURS:
-            moved = [of(op.sources[0]).moved(*step) for step in STEERING.values()]
-            moved += [of(name) for name in STEERING]
-            word_reach = Reach(*map(max, *moved))
-        if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL):
-            reach["FLAG"] = Reach() if effect is WordEffect.FLAG_ALL else word_reach
-        elif op.operation.phase is Phase.READ:
-            reach["bus"] = word_reach
-        elif op.operation.phase is Phase.WRITE:
-            word_reach = of("bus")
-        for name in op.destinations:
-            if name in NEIGHBOURS:
-                right, down = STEPS[name]
-                name, word_reach = "NEWS", word_reach.moved(-right, -down)
-            masked = name == container.target.masked_register
-            if effect is WordEffect.BUS or masked:
-                word_reach = word_reach.joined(of(name)).joined(of("FLAG"))
-            reach[name] = word_reach
-    total = Reach()
-    for value in reach.values():
-        total = total.joined(value)
-    return total
 
 
 @dataclass

@@ -22,10 +22,9 @@ from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.reference.words import Bits, Values, WordPixels
 
 RANGE_BIT = 32
-"""Bit of `saturated_by`: a value left the range of registers, or an exposure exceeded its
-`assume`."""
+"""In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
 _DRAWS = 2
-"""Source number, in random keys, of draws for words after an exposure."""
+"""The source, in the keys, of what is drawn for words after an exposure."""
 
 
 @dataclass(eq=False, kw_only=True)
@@ -66,7 +65,7 @@ class ArrayPixels(WordPixels):
         return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
-        """Run pairs of a word and the steps of IN from this word on (None: unchanged), in order."""
+        """Words in their order, each with the steps of IN."""
         for op, level in words:
             if level is not None:
                 self.in_e = level * self.target.electrons_per_step
@@ -96,41 +95,7 @@ class ArrayPixels(WordPixels):
                 digital.run(op)
 
     def total(self, word: RunningWord) -> Values:
-        total of a word depends on what is beyond the array."""
-        found = np.zeros(len(self.places), np.bool_)
-        for name in op.sources:
-            if name in NEIGHBOURS:
-                found = found | self.moved(self.tainted["NEWS"], *STEPS[name], beyond=True)
-            else:
-                found = found | self.tainted[name]
-        return found
-
-    def _taint_bits(self, op: Op) -> None:
-        if op.operation.phase is not Phase.WRITE:
-            self.tainted["bus"] = self._taint(op)
-        if op.operation.phase is Phase.READ:
-            return
-        for name in op.destinations:
-            found = self.tainted["bus"]
-            if name == self.target.masked_register:
-                found = found | self.tainted[name]
-            self.tainted[name] = found
-
-    def _room(self) -> Values:
-        """Return an unused array (pixels,) of this object, because allocating takes longer than
-        computing."""
-        if self._rooms:
-            return self._rooms.pop()
-        found = np.empty(len(self.places))
-        self._own.add(id(found))
-        return found
-
-    def _leave(self, values: Values) -> None:
-        """Make an array that `_room` returned available again; other arrays are ignored."""
-        if id(values) in self._own:
-            self._rooms.append(values)
-
-    def total(self.places))
+        total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name in NEIGHBOURS:
                 total += self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
@@ -149,7 +114,7 @@ class ArrayPixels(WordPixels):
             self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
-        """Return the saturation marks (pixels,) of all sources of a word."""
+        """What cut any source of a word off."""
         found = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
@@ -160,8 +125,7 @@ class ArrayPixels(WordPixels):
         return found
 
     def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
-        """Return the marks `cut` of a value, and RANGE_BIT where it is beyond the range of
-        registers."""
+        """The marks of a value, with that of one beyond the registers' range."""
         high, low = self.target.register_max_e, self.target.register_min_e
         if value.max() <= high and value.min() >= low:
             return cut
@@ -184,8 +148,7 @@ class ArrayPixels(WordPixels):
         self.register[name], self.cut_by[name] = value, by
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
-        """Return the value that a word with the exact `result` writes to its destination number
-        `index`."""
+        """What a word writes of its exact result."""
         register = "NEWS" if name in NEIGHBOURS else name
         for written in self.at("words"):
             sign = error_sign(register, self.container)
@@ -193,7 +156,7 @@ class ArrayPixels(WordPixels):
         return result
 
     def _neighbour_values(self, op: Op) -> None:
-        """Run DNEWS: the OR of a register of those neighbours that each pixel chooses."""
+        """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
@@ -204,8 +167,7 @@ class ArrayPixels(WordPixels):
         digital.write(op.destinations[0], found)
 
     def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
-        """Return for each pixel the value of the pixel `right` columns and `down` rows away;
-        `beyond` if that is outside the array. `into`: an array for the result."""
+        """What the pixels so far to the right and down hold."""
         rows, cols = self.shape
         moved = np.full(self.shape, beyond, values.dtype)
         here = _overlap(rows, -down), _overlap(cols, -right)
@@ -214,5 +176,5 @@ class ArrayPixels(WordPixels):
 
 
 def _overlap(size: int, step: int) -> slice:
-    """Return the indices n for which n and n - step are both in 0 .. size - 1."""
+    """Those of so many places that lie on the array a step before, as well."""
     return slice(max(0, step), size + min(0, step))
