@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from nscc.neighbours.held import Emitter, PictureRefused
 from nscc.operations import STEERING, op, pair
@@ -24,8 +24,11 @@ class BitWords:
     def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
-        nodes = [node for item in pictures.items for node in p.subexpressions(item.node)]
-        self.steers = any(isinstance(node, p.Near | p.At) for node in nodes)
+        nodes = [
+            node for item in pictures.expressions.values() for node in p.subexpressions(item)
+        ]
+        self.steers = any(isinstance(node, p.Near | p.At | p.Agreement) for node in nodes)
+        self.count_steps = pictures.count_steps
         self.available = [r for r in registers if not (self.steers and r in STEERING)]
         self.free = list(self.available)
         self.planes: dict[str, str] = {}
@@ -36,6 +39,10 @@ class BitWords:
         for name in pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
+        for state in pictures.states:
+            lowering.now = state.name
+            self.planes[state.name] = self.take()
+            self.uses[state.name] = self.uses.get(state.name, 0) + 1  # it is never free
 
     def declare(self, name: str, node: p.Condition) -> None:
         """Computes a plane, and keeps it while it is read."""
@@ -45,6 +52,22 @@ class BitWords:
         self.planes[name] = register
         self.uses[name] = self.uses.get(name, 0) + 1
         self.give((register, name))
+
+    def step(self, states: Sequence[p.KeptPlane]) -> None:
+        """All states take their next values at once; what stays the same is refreshed."""
+        nexts = []
+        for state in states:
+            self.lowering.now = state.name
+            register = self.planes[state.name]
+            if state.next == p.Bit(state.name):
+                for word in pair("REFRESH", register, [register]):
+                    self.lowering.word(word)
+                self.uses[state.name] -= 1
+            else:
+                nexts.append((register, self.bit(state.next)))
+        for register, (source, owner) in nexts:
+            self.lowering.word(op("MOV", [register], [source]))
+            self.give((source, owner))
 
     def take(self) -> str:
         """A register that is free."""
@@ -80,7 +103,9 @@ class BitWords:
                 self.lowering.word(op("SET" if node.bit else "CLR", [register]))
                 return register, None
             case p.Above():
-                return self._above(node), None
+                return self._above(node.value, node.steps), None
+            case p.Exceeds():
+                return self._above(node.value, int(node.level * self.count_steps)), None
             case p.Inverse():
                 inner = self.bit(node.condition)
                 return self._emit_word("NOT", [inner[0]], [inner]), None
@@ -98,12 +123,12 @@ class BitWords:
         self.give(*used)
         return target
 
-    def _above(self, node: p.Above) -> str:
+    def _above(self, compared: p.Value, steps: int) -> str:
         """A comparison: `where` asks whether the value and IN together are above 0."""
         lowering = self.lowering
-        value = lowering.value(node.value)
+        value = lowering.value(compared)
         lowering.everywhere()
-        level = -node.steps * value.sign
+        level = -steps * value.sign
         sources = [value.register, *(["IN"] if level else [])]
         lowering.word(op("where", [], sources), level or None)
         lowering.give(value)
@@ -158,6 +183,42 @@ class BitWords:
                 self.give((moved, None))
             moved = neighbour
         return moved or self._emit_word("MOV", [register], [])
+
+    def places(self, register: str, offsets: Collection[Offset]) -> Iterator[tuple[Offset, str]]:
+        """The registers that hold the bits at these offsets, one after the other: along the row,
+        and from there along each column. A step always leads away from the pixel, so that nothing
+        of the array is lost beyond its border."""
+        columns = {x for x, _ in offsets}
+        for right in (1, -1):
+            line = register
+            for x in range(0 if right > 0 else -1, right * (max(right * c for c in columns) + 1), right):
+                if x:
+                    line = self._stepped(line, register, (right, 0))
+                if (x, 0) in offsets:
+                    yield (x, 0), line
+                yield from self._column(line, x, offsets)
+            if line != register:
+                self.give((line, None))
+
+    def _column(
+        self, line: str, x: int, offsets: Collection[Offset]
+    ) -> Iterator[tuple[Offset, str]]:
+        for down in (1, -1):
+            cell = line
+            for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
+                cell = self._stepped(cell, line, (0, down))
+                if (x, down * y) in offsets:
+                    yield (x, down * y), cell
+            if cell != line:
+                self.give((cell, None))
+
+    def _stepped(self, register: str, first: str, step: Offset) -> str:
+        """The bit one step further; the one before is no longer needed, unless it is the first."""
+        outside = self.lowering.pictures.outside or 0
+        neighbour = self._look(register, outside, frozenset({step}))
+        if register != first:
+            self.give((register, None))
+        return neighbour
 
     def _at(self, node: p.At) -> str:
         bit = self.bit(node.condition)

@@ -16,9 +16,11 @@ from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
+from nscc.words.counts import Counts, counts_of
 
 Kind = Literal["image", "plane", "bucket"]
-_FUNCTIONS = ("abs", "any", "all", "agree", "max", "min")
+_FUNCTIONS = ("abs", "agree", "max", "min")
+_MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
 
 
 class _Wrong(Exception):
@@ -26,7 +28,8 @@ class _Wrong(Exception):
 
 
 class Reader:
-    """Reads the expressions of a text in its order; `kinds` are the images and planes so far."""
+    """Reads the expressions of a text in its order; `kinds` are the images and planes so far,
+    `counts` those images that are counts. States are planes."""
 
     def __init__(
         self,
@@ -42,15 +45,22 @@ class Reader:
         self.buckets, self.kernels, self.outside = buckets, kernels, outside
         self.problems = problems
         self.kinds: dict[str, Kind] = {}
+        self.counts: dict[str, Counts] = {}
+        if declared.keeps_planes:
+            self.kinds.update(dict.fromkeys(declared.states, "plane"))
         self.failed: set[str] = set()
         self._outside_asked = False
 
-    def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
-        """A picture is known from here on."""
-        if not sound:
+    def declare(self, name: str, node: p.Node | None) -> None:
+        """A picture is known from here on; None where it has an error."""
+        if node is None:
             self.failed.add(name)
+        elif isinstance(node, p.Condition):
+            self.kinds[name] = "plane"
         else:
-            self.kinds[name] = "plane" if is_plane else "image"
+            self.kinds[name] = "image"
+            if (counts := self._counts(node)) is not None:
+                self.counts[name] = counts
 
     def image(self, expr: tree.Expr) -> p.Value | None:
         """The image that an expression is; None after reporting why it is none."""
@@ -76,21 +86,36 @@ class Reader:
                 return _sum((Fraction(-1), self._image(operand)))
             case tree.Binary(op="+" | "-" as op, left=left, right=right):
                 sign = Fraction(1 if op == "+" else -1)
-                return _sum((Fraction(1), self._image(left)), (sign, self._image(right)))
+                first, second = self._image(left), self._image(right)
+                self._require_alike(first, second, expr.span)
+                return _sum((Fraction(1), first), (sign, second))
             case tree.Binary(op="*" | "/", left=left, right=right):
                 return self._scaled(expr, left, right)
             case tree.IfElse():
-                return p.Chosen(
-                    self._condition(expr.condition), self._image(expr.then),
-                    self._image(expr.otherwise),
-                )  # fmt: skip
+                condition = self._condition(expr.condition)
+                first, second = self._image(expr.then), self._image(expr.otherwise)
+                self._require_alike(first, second, expr.span)
+                return p.Chosen(condition, first, second)
             case tree.Call():
                 return self._call(expr)
         raise self._report(
             "NS0531", "this is not an image", expr.span, "no image",
             ("an image is made of `exposure`, buckets and images by `+`, `-`, `* integer`, "
-             "`/ power of two`, kernels, `abs(..)` and `A if PLANE else B`",),
+             "`/ power of two`, kernels, `abs(..)`, `max(EXPR, kernel)`, `agree(PLANE, kernel)` "
+             "and `A if PLANE else B`",),
         )  # fmt: skip
+
+    def _counts(self, value: p.Value) -> Counts | None:
+        """The values of a count; None for electrons."""
+        return counts_of(value, self.counts, self.kernels)
+
+    def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
+        if (self._counts(first) is None) != (self._counts(second) is None):
+            raise self._report(
+                "NS0531", "counts and electrons do not mix", span,
+                "one of the two is a count, made by `agree`",
+                ("compare each of them, and join the planes: `a > 6% and c > 3`",),
+            )  # fmt: skip
 
     def _named_image(self, name: tree.Name) -> p.Value:
         text = name.text
@@ -134,10 +159,16 @@ class Reader:
 
     def _call(self, call: tree.Call) -> p.Value:
         name, arguments = call.function.text, call.arguments
-        if name in ("agree", "max", "min"):
+        if name in ("agree", "max"):
+            kernel = self._kernel_of(call, "EXPR" if name == "max" else "PLANE")
+            if name == "max":
+                return p.Largest(self._image(arguments[0]), kernel)
+            self._needs_outside(call.span)
+            return p.Agreement(self._condition(arguments[0]), kernel)
+        if name == "min":
             raise self._report(
-                "NS0539", f"`{name}` of images is not supported yet", call.span, "not yet",
-                ("use sums, kernels, `abs(..)` and `A if PLANE else B`",),
+                "NS0531", "there is no `min` of images", call.span, "not a function of images",
+                ("write `-max(-EXPR, kernel)`",),
             )  # fmt: skip
         if name in ("any", "all"):
             raise self._report(
@@ -207,18 +238,25 @@ class Reader:
                 "NS0531", f"`{kind}(..)` is an image, and a plane belongs here", call.span,
                 "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
             )  # fmt: skip
-        if len(call.arguments) != 2 or not isinstance(call.arguments[1], tree.Name):
+        kernel = self._kernel_of(call, "PLANE")
+        self._needs_outside(call.span)
+        return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel)
+
+    def _kernel_of(self, call: tree.Call, first: str) -> str:
+        """The kernel that is the second argument of a call."""
+        name, arguments = call.function.text, call.arguments
+        if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
+            what = "a plane" if first == "PLANE" else "an image"
             raise self._report(
-                "NS0531", f"`{kind}` takes a plane and a kernel", call.span, "these arguments",
-                (f"write `{kind}(PLANE, KERNEL)`",),
+                "NS0531", f"`{name}` takes {what} and a kernel", call.span, "these arguments",
+                (f"write `{name}({first}, KERNEL)`",),
             )  # fmt: skip
-        kernel = call.arguments[1]
+        kernel = arguments[1]
         if kernel.text not in self.kernels:
             if kernel.text in self.declared.kernels:
                 raise _Wrong
             raise self._unknown("a kernel", kernel, "kernel")
-        self._needs_outside(call.span)
-        return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel.text)
+        return kernel.text
 
     def _needs_outside(self, span: Span) -> None:
         if self.outside is not None or self._outside_asked:
@@ -244,44 +282,75 @@ class Reader:
                      "`-2% < image < 2%`",),
                     notes=("no comparator can tell whether two charges are equal",),
                 )  # fmt: skip
-            comparison = self._one_comparison(op[0] == ">", first, second, compare.span)
+            comparison = self._one_comparison(op, first, second, compare.span)
             condition = comparison if condition is None else p.Joined("and", condition, comparison)
         assert condition is not None
         return condition
 
     def _one_comparison(
-        self, above: bool, first: tree.Expr, second: tree.Expr, span: Span
+        self, op: str, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """`first > second` where `above`, else `first < second`; at least one side is an image."""
-        levels = [self._steps(side) for side in (first, second)]
-        if levels[0] is not None and levels[1] is not None:
+        """A comparison of an image with a level or with another image."""
+        if self._is_level(first):
+            if not self._is_level(second):
+                return self._one_comparison(_MIRRORED[op], second, first, span)
             raise self._report(
                 "NS0533", "a comparison has an image on at least one side", span, "two levels",
                 ("compare an image with a level: `image > 6%`",),
             )  # fmt: skip
-        if levels[0] is not None:
-            return self._one_comparison(not above, second, first, span)
-        value = self._image(first)
-        if levels[1] is None:
-            value = _sum((Fraction(1), value), (Fraction(-1), self._image(second)))
-        test = p.Above(value, levels[1] or 0)
-        return test if above else p.Inverse(test)
+        value, level = self._image(first), second
+        if not self._is_level(second):
+            other, level = self._image(second), tree.Int(second.span, 0)
+            self._require_alike(value, other, span)
+            value = _sum((Fraction(1), value), (Fraction(-1), other))
+        counts = self._counts(value)
+        if counts is not None:
+            return self._count_comparison(value, counts, op, level)
+        test = p.Above(value, self._steps(level))
+        return test if op[0] == ">" else p.Inverse(test)
 
-    def _steps(self, expr: tree.Expr) -> int | None:
-        """A level in steps of IN; None for what is no level."""
+    def _is_level(self, expr: tree.Expr) -> bool:
+        """Whether one side of a comparison is a level: with a unit, or a number."""
+        while isinstance(expr, tree.Unary) and expr.op == "-":
+            expr = expr.operand
+        return isinstance(expr, tree.Amount) or self._is_number(expr)
+
+    def _count_comparison(
+        self, value: p.Value, counts: Counts, op: str, level: tree.Expr
+    ) -> p.Condition:
+        """A comparison of counts, half-way between two that are attainable."""
+        if not self._is_number(level):
+            raise self._report(
+                "NS0533", "a level of counts is an integer", level.span, "with a unit",
+                ("write a number without a unit: `count > 3`",),
+            )  # fmt: skip
+        number = constant(level, self.constants, self.problems, "a level")
+        if number is None:
+            raise _Wrong
+        split = counts.half_way(Fraction(number), or_equal=op in (">=", "<"))
+        if split is None:
+            raise self._report(
+                "NS0533", f"these counts lie from {counts.low} to {counts.high}: this comparison "
+                "has the same answer in every pixel", level.span, "beyond all counts",
+                (f"compare with a number from {counts.low} to {counts.high}",),
+            )  # fmt: skip
+        test = p.Exceeds(value, split)
+        return test if op[0] == ">" else p.Inverse(test)
+
+    def _steps(self, expr: tree.Expr) -> int:
+        """A level in steps of IN."""
         sign, inner = 1, expr
         while isinstance(inner, tree.Unary) and inner.op == "-":
             sign, inner = -sign, inner.operand
-        if isinstance(inner, tree.Int):
-            if inner.value == 0:
+        if not isinstance(inner, tree.Amount):
+            number = constant(expr, self.constants, self.problems, "a level")
+            if number == 0:
                 return 0
-            raise self._report(
+            raise _Wrong if number is None else self._report(
                 "NS0533", "a level has a unit", expr.span, "without a unit",
-                (f"write `{inner.value}%` of a full well, `{inner.value}e` or `{inner.value}lsb`; "
+                (f"write `{number}%` of a full well, `{number}e` or `{number}lsb`; "
                  "only `0` needs none",),
             )  # fmt: skip
-        if not isinstance(inner, tree.Amount):
-            return None
         target = self.target
         electrons = sign * level_e(float(inner.value), inner.unit, target)
         steps = round(electrons / target.electrons_per_step)
@@ -324,10 +393,10 @@ class Reader:
         if text in (*self.declared.senses, *self.declared.states):
             return self._report(
                 "NS0539", f"`{text}` in images and planes is not supported yet", name.span,
-                "not yet", ("use exposures, images and planes",),
+                "not yet", ("use exposures, images, planes, and states that step on them",),
             )  # fmt: skip
         known = {
-            "kernel": [*self.kernels, "abs"],
+            "kernel": [*self.kernels, *_FUNCTIONS[:3]],
             "function": ["any", "all"],
             "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
         }.get(kind, [*self.buckets, *(n for n, k in self.kinds.items() if k == "image")])

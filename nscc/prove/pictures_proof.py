@@ -20,7 +20,7 @@ from nscc.prove.diagrams import TooLarge
 from nscc.prove.forms import IN, Form, Forms
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, Reach, reaches
 from nscc.words.container import Container
-from nscc.words.legality import picture_words
+from nscc.words.legality import decoded, picture_words
 from nscc.words.pictures import Condition
 
 
@@ -61,9 +61,15 @@ def _difference(
     """Where what registers hold is not what the text says."""
     pictures, forms = container.pictures, replay.forms
     assert pictures is not None
-    for name in pictures.outputs:
+    kept = [pictures.registers.get(state.name, "") for state in pictures.states]
+    exposing = {r for words in decoded(container) for op in words for r in op.destinations}
+    if len(set(kept)) < len(kept) or exposing & {*kept}:
+        return "the register of a state holds something else as well"
+    for name in dict.fromkeys((*pictures.outputs, *(state.name for state in pictures.states))):
         register = pictures.registers.get(name, "")
-        contents: Fields | Bits | None = replay.analog.get(register)
+        contents: Fields | Bits | None = None
+        if register in replay.analog:
+            contents = replay.fields(register)
         if isinstance(meaning.nodes.get(name), Condition):
             contents = replay.digital.get(register)
         if contents is None:
@@ -118,12 +124,21 @@ def words_reach(words: Launched, container: Container) -> Reach:
 
 
 @dataclass
+class Masked:
+    """What a register holds after a word that wrote it where FLAG was 1."""
+
+    flag: Bits
+    written: Fields
+    before: Fields
+
+
+@dataclass
 class PictureReplay:
     """The registers of a small array of pixels while the words after an exposure run."""
 
     container: Container
     forms: Forms
-    analog: dict[str, Fields] = field(default_factory=dict)
+    analog: dict[str, Fields | Masked] = field(default_factory=dict)
     digital: dict[str, Bits] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -142,9 +157,25 @@ class PictureReplay:
                 self.analog[name] = {at: self._junk(name, *at) for at in places}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.unknown_bit(at) for at in places}
+        for state in container.pictures.states if container.pictures else ():
+            register = container.pictures.registers.get(state.name, "")
+            self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}
 
     def _junk(self, name: str, x: int, y: int) -> Form:
         return {(f"what {name} held", x, y): self.forms.diagrams.one}
+
+    def fields(self, name: str, flag: Bits | None = None) -> Fields:
+        """What an analog register holds; with `flag`, what it holds where that is 1."""
+        held = self.analog[name]
+        if not isinstance(held, Masked):
+            return held
+        if flag is not None and held.flag == flag:
+            return held.written
+        chosen = self.forms.chosen
+        whole = self.analog[name] = {
+            at: chosen(bit, held.written[at], held.before[at]) for at, bit in held.flag.items()
+        }
+        return whole
 
     def run(self, op: Op, level: int | None) -> None:
         """One word in all pixels, with IN at so many steps."""
@@ -173,8 +204,8 @@ class PictureReplay:
             case _:
                 raise PictureReplayError(f"`{op}` has no place after the exposure")
 
-    def _totals(self, op: Op, level: int | None) -> Fields:
-        """The sum of a word's analog sources in every pixel."""
+    def _totals(self, op: Op, level: int | None, flag: Bits | None = None) -> Fields:
+        """The sum of a word's analog sources in every pixel; with `flag`, where that is 1."""
         forms = self.forms
         unit_factor = Fraction(1)
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
@@ -185,11 +216,11 @@ class PictureReplay:
                 steps = {IN: forms.diagrams.leaf(Fraction(level))} if level else {}
                 fields.append(dict.fromkeys(forms.places(), steps))
             elif name in NEIGHBOURS:
-                fields.append(self._moved(self.analog["NEWS"], *STEPS[name]))
+                fields.append(self._moved(self.fields("NEWS"), *STEPS[name]))
                 if not self.container.target.news_read_keeps:
                     self.analog["NEWS"] = {at: forms.beyond() for at in forms.places()}
             elif name in self.analog:
-                fields.append(self.analog[name])
+                fields.append(self.fields(name, flag))
             else:
                 raise PictureReplayError(f"`{op}` reads {name} after the exposure")
         return {
@@ -209,20 +240,21 @@ class PictureReplay:
 
     def _bus(self, op: Op, level: int | None) -> None:
         forms, flag = self.forms, self.digital["FLAG"]
-        directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
-        if directed and any(bit != forms.diagrams.one for bit in flag.values()):
+        masked = any(bit != forms.diagrams.one for bit in flag.values())
+        if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:
             raise PictureReplayError(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
         factor = Fraction(-1, op.operation.divisor)
-        values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
+        totals = self._totals(op, level, flag)
+        values = {at: forms.sum((factor, total)) for at, total in totals.items()}
         for name in op.destinations:
             if name in NEIGHBOURS:
                 right, down = STEPS[name]
                 self.analog["NEWS"] = self._moved(values, -right, -down)
                 continue
-            previous = self.analog[name]
-            self.analog[name] = {
-                at: forms.chosen(flag[at], values[at], previous[at]) for at in previous
-            }
+            # Where FLAG is what it was, what was there before is not needed.
+            self.analog[name] = (
+                Masked(flag, values, self.fields(name)) if masked else values
+            )
 
     def _or_sources(self, op: Op) -> Bits:
         """The OR of a word's digital sources."""
