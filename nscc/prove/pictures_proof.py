@@ -125,11 +125,12 @@ def words_reach(words: Launched, container: Container) -> Reach:
 
 @dataclass
 class Masked:
-    """What a register holds after a word that wrote it where FLAG was 1."""
+    """What a register holds after a word that wrote it where FLAG was 1: worked out only where
+    somebody reads it elsewhere."""
 
     flag: Bits
     written: Fields
-    before: Fields
+    before: Fields | Masked
 
 
 @dataclass
@@ -166,16 +167,17 @@ class PictureReplay:
 
     def fields(self, name: str, flag: Bits | None = None) -> Fields:
         """What an analog register holds; with `flag`, what it holds where that is 1."""
-        held = self.analog[name]
-        if not isinstance(held, Masked):
-            return held
-        if flag is not None and held.flag == flag:
+        held, masked = self.analog[name], []
+        if isinstance(held, Masked) and flag is not None and held.flag == flag:
             return held.written
+        while isinstance(held, Masked):
+            masked.append(held)
+            held = held.before
         chosen = self.forms.chosen
-        whole = self.analog[name] = {
-            at: chosen(bit, held.written[at], held.before[at]) for at, bit in held.flag.items()
-        }
-        return whole
+        for each in reversed(masked):
+            held = {at: chosen(bit, each.written[at], held[at]) for at, bit in each.flag.items()}
+        self.analog[name] = held
+        return held
 
     def run(self, op: Op, level: int | None) -> None:
         """One word in all pixels, with IN at so many steps."""
@@ -251,10 +253,7 @@ class PictureReplay:
                 right, down = STEPS[name]
                 self.analog["NEWS"] = self._moved(values, -right, -down)
                 continue
-            # Where FLAG is what it was, what was there before is not needed.
-            self.analog[name] = (
-                Masked(flag, values, self.fields(name)) if masked else values
-            )
+            self.analog[name] = Masked(flag, values, self.analog[name]) if masked else values
 
     def _or_sources(self, op: Op) -> Bits:
         """The OR of a word's digital sources."""
