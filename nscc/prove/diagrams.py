@@ -34,9 +34,10 @@ class Diagrams:
 
     def leaf(self, value: Fraction) -> int:
         """The diagram that is the same number for all answers."""
-        number = self._number.get(value)
+        key = value.as_integer_ratio()  # a fraction itself takes long to look up
+        number = self._number.get(key)
         if number is None:
-            number = self._add(value, (_LEAF, 0, 0))
+            number = self._add(key, (_LEAF, 0, 0))
             self._values[number] = value
         return number
 

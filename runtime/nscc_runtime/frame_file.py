@@ -335,11 +335,22 @@ def meta(
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
+        **({"image_unit": image_unit(container)} if container and container.pictures else {}),
         **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
     }
+
+
+def image_unit(container: Container) -> dict[str, float]:
+    """The electrons of a count, for each image of counts that is read."""
+    from nscc.words.counts import counts_by_name
+
+    pictures = container.pictures
+    assert pictures is not None
+    unit_e = pictures.count_steps * container.target.electrons_per_step
+    return {name: unit_e for name in counts_by_name(pictures) if name in pictures.reads}
 
 
 def open_us(container: Container) -> list[float] | None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import repeat
 from typing import Any
 
 import numpy as np
@@ -20,9 +21,21 @@ from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
+from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.sensor import default_sensor
 
 Told = dict[str, NDArray[Any]]
+Planes = dict[str, NDArray[np.bool_]]
+"""Bits (pixels,) by register."""
+
+
+@dataclass(frozen=True, eq=False)
+class KeptBits:
+    """The registers of states from one frame to the next, and where they depend on what is beyond
+    the array."""
+
+    bits: Planes
+    tainted: Planes
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,11 +69,37 @@ class PicturedProgram:
         return self.sensor.changed(**changed)
 
     def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
-        """Frames 0 .. `count` - 1 of `light`."""
+        """Frames 0 .. `count` - 1 of `light`, one after the other: states go on."""
+        return self.film(repeat(light, count), seed, device_seed)
+
+    def film(self, lights: Iterable[Light], seed: int, device_seed: int) -> Iterator[Frame]:
+        """A frame of each light, one after the other: states go on."""
         check_adc(self.container.target)
-        for number in range(count):
+        kept = self._at_start(self.container.target.rows * self.container.target.cols)
+        for number, light in enumerate(lights):
             exposure = self._exposed(light, seed, device_seed, number)
-            yield self.frame_of(exposure, (seed, device_seed), number)
+            pixels = self._computed(exposure, (seed, device_seed), number, kept)
+            yield self._frame_of(pixels, exposure, (seed, device_seed), number)
+            kept = self._kept_of(pixels)
+
+    def _at_start(self, pixels: int) -> KeptBits:
+        """What the host loads once."""
+        registers = {s.name: self.pictures.registers[s.name] for s in self.pictures.states}
+        bits = {registers[s.name]: np.full(pixels, s.start) for s in self.pictures.states}
+        return KeptBits(bits, {name: np.zeros(pixels, np.bool_) for name in bits})
+
+    def _kept_of(self, pixels: ArrayPixels) -> KeptBits:
+        """The states at the next frame's words: lost where its exposure and the readouts take
+        longer than registers keep their bits."""
+        container, pictures = self.container, self.pictures
+        names = [pictures.registers[state.name] for state in pictures.states]
+        values_read = sum(name not in pixels.digital.bits for name in pictures.registers.values())
+        between_us = sum(container.slot_us) + values_read * container.target.readout_us
+        is_kept = between_us <= retention_us(self.effects, self.sensor)
+        return KeptBits(
+            {name: (pixels.digital.read(name) == 1) & is_kept for name in names},
+            {name: pixels.tainted[name] for name in names},
+        )
 
     def _exposed(self, light: Light, seed: int, device_seed: int, number: int) -> Exposure:
         if self.effects.noiseless:
@@ -74,9 +113,10 @@ class PicturedProgram:
             seed=seed, device_seed=device_seed, frame=number, threads=self.threads,
         )  # fmt: skip
 
-    def frame_of(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> Frame:
-        """What the words after an exposure make of it, and what is then read out."""
-        pixels = self._computed(exposure, seeds, number)
+    def _frame_of(
+        self, pixels: ArrayPixels, exposure: Exposure, seeds: tuple[int, int], number: int
+    ) -> Frame:
+        """What is read out after the last word."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
@@ -146,7 +186,9 @@ class PicturedProgram:
         frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
-    def _computed(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> ArrayPixels:
+    def _computed(
+        self, exposure: Exposure, seeds: tuple[int, int], number: int, kept: KeptBits
+    ) -> ArrayPixels:
         """The array after the last word."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
@@ -163,9 +205,11 @@ class PicturedProgram:
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
             places=np.arange(shape[0] * shape[1], dtype=np.int64), container=container,
             effects=self.effects,
-            code={name: plane.reshape(-1) for name, plane in container.planes().items()},
+            code={name: plane.reshape(-1) for name, plane in container.planes().items()}
+            | kept.bits,
             shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
+        pixels.tainted |= kept.tainted
         pixels.run_words(self._words)
         return pixels
 
