@@ -28,6 +28,7 @@ class Diagrams:
         self._values: dict[int, Fraction] = {}
         self._number: dict[object, int] = {}
         self._known: dict[tuple[str, int, int], int] = {}
+        self._scaled: dict[tuple[int, int, int], int] = {}
         self._support: dict[int, frozenset[int]] = {}
         self._order: list[tuple[int, int, int]] = []
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
@@ -115,7 +116,11 @@ class Diagrams:
 
     def scaled(self, factor: Fraction, node: int) -> int:
         """A number times a fraction."""
-        return self.times(self.leaf(factor), node)
+        key = (*factor.as_integer_ratio(), node)
+        product = self._scaled.get(key)
+        if product is None:
+            product = self._scaled[key] = self.times(self.leaf(factor), node)
+        return product
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
         """One number where a bit is 1, another one where it is 0."""

@@ -76,13 +76,15 @@ class Forms:
 
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
         """The sum of forms times factors."""
-        diagrams = self.diagrams
+        diagrams, zero = self.diagrams, self.diagrams.zero
         total: dict[Unknown, int] = {}
         for factor, form in terms:
+            is_one = factor == 1
             for unknown, number in form.items():
-                scaled = number if factor == 1 else diagrams.scaled(factor, number)
-                total[unknown] = diagrams.add(total.get(unknown, diagrams.zero), scaled)
-        return {unknown: number for unknown, number in total.items() if number != diagrams.zero}
+                scaled = number if is_one else diagrams.scaled(factor, number)
+                before = total.get(unknown, zero)
+                total[unknown] = scaled if before == zero else diagrams.add(before, scaled)
+        return {unknown: number for unknown, number in total.items() if number != zero}
 
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
         """One form where a bit is 1, another one where it is 0."""
