@@ -173,6 +173,8 @@ def _state(document: Document, name: str) -> str:
         if looking
         else None
     )
+    if document.declared.keeps_planes:
+        return "a plane that is kept: images and planes see its bits of the frame before"
     if state is None:
         return "a value that a pixel remembers"
     values = "a bit" if state.boolean else f"{state.low}..{state.high}"

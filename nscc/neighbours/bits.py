@@ -18,15 +18,16 @@ has it reads."""
 class BitWords:
     """The digital registers of a lowering, and the words that fill them.
 
-    The registers that steer DNEWS are kept for it where the text reads neighbours.
+    The registers that steer DNEWS are kept for it where the text reads neighbours. States lie in
+    registers that no word of the exposure writes (`unwritten`).
     """
 
-    def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
+    def __init__(
+        self, lowering: Emitter, registers: Sequence[str], unwritten: Collection[str]
+    ) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
-        nodes = [
-            node for item in pictures.expressions.values() for node in p.subexpressions(item)
-        ]
+        nodes = [node for item in pictures.expressions.values() for node in p.subexpressions(item)]
         self.steers = any(isinstance(node, p.Near | p.At | p.Agreement) for node in nodes)
         self.count_steps = pictures.count_steps
         self.available = [r for r in registers if not (self.steers and r in STEERING)]
@@ -39,9 +40,12 @@ class BitWords:
         for name in pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
+        lasting = [register for register in self.free if register in unwritten]
         for state in pictures.states:
-            lowering.now = state.name
-            self.planes[state.name] = self.take()
+            if not lasting:
+                raise PictureRefused("planes", state.name, len(pictures.states), len(self.planes))
+            self.planes[state.name] = lasting.pop(0)
+            self.free.remove(self.planes[state.name])
             self.uses[state.name] = self.uses.get(state.name, 0) + 1  # it is never free
 
     def declare(self, name: str, node: p.Condition) -> None:
@@ -191,7 +195,9 @@ class BitWords:
         columns = {x for x, _ in offsets}
         for right in (1, -1):
             line = register
-            for x in range(0 if right > 0 else -1, right * (max(right * c for c in columns) + 1), right):
+            for x in range(
+                0 if right > 0 else -1, right * (max(right * c for c in columns) + 1), right
+            ):
                 if x:
                     line = self._stepped(line, register, (right, 0))
                 if (x, 0) in offsets:

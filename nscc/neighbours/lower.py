@@ -7,7 +7,7 @@ stays in its register while something still reads it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
@@ -35,6 +35,7 @@ class Lowering(Emitter):
         target: Target,
         buckets: dict[str, tuple[str, int]],
         digital: Sequence[str],
+        unwritten: Collection[str],
         synthesis: Synthesis,
     ) -> None:
         super().__init__(pictures)
@@ -46,7 +47,7 @@ class Lowering(Emitter):
             name: Held(register, sign, 0.0, pictures.limits_e[name], name)
             for name, (register, sign) in buckets.items()
         }
-        self.bits = BitWords(self, digital)
+        self.bits = BitWords(self, digital, unwritten)
         self.counting = Counting(self)
         self.count_e = pictures.count_steps * target.electrons_per_step
         self.costs: list[p.PictureCost] = []

@@ -12,9 +12,9 @@ from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
+from nscc.program.kept_planes import kept_planes
 from nscc.program.looking import level_e
 from nscc.program.names import Declarations
-from nscc.program.kept_planes import kept_planes
 from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope
@@ -106,7 +106,7 @@ class _Maker:
         if unit.steps == 0:
             items = (*self.declared.pictures, *self.declared.nexts.values())
             place = next(item for item in items if item.name.text == unit.name).span
-            most = (unit.steps_available // unit.least)
+            most = unit.steps_available // unit.least
             self.problems.error(
                 "NS0540", f"`{unit.name}` counts up to {unit.peak}, and registers hold {most}",
                 place, "too many weights at once",

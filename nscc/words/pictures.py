@@ -254,6 +254,12 @@ class Pictures:
         return items | {state.name: state.next for state in self.states}
 
     @property
+    def planes(self) -> frozenset[str]:
+        """The names of planes and states."""
+        items = self.expressions.items()
+        return frozenset(name for name, node in items if isinstance(node, Condition))
+
+    @property
     def weights_by_name(self) -> dict[str, Weights]:
         """The kernels of the text."""
         return {kernel.name: kernel for kernel in self.weights}

@@ -120,7 +120,10 @@ def faults(container: Container) -> Iterator[str]:
             if name is not None and name not in known:
                 yield f"`{expression_name[:40]!a}` reads what is not computed before it"
                 return
-            if isinstance(node, Filtered | Near | Largest | Agreement) and node.kernel not in weights:
+            if (
+                isinstance(node, Filtered | Near | Largest | Agreement)
+                and node.kernel not in weights
+            ):
                 yield f"`{expression_name[:40]!a}` names a kernel that does not exist"
                 return
         known.add(expression_name)

@@ -93,7 +93,7 @@ class PicturedProgram:
         longer than registers keep their bits."""
         container, pictures = self.container, self.pictures
         names = [pictures.registers[state.name] for state in pictures.states]
-        values_read = sum(name not in pixels.digital.bits for name in pictures.registers.values())
+        values_read = sum(name not in pictures.planes for name in pictures.reads)
         between_us = sum(container.slot_us) + values_read * container.target.readout_us
         is_kept = between_us <= retention_us(self.effects, self.sensor)
         return KeptBits(
