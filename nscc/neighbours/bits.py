@@ -192,12 +192,10 @@ class BitWords:
         """The registers that hold the bits at these offsets, one after the other: along the row,
         and from there along each column. A step always leads away from the pixel, so that nothing
         of the array is lost beyond its border."""
-        columns = {x for x, _ in offsets}
         for right in (1, -1):
             line = register
-            for x in range(
-                0 if right > 0 else -1, right * (max(right * c for c in columns) + 1), right
-            ):
+            for distance in range(right < 0, 1 + max(right * x for x, _ in offsets)):
+                x = right * distance
                 if x:
                     line = self._stepped(line, register, (right, 0))
                 if (x, 0) in offsets:

@@ -29,8 +29,9 @@ def with_pictures(
 ) -> tuple[Container, Sequence[Diagnostic]]:
     """The container with the words of a program's images and planes.
 
-    Refuses states that fade within a frame (NS0602), what takes more registers or store than there are (NS0535), values beyond the range of
-    registers (NS0540) and images that reach too far (NS0541).
+    Refuses states that fade within a frame (NS0602), what takes more registers or store than there
+    are (NS0535), values beyond the range of registers (NS0540) and images that reach too far
+    (NS0541).
     """
     pictures = program.pictures
     assert pictures is not None

@@ -10,26 +10,20 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Fix
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
-from nscc.program.looking import level_e
 from nscc.program.names import Declarations
+from nscc.program.picture_comparisons import PictureComparer, WrongPicture, picture_sum
 from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
-from nscc.words.counts import Counts, counts_of
 
 Kind = Literal["image", "plane", "bucket"]
 _FUNCTIONS = ("abs", "agree", "max", "min")
-_MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
 
 
-class _Wrong(Exception):
-    """An expression has an error, which is reported."""
-
-
-class Reader:
-    """Reads the expressions of a text in its order; `kinds` are the images and planes so far,
-    `counts` those images that are counts. States are planes."""
+class Reader(PictureComparer):
+    """Reads the expressions of a text in its order; `kinds` are the images and planes so far.
+    States are planes."""
 
     def __init__(
         self,
@@ -41,11 +35,9 @@ class Reader:
         outside: int | None,
         problems: Problems,
     ) -> None:
-        self.declared, self.constants, self.target = declared, constants, target
-        self.buckets, self.kernels, self.outside = buckets, kernels, outside
-        self.problems = problems
+        super().__init__(declared, constants, target, kernels, problems)
+        self.buckets, self.outside = buckets, outside
         self.kinds: dict[str, Kind] = {}
-        self.counts: dict[str, Counts] = {}
         if declared.keeps_planes:
             self.kinds.update(dict.fromkeys(declared.states, "plane"))
         self.failed: set[str] = set()
@@ -66,14 +58,14 @@ class Reader:
         """The image that an expression is; None after reporting why it is none."""
         try:
             return self._image(expr)
-        except _Wrong:
+        except WrongPicture:
             return None
 
     def condition(self, expr: tree.Expr) -> p.Condition | None:
         """The plane that an expression is; None after reporting why it is none."""
         try:
             return self._condition(expr)
-        except _Wrong:
+        except WrongPicture:
             return None
 
     # --- images
@@ -83,12 +75,12 @@ class Reader:
             case tree.Name():
                 return self._named_image(expr)
             case tree.Unary(op="-", operand=operand):
-                return _sum((Fraction(-1), self._image(operand)))
+                return picture_sum((Fraction(-1), self._image(operand)))
             case tree.Binary(op="+" | "-" as op, left=left, right=right):
                 sign = Fraction(1 if op == "+" else -1)
                 first, second = self._image(left), self._image(right)
                 self._require_alike(first, second, expr.span)
-                return _sum((Fraction(1), first), (sign, second))
+                return picture_sum((Fraction(1), first), (sign, second))
             case tree.Binary(op="*" | "/", left=left, right=right):
                 return self._scaled(expr, left, right)
             case tree.IfElse():
@@ -104,10 +96,6 @@ class Reader:
              "`/ power of two`, kernels, `abs(..)`, `max(EXPR, kernel)`, `agree(PLANE, kernel)` "
              "and `A if PLANE else B`",),
         )  # fmt: skip
-
-    def _counts(self, value: p.Value) -> Counts | None:
-        """The values of a count; None for electrons."""
-        return counts_of(value, self.counts, self.kernels)
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
         if (self._counts(first) is None) != (self._counts(second) is None):
@@ -149,13 +137,13 @@ class Reader:
             )  # fmt: skip
         number = constant(factor, self.constants, self.problems, "a factor")
         if number is None:
-            raise _Wrong
+            raise WrongPicture
         if expr.op == "*":
-            return _sum((Fraction(number), self._image(image)))
+            return picture_sum((Fraction(number), self._image(image)))
         if not is_power_of_two(number):
             refuse_divisor(self.problems, number, factor.span)
-            raise _Wrong
-        return _sum((Fraction(1, number), self._image(image)))
+            raise WrongPicture
+        return picture_sum((Fraction(1, number), self._image(image)))
 
     def _call(self, call: tree.Call) -> p.Value:
         name, arguments = call.function.text, call.arguments
@@ -177,7 +165,7 @@ class Reader:
             )  # fmt: skip
         if name != "abs" and name not in self.kernels:
             if name in self.declared.kernels:
-                raise _Wrong
+                raise WrongPicture
             raise self._unknown("a kernel", call.function, "kernel")
         if len(arguments) != 1:
             raise self._report(
@@ -207,7 +195,7 @@ class Reader:
                 x = constant(expr.right, self.constants, self.problems, "columns to the right")
                 y = constant(expr.down, self.constants, self.problems, "rows down")
                 if x is None or y is None:
-                    raise _Wrong
+                    raise WrongPicture
                 return p.At(self._named_plane(expr.base), x, y)
             case tree.Call():
                 return self._any_or_all(expr)
@@ -254,7 +242,7 @@ class Reader:
         kernel = arguments[1]
         if kernel.text not in self.kernels:
             if kernel.text in self.declared.kernels:
-                raise _Wrong
+                raise WrongPicture
             raise self._unknown("a kernel", kernel, "kernel")
         return kernel.text
 
@@ -268,122 +256,12 @@ class Reader:
             helps=("say what they are: `outside 0`, or `outside 1`",),
         )  # fmt: skip
 
-    def _compare(self, compare: tree.Compare) -> p.Condition:
-        operands = (compare.first, *compare.later_operands)
-        condition: p.Condition | None = None
-        for op, first, second in zip(
-            compare.ops, operands[:-1], compare.later_operands, strict=True
-        ):
-            if op in ("==", "!="):
-                raise self._report(
-                    "NS0533", "charges are compared by `>` and `<`", compare.span,
-                    f"this is `{op}`",
-                    ("a pixel compares with both sides of a small range: "
-                     "`-2% < image < 2%`",),
-                    notes=("no comparator can tell whether two charges are equal",),
-                )  # fmt: skip
-            comparison = self._one_comparison(op, first, second, compare.span)
-            condition = comparison if condition is None else p.Joined("and", condition, comparison)
-        assert condition is not None
-        return condition
-
-    def _one_comparison(
-        self, op: str, first: tree.Expr, second: tree.Expr, span: Span
-    ) -> p.Condition:
-        """A comparison of an image with a level or with another image."""
-        if self._is_level(first):
-            if not self._is_level(second):
-                return self._one_comparison(_MIRRORED[op], second, first, span)
-            raise self._report(
-                "NS0533", "a comparison has an image on at least one side", span, "two levels",
-                ("compare an image with a level: `image > 6%`",),
-            )  # fmt: skip
-        value, level = self._image(first), second
-        if not self._is_level(second):
-            other, level = self._image(second), tree.Int(second.span, 0)
-            self._require_alike(value, other, span)
-            value = _sum((Fraction(1), value), (Fraction(-1), other))
-        counts = self._counts(value)
-        if counts is not None:
-            return self._count_comparison(value, counts, op, level)
-        test = p.Above(value, self._steps(level))
-        return test if op[0] == ">" else p.Inverse(test)
-
-    def _is_level(self, expr: tree.Expr) -> bool:
-        """Whether one side of a comparison is a level: with a unit, or a number."""
-        while isinstance(expr, tree.Unary) and expr.op == "-":
-            expr = expr.operand
-        return isinstance(expr, tree.Amount) or self._is_number(expr)
-
-    def _count_comparison(
-        self, value: p.Value, counts: Counts, op: str, level: tree.Expr
-    ) -> p.Condition:
-        """A comparison of counts, half-way between two that are attainable."""
-        if not self._is_number(level):
-            raise self._report(
-                "NS0533", "a level of counts is an integer", level.span, "with a unit",
-                ("write a number without a unit: `count > 3`",),
-            )  # fmt: skip
-        number = constant(level, self.constants, self.problems, "a level")
-        if number is None:
-            raise _Wrong
-        split = counts.half_way(Fraction(number), or_equal=op in (">=", "<"))
-        if split is None:
-            raise self._report(
-                "NS0533", f"these counts lie from {counts.low} to {counts.high}: this comparison "
-                "has the same answer in every pixel", level.span, "beyond all counts",
-                (f"compare with a number from {counts.low} to {counts.high}",),
-            )  # fmt: skip
-        test = p.Exceeds(value, split)
-        return test if op[0] == ">" else p.Inverse(test)
-
-    def _steps(self, expr: tree.Expr) -> int:
-        """A level in steps of IN."""
-        sign, inner = 1, expr
-        while isinstance(inner, tree.Unary) and inner.op == "-":
-            sign, inner = -sign, inner.operand
-        if not isinstance(inner, tree.Amount):
-            number = constant(expr, self.constants, self.problems, "a level")
-            if number == 0:
-                return 0
-            raise _Wrong if number is None else self._report(
-                "NS0533", "a level has a unit", expr.span, "without a unit",
-                (f"write `{number}%` of a full well, `{number}e` or `{number}lsb`; "
-                 "only `0` needs none",),
-            )  # fmt: skip
-        target = self.target
-        electrons = sign * level_e(float(inner.value), inner.unit, target)
-        steps = round(electrons / target.electrons_per_step)
-        reach = min(target.in_high, -target.in_low)
-        if abs(steps) > reach or steps == 0 != electrons:
-            least, most = target.electrons_per_step, reach * target.electrons_per_step
-            raise self._report(
-                "NS0533", f"IN cannot be {electrons:g} e", expr.span, "this level",
-                (f"give a level from {100 * least / target.full_well_e:.3g}% to "
-                 f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
-                notes=(f"IN has steps of {least:.4g} e, up to {reach} of them",),
-            )  # fmt: skip
-        return steps
-
     # --- both
 
-    def _is_number(self, expr: tree.Expr) -> bool:
-        """Whether an expression has neither images nor levels in it."""
-        match expr:
-            case tree.Int():
-                return True
-            case tree.Name():
-                return expr.text in self.declared.lets or expr.text in ("N", "rows", "cols")
-            case tree.Unary(op="-"):
-                return self._is_number(expr.operand)
-            case tree.Binary():
-                return self._is_number(expr.left) and self._is_number(expr.right)
-        return False
-
-    def _unknown(self, category: str, name: tree.Name, kind: str) -> _Wrong:
+    def _unknown(self, category: str, name: tree.Name, kind: str) -> WrongPicture:
         text = name.text
         if text in self.failed or text in self.declared.refused:
-            return _Wrong()
+            return WrongPicture()
         later = [picture for picture in self.declared.pictures if picture.name.text == text]
         if later:
             return self._report(
@@ -401,19 +279,7 @@ class Reader:
             "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
         }.get(kind, [*self.buckets, *(n for n, k in self.kinds.items() if k == "image")])
         self.problems.unknown(category, text, name.span, known)
-        return _Wrong()
-
-    def _report(
-        self,
-        code: str,
-        message: str,
-        span: Span,
-        label: str,
-        helps: tuple[str, ...],
-        **details: Any,
-    ) -> _Wrong:
-        self.problems.error(code, message, span, label, helps=helps, **details)
-        return _Wrong()
+        return WrongPicture()
 
 
 def is_power_of_two(number: int) -> bool:
@@ -443,18 +309,3 @@ def nearest_power(number: int) -> int:
     """The power of two whose ratio to a number above 0 is nearest to 1."""
     low = 1 << (number.bit_length() - 1)
     return low if number / low <= 2 * low / number else 2 * low
-
-
-def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """A sum without sums in it, and without terms that add nothing."""
-    flat: list[tuple[Fraction, p.Value]] = []
-    for factor, value in terms:
-        terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
-        flat += [(factor * inner, term) for inner, term in terms_of_value]
-    merged: dict[p.Value, Fraction] = {}
-    for factor, value in flat:
-        merged[value] = merged.get(value, Fraction(0)) + factor
-    nonzero = tuple((factor, value) for value, factor in merged.items() if factor)
-    if len(nonzero) == 1 and nonzero[0][0] == 1:
-        return nonzero[0][1]
-    return p.Sum(nonzero)

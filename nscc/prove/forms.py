@@ -3,7 +3,8 @@
 A form maps unknowns to numbers, which may depend on answers of comparisons (`Diagrams`). Unknowns
 are the exposures of pixels, steps of IN, light beyond the array, and what a register holds that
 nobody wrote. A step of IN that is there only where a bit is 1 is an unknown of its own: counts stay
-linear forms, however many bits they add. An answer is the sign of a form: forms that differ by a factor share it.
+linear forms, however many bits they add. An answer is the sign of a form: forms that differ by a
+factor share it.
 """
 
 from __future__ import annotations

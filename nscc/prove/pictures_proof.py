@@ -158,8 +158,10 @@ class PictureReplay:
                 self.analog[name] = {at: self._junk(name, *at) for at in places}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.unknown_bit(at) for at in places}
-        for state in container.pictures.states if container.pictures else ():
-            register = container.pictures.registers.get(state.name, "")
+        pictures = container.pictures
+        assert pictures is not None
+        for state in pictures.states:
+            register = pictures.registers.get(state.name, "")
             self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}
 
     def _junk(self, name: str, x: int, y: int) -> Form:

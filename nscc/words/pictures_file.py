@@ -8,12 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from nscc.words.pictures import (
-    Agreement,
     Condition,
-    Filtered,
     KeptPlane,
-    Largest,
-    Near,
     Picture,
     PictureCost,
     Pictures,
@@ -120,10 +116,7 @@ def faults(container: Container) -> Iterator[str]:
             if name is not None and name not in known:
                 yield f"`{expression_name[:40]!a}` reads what is not computed before it"
                 return
-            if (
-                isinstance(node, Filtered | Near | Largest | Agreement)
-                and node.kernel not in weights
-            ):
+            if getattr(node, "kernel", None) not in (None, *weights):
                 yield f"`{expression_name[:40]!a}` names a kernel that does not exist"
                 return
         known.add(expression_name)
