@@ -27,10 +27,15 @@ class BitWords:
     ) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
-        nodes = [node for item in pictures.expressions.values() for node in p.subexpressions(item)]
-        self.steers = any(isinstance(node, p.Near | p.At | p.Agreement) for node in nodes)
+        expressions = pictures.expressions
+        nodes = [node for each in expressions.values() for node in p.subexpressions(each)]
+        self.steering = [
+            name for name, expression in expressions.items()
+            if any(isinstance(n, p.Near | p.At | p.Agreement) for n in p.subexpressions(expression))
+        ]  # fmt: skip
         self.count_steps = pictures.count_steps
-        self.available = [r for r in registers if not (self.steers and r in STEERING)]
+        self.kept_for_steering = [r for r in registers if self.steering and r in STEERING]
+        self.available = [r for r in registers if r not in self.kept_for_steering]
         self.free = list(self.available)
         self.planes: dict[str, str] = {}
         self.uses: dict[str, int] = {}
@@ -48,6 +53,16 @@ class BitWords:
             self.free.remove(self.planes[state.name])
             self.uses[state.name] = self.uses.get(state.name, 0) + 1  # it is never free
 
+    def begin(self, name: str) -> None:
+        """The next image, plane or state; behind the last one that reads the bits of neighbours,
+        the registers that steer are free."""
+        if name in self.steering:
+            self.steering.remove(name)
+        elif not self.steering:
+            self.available += self.kept_for_steering
+            self.free += self.kept_for_steering
+            self.kept_for_steering = []
+
     def declare(self, name: str, node: p.Condition) -> None:
         """Computes a plane, and keeps it while it is read."""
         register, owner = self.bit(node)
@@ -59,16 +74,20 @@ class BitWords:
 
     def step(self, states: Sequence[p.KeptPlane]) -> None:
         """All states take their next values at once; what stays the same is refreshed."""
-        nexts = []
+        names, nexts = {state.name for state in states}, []
         for state in states:
             self.lowering.now = state.name
+            self.begin(state.name)
             register = self.planes[state.name]
             if state.next == p.Bit(state.name):
                 for word in pair("REFRESH", register, [register]):
                     self.lowering.word(word)
                 self.uses[state.name] -= 1
             else:
-                nexts.append((register, self.bit(state.next)))
+                bit = self.bit(state.next)
+                if bit[1] in names:  # that state may step first
+                    bit = self._emit_word("MOV", [bit[0]], [bit]), None
+                nexts.append((register, bit))
         for register, (source, owner) in nexts:
             self.lowering.word(op("MOV", [register], [source]))
             self.give((source, owner))

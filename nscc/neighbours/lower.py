@@ -72,6 +72,7 @@ class Lowering(Emitter):
         """Computes every item; `registers` then holds what leaves the chip, by name."""
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
+            self.bits.begin(item.name)
             self.counting.prepare(position)
             if isinstance(item.node, p.Condition):
                 self.bits.declare(item.name, item.node)
