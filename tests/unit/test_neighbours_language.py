@@ -206,7 +206,8 @@ def test_next_reads_planes_as_images_do() -> None:
     assert state.next.first == At(Bit("h"), -1, 2)
     looked = (
         "nsl 3 frame 4 slots of 1ms code bits : bit[4] open when n < 4 "
-        "sense a when light > 3% at n < 3 state s : bit = 1 next s = bits[(8 % 3)] and not a read s pixels bits = 5"
+        "sense a when light > 3% at n < 3 state s : bit = 1 "
+        "next s = bits[(8 % 3)] and not a read s pixels bits = 5"
     )
     assert program(looked).machine is not None
     source = Source("p.nsl", text)
