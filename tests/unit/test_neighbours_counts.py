@@ -251,6 +251,9 @@ def test_editors_know_states_of_planes(cell: Path) -> None:
     found = hover(document, CELL.index("h xor"))
     assert found is not None
     assert "a plane that is kept" in found.text
+    found = hover(document, CELL.index("o = agree"))
+    assert found is not None
+    assert "counts to 50" in found.text
     names = {offer.text for offer in complete(document, CELL.index("h xor"))[1]}
     assert {"wf", "x", "f", "h"} <= names
     assert format_source(Source("cell.nsl", CELL)).startswith("nsl 3")
