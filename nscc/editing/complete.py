@@ -31,9 +31,11 @@ from nscc.syntax.words import FORMS, reserved, statement_words
 _MOST_FILES = 200
 _MOST_HASHED_BYTES = 64 << 20
 _WORD = re.compile(r"[\w-]*\Z")
-_ENDINGS = {"target": ".toml", "shutters": ".npz", "pixels": ".npz"}
+_ENDINGS = {"target": ".toml", "shutters": ".npz", "pixels": ".npz", "kernel": ".npz"}
 """File name endings for the statements that name files."""
 
+_OF_PICTURES = ("image", "plane", "next")
+"""Statements whose expressions read images and planes."""
 _ONCE = ("nsl", "target", "frame", "reset")
 
 
@@ -135,6 +137,12 @@ class _Place:
             case _:
                 scope = constants_scope(declared, constants)
         descriptions = dict(declared.declared())
+        if statement in _OF_PICTURES and self.tokens.version > 2:
+            for name, what in descriptions.items():
+                if what in ("a kernel", "an image", "a plane") or (
+                    declared.keeps_planes and what == "a state"
+                ):
+                    yield Offer(name, "name", what)
         for name, meaning in scope.items():
             if meaning.kind != "misplaced":
                 value = f" = {meaning.value}" if meaning.kind == "constant" else ""

@@ -10,8 +10,9 @@ from nscc.program.problems import counted
 from nscc.prove.meaning import reaches
 from nscc.words.container import Container
 from nscc.words.cost import words_us
+from nscc.words.counts import counts_by_name
 from nscc.words.encoding import matching
-from nscc.words.pictures import Picture, Pictures
+from nscc.words.pictures import KeptPlane, Picture, Pictures
 
 
 def pictures_us(pictures: Pictures, target: Target) -> float:
@@ -35,18 +36,24 @@ def picture_report(container: Container) -> dict[str, Any]:
     if pictures is None:
         return {}
     costs = {cost.name: cost for cost in pictures.costs}
-    reach = reaches(pictures)
+    reach, counts = reaches(pictures), counts_by_name(pictures)
 
-    def item_report(item: Picture) -> dict[str, Any]:
+    def item_report(item: Picture | KeptPlane) -> dict[str, Any]:
         cost = costs[item.name]
         report: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
-        if not item.is_plane:
+        if isinstance(item, Picture) and not item.is_plane:
             report |= {"peak_gain": cost.peak_gain, "noise_gain": cost.noise_gain}
+        if item.name in counts:
+            unit_e = pictures.count_steps * container.target.electrons_per_step
+            report |= {"peak_count": float(counts[item.name].peak), "electrons_per_count": unit_e}
         return report
+
+    states = {state.name: item_report(state) for state in pictures.states}
 
     return {
         "images": {item.name: item_report(item) for item in pictures.items if not item.is_plane},
         "planes": {item.name: item_report(item) for item in pictures.items if item.is_plane},
+        **({"states": states} if states else {}),
         "images_words_total": pictures.words,
         "images_us": pictures_us(pictures, container.target),
     }
@@ -64,10 +71,14 @@ def picture_rows(pictures: Pictures, target: Target) -> list[tuple[str, str]]:
     """Return the rows (label, text) of a summary about images and planes."""
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}
+    kinds |= {state.name: "state" for state in pictures.states}
+    counts = counts_by_name(pictures)
     rows = []
     for cost in pictures.costs:
         text = f"{cost.name}: {counted(cost.words, 'word')}, reach {max(reach[cost.name])}"
-        if kinds[cost.name] == "image":
+        if cost.name in counts:
+            text += f", counts to {counts[cost.name].peak}, noise gain {cost.noise_gain:.3g}"
+        elif kinds[cost.name] == "image":
             text += f", peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
         rows.append((kinds[cost.name], text))
     total = counted(pictures.words, "word")

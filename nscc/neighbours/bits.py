@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from nscc.neighbours.held import Emitter, PictureRefused
 from nscc.operations import STEERING, op, pair
@@ -17,14 +17,23 @@ Kept = tuple[str, str | None]
 class BitWords:
     """The digital registers of a lowering, and the words that fill them.
 
-    The registers that steer DNEWS are reserved where the program reads neighbours."""
+    The registers that steer DNEWS are reserved where the program reads neighbours. States are in
+    registers that no word of the exposure writes (`unwritten`)."""
 
-    def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
+    def __init__(
+        self, lowering: Emitter, registers: Sequence[str], unwritten: Collection[str]
+    ) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
-        nodes = [node for item in pictures.items for node in p.subexpressions(item.node)]
-        self.steers = any(isinstance(node, p.Near | p.At) for node in nodes)
-        self.available = [r for r in registers if not (self.steers and r in STEERING)]
+        expressions = pictures.expressions
+        nodes = [node for each in expressions.values() for node in p.subexpressions(each)]
+        self.steering = [
+            name for name, expression in expressions.items()
+            if any(isinstance(n, p.Near | p.At | p.Agreement) for n in p.subexpressions(expression))
+        ]  # fmt: skip
+        self.count_steps = pictures.count_steps
+        self.kept_for_steering = [r for r in registers if self.steering and r in STEERING]
+        self.available = [r for r in registers if r not in self.kept_for_steering]
         self.free = list(self.available)
         self.planes: dict[str, str] = {}
         self.uses: dict[str, int] = {}
@@ -34,6 +43,23 @@ class BitWords:
         for name in pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
+        lasting = [register for register in self.free if register in unwritten]
+        for state in pictures.states:
+            if not lasting:
+                raise PictureRefused("planes", state.name, len(pictures.states), len(self.planes))
+            self.planes[state.name] = lasting.pop(0)
+            self.free.remove(self.planes[state.name])
+            self.uses[state.name] = self.uses.get(state.name, 0) + 1  # it is never free
+
+    def begin(self, name: str) -> None:
+        """The next image, plane or state; behind the last one that reads the bits of neighbours,
+        the registers that steer are free."""
+        if name in self.steering:
+            self.steering.remove(name)
+        elif not self.steering:
+            self.available += self.kept_for_steering
+            self.free += self.kept_for_steering
+            self.kept_for_steering = []
 
     def declare(self, name: str, node: p.Condition) -> None:
         """Compute a plane and keep its register until the plane has been read for the last time."""
@@ -43,6 +69,26 @@ class BitWords:
         self.planes[name] = register
         self.uses[name] = self.uses.get(name, 0) + 1
         self.give((register, name))
+
+    def step(self, states: Sequence[p.KeptPlane]) -> None:
+        """All states take their next values at once; what stays the same is refreshed."""
+        names, nexts = {state.name for state in states}, []
+        for state in states:
+            self.lowering.now = state.name
+            self.begin(state.name)
+            register = self.planes[state.name]
+            if state.next == p.Bit(state.name):
+                for word in pair("REFRESH", register, [register]):
+                    self.lowering.word(word)
+                self.uses[state.name] -= 1
+            else:
+                bit = self.bit(state.next)
+                if bit[1] in names:  # that state may step first
+                    bit = self._emit_word("MOV", [bit[0]], [bit]), None
+                nexts.append((register, bit))
+        for register, (source, owner) in nexts:
+            self.lowering.word(op("MOV", [register], [source]))
+            self.give((source, owner))
 
     def take(self) -> str:
         """Take a free register; raise `PictureRefused` if there is none."""
@@ -78,7 +124,9 @@ class BitWords:
                 self.lowering.word(op("SET" if node.bit else "CLR", [register]))
                 return register, None
             case p.Above():
-                return self._above(node), None
+                return self._above(node.value, node.steps), None
+            case p.Exceeds():
+                return self._above(node.value, int(node.level * self.count_steps)), None
             case p.Inverse():
                 inner = self.bit(node.condition)
                 return self._emit_word("NOT", [inner[0]], [inner]), None
@@ -97,12 +145,12 @@ class BitWords:
         self.give(*used)
         return target
 
-    def _above(self, node: p.Above) -> str:
+    def _above(self, compared: p.Value, steps: int) -> str:
         """Emit a comparison: `where` tests whether the sum of the value and IN is above 0."""
         lowering = self.lowering
-        value = lowering.value(node.value)
+        value = lowering.value(compared)
         lowering.everywhere()
-        level = -node.steps * value.sign
+        level = -steps * value.sign
         sources = [value.register, *(["IN"] if level else [])]
         lowering.word(op("where", [], sources), level or None)
         lowering.give(value)
@@ -157,6 +205,42 @@ class BitWords:
                 self.give((moved, None))
             moved = neighbour
         return moved or self._emit_word("MOV", [register], [])
+
+    def places(self, register: str, offsets: Collection[Offset]) -> Iterator[tuple[Offset, str]]:
+        """The registers that hold the bits at these offsets, one after the other: along the row,
+        and from there along each column. A step always leads away from the pixel, so that nothing
+        of the array is lost beyond its border."""
+        for right in (1, -1):
+            line = register
+            for distance in range(right < 0, 1 + max(right * x for x, _ in offsets)):
+                x = right * distance
+                if x:
+                    line = self._stepped(line, register, (right, 0))
+                if (x, 0) in offsets:
+                    yield (x, 0), line
+                yield from self._column(line, x, offsets)
+            if line != register:
+                self.give((line, None))
+
+    def _column(
+        self, line: str, x: int, offsets: Collection[Offset]
+    ) -> Iterator[tuple[Offset, str]]:
+        for down in (1, -1):
+            cell = line
+            for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
+                cell = self._stepped(cell, line, (0, down))
+                if (x, down * y) in offsets:
+                    yield (x, down * y), cell
+            if cell != line:
+                self.give((cell, None))
+
+    def _stepped(self, register: str, first: str, step: Offset) -> str:
+        """The bit one step further; the one before is no longer needed, unless it is the first."""
+        outside = self.lowering.pictures.outside or 0
+        neighbour = self._look(register, outside, frozenset({step}))
+        if register != first:
+            self.give((register, None))
+        return neighbour
 
     def _at(self, node: p.At) -> str:
         bit = self.bit(node.condition)

@@ -7,7 +7,7 @@ stays in its register while something still reads it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
@@ -15,7 +15,8 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
-from nscc.neighbours.held import Emitter, Held, PictureRefused
+from nscc.neighbours.count_words import CountEmitter, Result, split
+from nscc.neighbours.held import Held, PictureRefused
 from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, values_of
 from nscc.neighbours.reuse import Contents, Reuse, reuse
 from nscc.neighbours.synthesis import Synthesis, gains, noise_gain
@@ -27,7 +28,7 @@ _MOST_TRIED = 8
 """So many programs of a kernel are tried, until the registers suffice for one."""
 
 
-class Lowering(Emitter):
+class Lowering(CountEmitter):
     """The words of all items; `registers` then says where what leaves the chip is held."""
 
     def __init__(
@@ -36,6 +37,7 @@ class Lowering(Emitter):
         target: Target,
         buckets: dict[str, tuple[str, int]],
         digital: Sequence[str],
+        unwritten: Collection[str],
         synthesis: Synthesis,
     ) -> None:
         super().__init__(pictures)
@@ -49,7 +51,8 @@ class Lowering(Emitter):
             name: Held(register, sign, 0.0, pictures.limits_e[name], name)
             for name, (register, sign) in buckets.items()
         }
-        self.bits = BitWords(self, digital)
+        self.bits = BitWords(self, digital, unwritten)
+        self.count_e = pictures.count_steps * target.electrons_per_step
         self.costs: list[p.PictureCost] = []
         self.uses = self._uses()
         for name, value in list(self.held.items()):
@@ -59,9 +62,9 @@ class Lowering(Emitter):
     def _uses(self) -> dict[str, int]:
         """How often each image and bucket is still read; what leaves the chip once more."""
         uses: dict[str, int] = dict.fromkeys(self.held, 0)
-        for item in self.pictures.items:
-            uses[item.name] = 0
-            for node in p.subexpressions(item.node):
+        for name, expression in self.pictures.expressions.items():
+            uses[name] = 0
+            for node in p.subexpressions(expression):
                 if isinstance(node, p.Source):
                     uses[node.name] += 1
         for name in self.pictures.outputs:
@@ -70,9 +73,11 @@ class Lowering(Emitter):
 
     def run(self) -> None:
         """Computes every item; `registers` then holds what leaves the chip, by name."""
-        for item in self.pictures.items:
+        for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
             self.is_output = item.name in self.pictures.outputs
+            self.bits.begin(item.name)
+            self.count_ahead(position)
             if isinstance(item.node, p.Condition):
                 self.bits.declare(item.name, item.node)
                 self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
@@ -89,6 +94,12 @@ class Lowering(Emitter):
                 gain = most / max(self.pictures.limits_e.values())
                 words, noise = len(self.words) - before, sqrt(value.variance)
                 self.costs.append(p.PictureCost(item.name, words, gain, noise))
+        before = len(self.words)
+        self.bits.step(self.pictures.states)
+        for state in self.pictures.states:
+            self.costs.append(p.PictureCost(state.name, len(self.words) - before, 0.0, 0.0))
+            before = len(self.words)
+            self.registers[state.name] = self.bits.planes[state.name]
         for name in self.pictures.outputs:
             result = self.held.get(name)
             self.registers[name] = result.register if result else self.bits.planes[name]
@@ -146,6 +157,10 @@ class Lowering(Emitter):
                 return self.absolute(self.value(node.value))
             case p.Chosen():
                 return self.chosen(node)
+            case p.Agreement():
+                return self.counted(split(node)[0])
+            case p.Largest():
+                return self.largest(self.value(node.value), list(self.weights[node.kernel].taps))
 
     def _merged(self, node: p.Value) -> tuple[Weights, p.Value]:
         """Kernels of kernels, and factors of one value, as one kernel."""
@@ -266,7 +281,13 @@ class Lowering(Emitter):
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def sum(self, node: p.Sum) -> Held:
-        """A sum of values: terms of one value are one kernel."""
+        """A sum of values: agreements are counted together, terms of one value are one kernel."""
+        agreements, others = split(node)
+        if agreements.terms:
+            count = self.counted(agreements)
+            if not others:
+                return count
+            return self.added([(1, count), (1, self.value(p.Sum(tuple(others))))])
         taps, inner = self._merged(node)
         if inner is not node:
             return self._shortest(
@@ -276,16 +297,23 @@ class Lowering(Emitter):
 
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
         """The value by that way which takes the fewest words, of those that fit."""
-        best: tuple[int, int] | None = None
+        return self.do_shortest(ways, [1] * len(ways))
+
+    def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
+        """What that way gives which takes the fewest words, of those that fit; a way that does the
+        work of `shares` others counts by its share."""
+        best: tuple[float, int] | None = None
         refused: PictureRefused | None = None
-        for number, way in enumerate(ways):
+        before = len(self.words)
+        for number, (way, share) in enumerate(zip(ways, shares, strict=True)):
             state = self._state()
             try:
                 way()
             except PictureRefused as error:
                 refused = refused or error
             else:
-                best = min(best or (len(self.words), number), (len(self.words), number))
+                words = (len(self.words) - before) / share
+                best = min(best or (words, number), (words, number))
             self._restore(state)
         if best is None:
             assert refused is not None
@@ -298,13 +326,15 @@ class Lowering(Emitter):
             len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
             dict(self.contents),
             bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
+            {name: terms[:] for name, terms in self.ready.items()}, self.walks,
         )  # fmt: skip
 
     def _restore(self, state: tuple[Any, ...]) -> None:
         bits = self.bits
         words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
         del self.words[words:]
-        bits.free, bits.planes, bits.uses, bits.steered = of_bits
+        bits.free, bits.planes, bits.uses, bits.steered, *of_counting = of_bits
+        self.ready, self.walks = of_counting
 
     def _term_by_term(self, node: p.Sum) -> Held:
         """A sum whose terms are computed one after the other."""
@@ -318,7 +348,7 @@ class Lowering(Emitter):
         for factor, value in node.terms:
             term = self.filtered(self.value(value), {(0, 0): abs(factor)})
             signed_terms.append((1 if factor > 0 else -1, term))
-        return self._added(signed_terms)
+        return self.added(signed_terms)
 
     def _nothing(self) -> Held:
         """A value that is 0."""
@@ -327,7 +357,7 @@ class Lowering(Emitter):
         self.word(op("bus", [register]))
         return Held(register, 1, 0.0, 0.0)
 
-    def _added(self, signed_terms: list[tuple[int, Held]]) -> Held:
+    def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
         """The sum of values that are held, each with its sign in the sum."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
@@ -366,6 +396,30 @@ class Lowering(Emitter):
         most = max(abs(value.low), abs(value.high))
         least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
         return Held(register, 1, least, most, variance=value.variance + 2)
+
+    def largest(self, value: Held, places: Sequence[tuple[int, int]]) -> Held:
+        """The largest of the values at these places, compared one after the other.
+
+        A register holds minus the largest one so far; a larger one replaces it.
+        """
+        if value.sign < 0:
+            value = self.negated(value)
+        name, uses = value.name or f"largest {len(self.words)}", len(places)
+        self.uses[name] = self.uses[name] - 1 + uses if value.name else uses
+        value = self.held[name] = replace(value, name=name)
+        register, variance = "", 0.0
+        for at in places:
+            neighbour = value if at == (0, 0) else self.filtered(value, {at: Fraction(1)})
+            variance = max(variance, neighbour.variance + 1)
+            self.everywhere()
+            if register:
+                self.word(op("where", [], [register, neighbour.register]))
+            else:
+                register = self.take()
+            self.word(op("bus", [register], [neighbour.register]))
+            self.everywhere()
+            self.give(neighbour)
+        return Held(register, -1, value.low, value.high, variance=variance)
 
     def chosen(self, node: p.Chosen) -> Held:
         """One value where a condition is 1, another one where it is 0."""

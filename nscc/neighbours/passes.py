@@ -8,6 +8,8 @@ from fractions import Fraction
 from math import ceil, log2
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.lower.resources import time_text
+from nscc.lower.timeline import RETENTION_SHARE
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
@@ -16,9 +18,9 @@ from nscc.program.program import Program
 from nscc.prove.meaning import reaches
 from nscc.source import Span
 from nscc.syntax.parse import parse
-from nscc.syntax.tree import Image, Plane
+from nscc.syntax.tree import Image, Next, Plane
 from nscc.words.container import Container
-from nscc.words.encoding import encode
+from nscc.words.encoding import encode, matching
 from nscc.words.pictures import Condition, Pictures, Sum, TailLaunch
 
 
@@ -27,11 +29,12 @@ def with_pictures(
 ) -> tuple[Container, Sequence[Diagnostic]]:
     """Return the container with the words of the program's images and planes, or diagnostics.
 
-    The diagnostics: too few registers or too little instruction store (NS0535), values beyond the
-    range of the registers (NS0540), and images that read pixels too far away (NS0541)."""
+    The diagnostics: states that fade within a frame (NS0602), too few registers or too little
+    instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
+    read pixels too far away (NS0541)."""
     pictures = program.pictures
     assert pictures is not None
-    far = _too_far(pictures, program)
+    far = _too_far(pictures, program) or _fading(pictures, program)
     if far is not None:
         return container, [far]
     try:
@@ -49,7 +52,7 @@ def with_pictures(
     complete = replace(container, pictures=with_words)
     most = container.target.store_words
     if complete.words_stored > most:
-        full = PictureRefused("store", with_words.items[-1].name, complete.words_stored, most)
+        full = PictureRefused("store", with_words.costs[-1].name, complete.words_stored, most)
         return container, [_refusal(full, container, program, level)]
     return complete, []
 
@@ -67,8 +70,10 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
         name for name in target.digital_registers
         if name not in container.code_registers and name not in guarded
     ]  # fmt: skip
+    exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
+    written = {name for word in exposing if word is not None for name in word.destinations}
     synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
-    lowering = Lowering(pictures, target, buckets, digital, synthesis)
+    lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
     lowering.run()
     return lowering
 
@@ -107,9 +112,9 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
 
 
 def _place(program: Program, name: str) -> Span:
-    """Return the span of the statement that declares an image or a plane."""
+    """Return the span of the statement that declares an image or a plane, or of a state's step."""
     for statement in parse(program.source)[0].statements:
-        if isinstance(statement, Image | Plane) and statement.name.text == name:
+        if isinstance(statement, Image | Plane | Next) and statement.name.text == name:
             return statement.span
     return program.frame.span
 
@@ -132,6 +137,27 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
                     data={"resource": "reach", "required": size, "available": limit},
                 )
     return None
+
+
+def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
+    """NS0602, for states that no word writes for longer than registers keep their bits."""
+    target = program.target
+    keep_us = RETENTION_SHARE * target.digital_retention_us
+    values_read = sum(name not in pictures.planes for name in pictures.reads)
+    frame_us = sum(program.frame.slot_us) + values_read * target.readout_us
+    if not pictures.states or frame_us <= keep_us:
+        return None
+    return Diagnostic(
+        "NS0602",
+        f"digital registers lose their bits within this frame: it lasts {time_text(frame_us)} with "
+        f"its readouts; {target.name} keeps them for {time_text(target.digital_retention_us)}",
+        source=program.source,
+        label=Label(program.frame.span, "too long for a state that is kept"),
+        notes=(f"a state is written once a frame, after the last slot; {RETENTION_SHARE:.0%} of "
+               "the time may be used",),
+        helps=("use shorter slots, or read fewer images",),
+        data={"resource": "retention_us", "required": frame_us, "available": keep_us},
+    )  # fmt: skip
 
 
 def _refusal(

@@ -20,6 +20,9 @@ PREDEFINED = {
     "cols": "the number of columns of the array",
 }
 
+_OF_PIXELS = ("x", "y")
+"""Predefined names that images and planes may have: only `pixels FIELD = ..` reads them."""
+
 LOOKS = "looks"
 """In version 2, the name of the number of boundaries with at least one sense, up to the current
 one."""
@@ -65,8 +68,15 @@ class Declarations:
     @property
     def looking(self) -> bool:
         """Whether the shutters depend on more than the code and the slot."""
+        if self.keeps_planes:
+            return False
         reads = () if self.pictures or self.reports else self.reads
         return bool(self.senses or self.states or self.nexts or reads or self.reset)
+
+    @property
+    def keeps_planes(self) -> bool:
+        """Whether states step on images and planes, after the last slot."""
+        return bool(self.states and self.pictures and not (self.senses or self.reset))
 
     @property
     def has_pixels(self) -> bool:
@@ -155,7 +165,7 @@ class _Gatherer:
                 if self._new(statement.name):
                     declared.kernels[statement.name.text] = statement
             case tree.Image() | tree.Plane():
-                if self._new(statement.name):
+                if self._new(statement.name, *_OF_PIXELS):
                     declared.pictures.append(statement)
             case tree.Outside():
                 if self._once("outside", declared.outside, statement):
@@ -202,8 +212,8 @@ class _Gatherer:
         self.problems.error("NS0205", message, second.span, "the second", related=related)
         return False
 
-    def _new(self, name: tree.Name) -> bool:
-        meaning = PREDEFINED.get(name.text)
+    def _new(self, name: tree.Name, *allowed: str) -> bool:
+        meaning = None if name.text in allowed else PREDEFINED.get(name.text)
         if name.text == LOOKS and self.declared.version > 1:
             meaning = "the number of looks so far"
         if meaning is not None:

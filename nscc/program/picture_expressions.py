@@ -10,23 +10,20 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Fix
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
-from nscc.program.looking import level_e
 from nscc.program.names import Declarations
+from nscc.program.picture_comparisons import PictureComparer, WrongPicture, picture_sum
 from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
 
 Kind = Literal["image", "plane", "bucket"]
-_FUNCTIONS = ("abs", "any", "all", "agree", "max", "min")
+_FUNCTIONS = ("abs", "agree", "max", "min")
 
 
-class _Wrong(Exception):
-    """Raised after an error in an expression was reported."""
-
-
-class Reader:
-    """A reader of expressions in the order of the text; `kinds` are the names declared so far."""
+class Reader(PictureComparer):
+    """A reader of expressions in the order of the text; `kinds` are the names declared so far.
+    States are planes."""
 
     def __init__(
         self,
@@ -38,33 +35,37 @@ class Reader:
         outside: int | None,
         problems: Problems,
     ) -> None:
-        self.declared, self.constants, self.target = declared, constants, target
-        self.buckets, self.kernels, self.outside = buckets, kernels, outside
-        self.problems = problems
+        super().__init__(declared, constants, target, kernels, problems)
+        self.buckets, self.outside = buckets, outside
         self.kinds: dict[str, Kind] = {}
+        if declared.keeps_planes:
+            self.kinds.update(dict.fromkeys(declared.states, "plane"))
         self.failed: set[str] = set()
         self._outside_asked = False
 
-    def declare(self, name: str, is_plane: bool, *, sound: bool) -> None:
-        """Declare an image or plane for the following expressions; unless `sound`, mark it as
-        invalid."""
-        if not sound:
+    def declare(self, name: str, node: p.Node | None) -> None:
+        """Declare an image or plane for the following expressions; None if it is invalid."""
+        if node is None:
             self.failed.add(name)
+        elif isinstance(node, p.Condition):
+            self.kinds[name] = "plane"
         else:
-            self.kinds[name] = "plane" if is_plane else "image"
+            self.kinds[name] = "image"
+            if (counts := self._counts(node)) is not None:
+                self.counts[name] = counts
 
     def image(self, expr: tree.Expr) -> p.Value | None:
         """Return the image of an expression; None after reporting an error."""
         try:
             return self._image(expr)
-        except _Wrong:
+        except WrongPicture:
             return None
 
     def condition(self, expr: tree.Expr) -> p.Condition | None:
         """Return the plane of an expression; None after reporting an error."""
         try:
             return self._condition(expr)
-        except _Wrong:
+        except WrongPicture:
             return None
 
     # --- images
@@ -74,24 +75,35 @@ class Reader:
             case tree.Name():
                 return self._named_image(expr)
             case tree.Unary(op="-", operand=operand):
-                return _sum((Fraction(-1), self._image(operand)))
+                return picture_sum((Fraction(-1), self._image(operand)))
             case tree.Binary(op="+" | "-" as op, left=left, right=right):
                 sign = Fraction(1 if op == "+" else -1)
-                return _sum((Fraction(1), self._image(left)), (sign, self._image(right)))
+                first, second = self._image(left), self._image(right)
+                self._require_alike(first, second, expr.span)
+                return picture_sum((Fraction(1), first), (sign, second))
             case tree.Binary(op="*" | "/", left=left, right=right):
                 return self._scaled(expr, left, right)
             case tree.IfElse():
-                return p.Chosen(
-                    self._condition(expr.condition), self._image(expr.then),
-                    self._image(expr.otherwise),
-                )  # fmt: skip
+                condition = self._condition(expr.condition)
+                first, second = self._image(expr.then), self._image(expr.otherwise)
+                self._require_alike(first, second, expr.span)
+                return p.Chosen(condition, first, second)
             case tree.Call():
                 return self._call(expr)
         raise self._report(
             "NS0531", "this is not an image", expr.span, "no image",
             ("an image combines `exposure`, buckets and images with `+`, `-`, `* integer`, "
-             "`/ power of two`, kernels, `abs(..)` and `A if PLANE else B`",),
+             "`/ power of two`, kernels, `abs(..)`, `max(EXPR, kernel)`, `agree(PLANE, kernel)` "
+             "and `A if PLANE else B`",),
         )  # fmt: skip
+
+    def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
+        if (self._counts(first) is None) != (self._counts(second) is None):
+            raise self._report(
+                "NS0531", "counts and electrons do not mix", span,
+                "one of the two is a count, made by `agree`",
+                ("compare each of them, and join the planes: `a > 6% and c > 3`",),
+            )  # fmt: skip
 
     def _named_image(self, name: tree.Name) -> p.Value:
         text = name.text
@@ -125,20 +137,26 @@ class Reader:
             )  # fmt: skip
         number = constant(factor, self.constants, self.problems, "a factor")
         if number is None:
-            raise _Wrong
+            raise WrongPicture
         if expr.op == "*":
-            return _sum((Fraction(number), self._image(image)))
+            return picture_sum((Fraction(number), self._image(image)))
         if not is_power_of_two(number):
             refuse_divisor(self.problems, number, factor.span)
-            raise _Wrong
-        return _sum((Fraction(1, number), self._image(image)))
+            raise WrongPicture
+        return picture_sum((Fraction(1, number), self._image(image)))
 
     def _call(self, call: tree.Call) -> p.Value:
         name, arguments = call.function.text, call.arguments
-        if name in ("agree", "max", "min"):
+        if name in ("agree", "max"):
+            kernel = self._kernel_of(call, "EXPR" if name == "max" else "PLANE")
+            if name == "max":
+                return p.Largest(self._image(arguments[0]), kernel)
+            self._needs_outside(call.span)
+            return p.Agreement(self._condition(arguments[0]), kernel)
+        if name == "min":
             raise self._report(
-                "NS0539", f"`{name}` of images is not supported yet", call.span, "not yet",
-                ("use sums, kernels, `abs(..)` and `A if PLANE else B`",),
+                "NS0531", "there is no `min` of images", call.span, "not a function of images",
+                ("write `-max(-EXPR, kernel)`",),
             )  # fmt: skip
         if name in ("any", "all"):
             raise self._report(
@@ -147,7 +165,7 @@ class Reader:
             )  # fmt: skip
         if name != "abs" and name not in self.kernels:
             if name in self.declared.kernels:
-                raise _Wrong
+                raise WrongPicture
             raise self._unknown("a kernel", call.function, "kernel")
         if len(arguments) != 1:
             raise self._report(
@@ -177,7 +195,7 @@ class Reader:
                 x = constant(expr.right, self.constants, self.problems, "columns to the right")
                 y = constant(expr.down, self.constants, self.problems, "rows down")
                 if x is None or y is None:
-                    raise _Wrong
+                    raise WrongPicture
                 return p.At(self._named_plane(expr.base), x, y)
             case tree.Call():
                 return self._any_or_all(expr)
@@ -208,18 +226,25 @@ class Reader:
                 "NS0531", f"`{kind}(..)` is an image, but this must be a plane", call.span,
                 "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
             )  # fmt: skip
-        if len(call.arguments) != 2 or not isinstance(call.arguments[1], tree.Name):
+        kernel = self._kernel_of(call, "PLANE")
+        self._needs_outside(call.span)
+        return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel)
+
+    def _kernel_of(self, call: tree.Call, first: str) -> str:
+        """The kernel that is the second argument of a call."""
+        name, arguments = call.function.text, call.arguments
+        if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
+            what = "a plane" if first == "PLANE" else "an image"
             raise self._report(
-                "NS0531", f"`{kind}` takes a plane and a kernel", call.span, "these arguments",
-                (f"write `{kind}(PLANE, KERNEL)`",),
+                "NS0531", f"`{name}` takes {what} and a kernel", call.span, "these arguments",
+                (f"write `{name}({first}, KERNEL)`",),
             )  # fmt: skip
-        kernel = call.arguments[1]
+        kernel = arguments[1]
         if kernel.text not in self.kernels:
             if kernel.text in self.declared.kernels:
-                raise _Wrong
+                raise WrongPicture
             raise self._unknown("a kernel", kernel, "kernel")
-        self._needs_outside(call.span)
-        return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel.text)
+        return kernel.text
 
     def _needs_outside(self, span: Span) -> None:
         if self.outside is not None or self._outside_asked:
@@ -231,93 +256,12 @@ class Reader:
             helps=("define these bits: `outside 0` or `outside 1`",),
         )  # fmt: skip
 
-    def _compare(self, compare: tree.Compare) -> p.Condition:
-        operands = (compare.first, *compare.later_operands)
-        condition: p.Condition | None = None
-        for op, first, second in zip(
-            compare.ops, operands[:-1], compare.later_operands, strict=True
-        ):
-            if op in ("==", "!="):
-                raise self._report(
-                    "NS0533", "images can be compared only with `>` and `<`", compare.span,
-                    f"this is `{op}`",
-                    ("test whether the image is in a small range: "
-                     "`-2% < image < 2%`",),
-                    notes=("a comparator cannot test whether two charges are equal",),
-                )  # fmt: skip
-            comparison = self._one_comparison(op[0] == ">", first, second, compare.span)
-            condition = comparison if condition is None else p.Joined("and", condition, comparison)
-        assert condition is not None
-        return condition
-
-    def _one_comparison(
-        self, above: bool, first: tree.Expr, second: tree.Expr, span: Span
-    ) -> p.Condition:
-        """Return `first > second` if `above`, else `first < second`; at least one side is
-        an image."""
-        levels = [self._steps(side) for side in (first, second)]
-        if levels[0] is not None and levels[1] is not None:
-            raise self._report(
-                "NS0533", "at least one side of a comparison must be an image", span, "no image",
-                ("compare an image with a level: `image > 6%`",),
-            )  # fmt: skip
-        if levels[0] is not None:
-            return self._one_comparison(not above, second, first, span)
-        value = self._image(first)
-        if levels[1] is None:
-            value = _sum((Fraction(1), value), (Fraction(-1), self._image(second)))
-        test = p.Above(value, levels[1] or 0)
-        return test if above else p.Inverse(test)
-
-    def _steps(self, expr: tree.Expr) -> int | None:
-        """Return a level in steps of IN; None for an expression that is not a level."""
-        sign, inner = 1, expr
-        while isinstance(inner, tree.Unary) and inner.op == "-":
-            sign, inner = -sign, inner.operand
-        if isinstance(inner, tree.Int):
-            if inner.value == 0:
-                return 0
-            raise self._report(
-                "NS0533", "this level has no unit", expr.span, "a number alone",
-                (f"write `{inner.value}%` of a full well, `{inner.value}e` or `{inner.value}lsb`; "
-                 "only `0` needs no unit",),
-            )  # fmt: skip
-        if not isinstance(inner, tree.Amount):
-            return None
-        target = self.target
-        electrons = sign * level_e(float(inner.value), inner.unit, target)
-        steps = round(electrons / target.electrons_per_step)
-        reach = min(target.in_high, -target.in_low)
-        if abs(steps) > reach or steps == 0 != electrons:
-            least, most = target.electrons_per_step, reach * target.electrons_per_step
-            raise self._report(
-                "NS0533", f"the level {electrons:g} e is outside the range of IN", expr.span,
-                "this level",
-                (f"give a level from {100 * least / target.full_well_e:.3g}% to "
-                 f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
-                notes=(f"IN has steps of {least:.4g} e, from 1 to {reach}",),
-            )  # fmt: skip
-        return steps
-
     # --- both
 
-    def _is_number(self, expr: tree.Expr) -> bool:
-        """Return whether an expression contains neither images nor levels."""
-        match expr:
-            case tree.Int():
-                return True
-            case tree.Name():
-                return expr.text in self.declared.lets or expr.text in ("N", "rows", "cols")
-            case tree.Unary(op="-"):
-                return self._is_number(expr.operand)
-            case tree.Binary():
-                return self._is_number(expr.left) and self._is_number(expr.right)
-        return False
-
-    def _unknown(self, category: str, name: tree.Name, kind: str) -> _Wrong:
+    def _unknown(self, category: str, name: tree.Name, kind: str) -> WrongPicture:
         text = name.text
         if text in self.failed or text in self.declared.refused:
-            return _Wrong()
+            return WrongPicture()
         later = [picture for picture in self.declared.pictures if picture.name.text == text]
         if later:
             return self._report(
@@ -327,27 +271,16 @@ class Reader:
         if text in (*self.declared.senses, *self.declared.states):
             return self._report(
                 "NS0539", f"`{text}` in images and planes is not supported yet", name.span,
-                "not yet", ("use only `exposure`, buckets, images and planes",),
+                "not yet",
+                ("use `exposure`, buckets, images, planes, and states that step on them",),
             )  # fmt: skip
         known = {
-            "kernel": [*self.kernels, "abs"],
+            "kernel": [*self.kernels, *_FUNCTIONS[:3]],
             "function": ["any", "all"],
             "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
         }.get(kind, [*self.buckets, *(n for n, k in self.kinds.items() if k == "image")])
         self.problems.unknown(category, text, name.span, known)
-        return _Wrong()
-
-    def _report(
-        self,
-        code: str,
-        message: str,
-        span: Span,
-        label: str,
-        helps: tuple[str, ...],
-        **details: Any,
-    ) -> _Wrong:
-        self.problems.error(code, message, span, label, helps=helps, **details)
-        return _Wrong()
+        return WrongPicture()
 
 
 def is_power_of_two(number: int) -> bool:
@@ -377,18 +310,3 @@ def nearest_power(number: int) -> int:
     """Return the power of two whose ratio to a number above 0 is nearest to 1."""
     low = 1 << (number.bit_length() - 1)
     return low if number / low <= 2 * low / number else 2 * low
-
-
-def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """Return a sum with nested sums expanded, and without terms with factor 0."""
-    flat: list[tuple[Fraction, p.Value]] = []
-    for factor, value in terms:
-        terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
-        flat += [(factor * inner, term) for inner, term in terms_of_value]
-    merged: dict[p.Value, Fraction] = {}
-    for factor, value in flat:
-        merged[value] = merged.get(value, Fraction(0)) + factor
-    nonzero = tuple((factor, value) for value, factor in merged.items() if factor)
-    if len(nonzero) == 1 and nonzero[0][0] == 1:
-        return nonzero[0][1]
-    return p.Sum(nonzero)

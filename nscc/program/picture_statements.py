@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal, cast
 
@@ -11,6 +12,7 @@ from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
+from nscc.program.kept_planes import kept_planes
 from nscc.program.looking import level_e
 from nscc.program.names import Declarations
 from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
@@ -18,6 +20,7 @@ from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax import tree
+from nscc.words.counts import count_unit
 from nscc.words.pictures import Picture, Pictures, PlaneReport, Weights
 
 MOST_SIDE = 9
@@ -73,13 +76,13 @@ class _Maker:
         )
         items = []
         for picture in self.declared.pictures:
-            is_plane = isinstance(picture, tree.Plane)
             node = reader.condition(picture.condition) if isinstance(picture, tree.Plane) else (
                 reader.image(picture.value)
             )  # fmt: skip
-            reader.declare(picture.name.text, is_plane, sound=node is not None)
+            reader.declare(picture.name.text, node)
             if node is not None:
                 items.append(Picture(picture.name.text, node))
+        states = kept_planes(self.declared, self.constants, reader, self.problems)
         reads = self._reads(reader)
         reports = self._reports(reader)
         limits = self._limits()
@@ -90,7 +93,29 @@ class _Maker:
                 helps=("read it out with the frame: `read NAME`",
                        "or report only whether any bit is 1: `report any PLANE`"),
             )  # fmt: skip
-        return Pictures(tuple(known.values()), tuple(items), outside, limits, reads, reports)
+        pictures = Pictures(
+            tuple(known.values()), tuple(items), outside, limits, reads, reports, states=states
+        )
+        return self._with_unit(pictures)
+
+    def _with_unit(self, pictures: Pictures) -> Pictures:
+        """Chooses the electrons of a count; NS0540 where the largest does not fit."""
+        unit = count_unit(pictures, self.target)
+        if unit is None or self.problems.has_errors():
+            return pictures
+        if unit.steps == 0:
+            items = (*self.declared.pictures, *self.declared.nexts.values())
+            place = next(item for item in items if item.name.text == unit.name).span
+            most = unit.steps_available // unit.least
+            self.problems.error(
+                "NS0540", f"`{unit.name}` counts up to {unit.peak}, and registers hold {most}",
+                place, "too many weights at once",
+                notes=(f"a count takes {counted(unit.least, 'step')} of IN or more, and registers "
+                       f"of {self.target.name} hold {unit.steps_available}",),
+                helps=("use smaller kernels, or fewer of them in one sum",),
+                data={"resource": "counts", "required": float(unit.peak), "available": most},
+            )  # fmt: skip
+        return replace(pictures, count_steps=unit.steps)
 
     def _place(self) -> Span:
         declared = self.declared
@@ -114,13 +139,14 @@ class _Maker:
                 helps=("compile for a chip with such pixels: `target scamp5`",),
             )  # fmt: skip
             return False
-        if self.declared.senses or self.declared.states:
+        if self.declared.senses or (self.declared.states and not self.declared.keeps_planes):
             statement = next(iter([*self.declared.senses.values(), *self.declared.states.values()]))
             self.problems.error(
                 "NS0539", "images and planes are not supported together with senses and states yet",
                 statement.span, "declared here",
                 related=(Label(self._place(), "the images"),),
-                helps=("use fixed shutters, or compute images and planes on the host",),
+                helps=("use fixed shutters, or compute images and planes on the host",
+                       "a state that steps on planes needs no sense: `next h = PLANE`"),
             )  # fmt: skip
             return False
         return True

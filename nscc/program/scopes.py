@@ -17,6 +17,7 @@ _FIELD_IN_PIXELS = (
     "the pixel values of a field are computed from x, y, rows and cols, not from other fields"
 )
 _LOOKED = "a sense or a state has a value only in rules, in `next` and in `reset when`"
+_KEPT_PLANE = "a state that steps on images and planes has a value only after the last slot"
 _BOOK = "only rules may use the digits of a codebook"
 
 
@@ -32,7 +33,8 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
     scope.update(dict.fromkeys(declared.books, Meaning("misplaced", note=_BOOK)))
     if declared.version > 1:
         looked = (*declared.senses, *declared.states, LOOKS)
-        scope.update(dict.fromkeys(looked, Meaning("misplaced", note=_LOOKED)))
+        note = _KEPT_PLANE if declared.keeps_planes else _LOOKED
+        scope.update(dict.fromkeys(looked, Meaning("misplaced", note=note)))
     scope.update(constants)
     return _without_refused(scope, declared)
 
@@ -69,7 +71,7 @@ def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     if declared.version > 1:
         scope[LOOKS] = VARIABLE
         scope.update(dict.fromkeys(declared.senses, Meaning("variable", type="boolean")))
-        for name, state in declared.states.items():
+        for name, state in () if declared.keeps_planes else declared.states.items():
             type_: Type = "boolean" if isinstance(state, StateBit) else "integer"
             scope[name] = Meaning("variable", type=type_)
     return _without_refused(scope, declared)

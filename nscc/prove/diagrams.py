@@ -27,15 +27,18 @@ class Diagrams:
         self._values: dict[int, Fraction] = {}
         self._number: dict[object, int] = {}
         self._known: dict[tuple[str, int, int], int] = {}
+        self._multiples: dict[tuple[int, int], dict[int, int]] = {}
+        self._inverses: dict[int, int] = {}
         self._support: dict[int, frozenset[int]] = {}
         self._order: list[tuple[int, int, int]] = []
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
         """Return the diagram of a constant number."""
-        number = self._number.get(value)
+        key = value.as_integer_ratio()  # a fraction itself takes long to look up
+        number = self._number.get(key)
         if number is None:
-            number = self._add(value, (_LEAF, 0, 0))
+            number = self._add(key, (_LEAF, 0, 0))
             self._values[number] = value
         return number
 
@@ -108,11 +111,22 @@ class Diagrams:
 
     def inverse(self, bit: int) -> int:
         """Return `not` of a bit."""
-        return self.add(self.one, self.scaled(Fraction(-1), bit))
+        inverse = self._inverses.get(bit)
+        if inverse is None:
+            inverse = self._inverses[bit] = self.add(self.one, self.scaled(Fraction(-1), bit))
+        return inverse
 
     def scaled(self, factor: Fraction, node: int) -> int:
         """Return a number times a fraction."""
-        return self.times(self.leaf(factor), node)
+        known = self.multiples(factor)
+        product = known.get(node)
+        if product is None:
+            product = known[node] = self.times(self.leaf(factor), node)
+        return product
+
+    def multiples(self, factor: Fraction) -> dict[int, int]:
+        """The products with a fraction that are known so far."""
+        return self._multiples.setdefault(factor.as_integer_ratio(), {})
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
         """Return `then` where the bit is 1 and `otherwise` where it is 0."""

@@ -2,8 +2,9 @@
 
 A form maps unknowns to factors, which may depend on answers of comparisons (`Diagrams`). Unknowns
 are the exposures of pixels, steps of IN, light outside the array, and the content of registers that
-were never written. An answer is the sign of a form: forms that differ by a factor have the same
-answer."""
+were never written. A step of IN that is added only if a bit is 1 is an unknown of its own: counts
+stay linear forms, however many bits they add. An answer is the sign of a form: forms that differ by
+a factor have the same answer."""
 
 from __future__ import annotations
 
@@ -19,6 +20,8 @@ Form = Mapping[Unknown, int]
 """The diagram of each unknown's factor; factors that are 0 are left out."""
 
 IN: Unknown = ("IN", 0, 0)
+COUNTED = "IN where"
+"""The kind of unknowns that are a step of IN where a bit is 1; their number is the bit's."""
 BEYOND = "beyond the array"
 """The kind of unknowns for light or a bus outside the array."""
 
@@ -33,6 +36,7 @@ class Forms:
     _answers: dict[tuple[tuple[Unknown, int], ...], int] = field(default_factory=dict)
     _beyond: set[int] = field(default_factory=set)
     _fresh: int = 0
+    _kept: dict[tuple[str, int, int], int] = field(default_factory=dict)
 
     def places(self) -> list[tuple[int, int]]:
         """Return all pixels (x, y), row by row."""
@@ -51,15 +55,38 @@ class Forms:
         self._fresh += 1
         return {(BEYOND, self._fresh, 0): self.diagrams.one}
 
+    def kept_bit(self, state: str, at: tuple[int, int]) -> int:
+        """The bit with which a state begins the frame."""
+        key = (state, *at)
+        if key not in self._kept:
+            self._kept[key] = self.diagrams.new_variable(at)
+        return self._kept[key]
+
+    def counted(self, bit: int, steps: Fraction) -> Form:
+        """So many steps of IN where a bit is 1. Of a bit and its inverse one is an unknown."""
+        diagrams = self.diagrams
+        if bit == diagrams.zero:
+            return {}
+        if bit == diagrams.one:
+            return {IN: diagrams.leaf(steps)}
+        inverse = diagrams.inverse(bit)
+        if inverse < bit:
+            return {IN: diagrams.leaf(steps), (COUNTED, inverse, 0): diagrams.leaf(-steps)}
+        return {(COUNTED, bit, 0): diagrams.leaf(steps)}
+
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
         """Return the sum of factors times forms."""
-        diagrams = self.diagrams
+        diagrams, zero = self.diagrams, self.diagrams.zero
         total: dict[Unknown, int] = {}
         for factor, form in terms:
+            known = diagrams.multiples(factor)
             for unknown, number in form.items():
-                scaled = number if factor == 1 else diagrams.scaled(factor, number)
-                total[unknown] = diagrams.add(total.get(unknown, diagrams.zero), scaled)
-        return {unknown: number for unknown, number in total.items() if number != diagrams.zero}
+                scaled = known.get(number)
+                if scaled is None:
+                    scaled = diagrams.scaled(factor, number)
+                before = total.get(unknown, zero)
+                total[unknown] = scaled if before == zero else diagrams.add(before, scaled)
+        return {unknown: number for unknown, number in total.items() if number != zero}
 
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
         """Return `then` where the bit is 1 and `otherwise` where it is 0."""
@@ -68,12 +95,24 @@ class Forms:
             return then
         if bit == diagrams.zero or then == otherwise:
             return otherwise
+        steps = self._steps_between(then, otherwise)
+        if steps is not None:
+            unit_factor = Fraction(1)
+            return self.sum((unit_factor, otherwise), (unit_factor, self.counted(bit, steps)))
         zero = diagrams.zero
         numbers = {
             unknown: diagrams.chosen(bit, then.get(unknown, zero), otherwise.get(unknown, zero))
             for unknown in then.keys() | otherwise.keys()
         }
         return {unknown: number for unknown, number in numbers.items() if number != zero}
+
+    def _steps_between(self, first: Form, second: Form) -> Fraction | None:
+        """How many steps of IN one form has more than another; None where they differ in more."""
+        if {**first, IN: 0} != {**second, IN: 0}:
+            return None
+        zero = self.diagrams.zero
+        steps = [self.diagrams.value(form.get(IN, zero)) for form in (first, second)]
+        return None if steps[0] is None or steps[1] is None else steps[0] - steps[1]
 
     def positive(self, form: Form, at: tuple[int, int]) -> int:
         """Return the bit that tells whether a form of the pixel `at` is above 0.
@@ -106,5 +145,8 @@ class Forms:
         if isinstance(value, int):
             return bool(self._beyond and self.diagrams.support(value) & self._beyond)
         return any(
-            unknown[0] == BEYOND or self.depends_beyond(number) for unknown, number in value.items()
+            unknown[0] == BEYOND
+            or self.depends_beyond(number)
+            or (unknown[0] == COUNTED and self.depends_beyond(unknown[1]))
+            for unknown, number in value.items()
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import assert_never
 
@@ -15,24 +16,25 @@ Bits = dict[Place, int]
 
 
 def reaches(pictures: p.Pictures) -> dict[str, Reach]:
-    """The reach of every image and plane by the text."""
+    """The reach of every image, plane and state by the text, in one frame."""
     reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
+    states = {state.name for state in pictures.states}
 
     def reach(node: p.Node) -> Reach:
         if isinstance(node, p.Source | p.Bit):
-            return reach_of.get(node.name, Reach())
+            return Reach() if node.name in states else reach_of.get(node.name, Reach())
         joined = Reach().joined(*map(reach, p.operands(node)))
         match node:
-            case p.Filtered() | p.Near():
+            case p.Filtered() | p.Near() | p.Largest() | p.Agreement():
                 moved = [joined.moved(*place) for place in weights[node.kernel].taps]
                 joined = Reach().joined(*moved)
             case p.At():
                 joined = joined.moved(node.right, node.down)
         return joined
 
-    for item in pictures.items:
-        reach_of[item.name] = reach(item.node)
+    for name, expression in pictures.expressions.items():
+        reach_of[name] = reach(expression)
     return reach_of
 
 
@@ -45,14 +47,17 @@ class PictureMeaning:
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
         self.forms, self.weights = forms, pictures.weights_by_name
-        self.nodes = {item.name: item.node for item in pictures.items}
+        self.nodes = pictures.expressions
+        self.states = {state.name for state in pictures.states}
+        self.count_steps = Fraction(pictures.count_steps)
         diagrams = forms.diagrams
         self.outside = diagrams.one if pictures.outside else diagrams.zero
         self._images: dict[tuple[int, Place], Form] = {}
         self._bits: dict[tuple[int, Place], int] = {}
 
     def value(self, name: str, at: Place) -> Form | int:
-        """What an image, a plane or a bucket is at a pixel of the array."""
+        """What an image, a plane, a bucket or the next value of a state is at a pixel of the
+        array."""
         node = self.nodes.get(name)
         if node is None:
             return self.forms.exposure(name, *at)
@@ -91,7 +96,28 @@ class PictureMeaning:
                 return forms.chosen(
                     bit, self.image(value.then, at), self.image(value.otherwise, at)
                 )
+            case p.Largest():
+                first, *others = self.weights[value.kernel].taps
+                largest = self.image(value.value, (x + first[0], y + first[1]))
+                for dx, dy in others:
+                    form = self.image(value.value, (x + dx, y + dy))
+                    difference = forms.sum((Fraction(1), form), (Fraction(-1), largest))
+                    largest = forms.chosen(forms.positive(difference, at), form, largest)
+                return largest
+            case p.Agreement():
+                if not forms.inside(x, y):
+                    return forms.beyond()
+                return forms.sum(*self._agreeing(value, at))
         assert_never(value)
+
+    def _agreeing(self, value: p.Agreement, at: Place) -> Iterator[tuple[Fraction, Form]]:
+        """A count as a sum: twice the bits that are 1, each with the sign of its weight, less 1."""
+        forms, (x, y) = self.forms, at
+        for (dx, dy), weight in self.weights[value.kernel].taps.items():
+            steps = self.count_steps if weight > 0 else -self.count_steps
+            bit = self.bit(value.condition, (x + dx, y + dy))
+            yield Fraction(1), forms.counted(bit, 2 * steps)
+            yield Fraction(-1), forms.counted(forms.diagrams.one, steps)
 
     def bit(self, condition: p.Condition, at: Place) -> int:
         """A plane at a place."""
@@ -106,13 +132,20 @@ class PictureMeaning:
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():
+                if condition.name in self.states:
+                    return forms.kept_bit(condition.name, at)
                 node = self.nodes[condition.name]
                 assert isinstance(node, p.Condition)
                 return self.bit(node, at)
             case p.Constant():
                 return diagrams.one if condition.bit else diagrams.zero
-            case p.Above():
-                level = {IN: diagrams.leaf(Fraction(-condition.steps))} if condition.steps else {}
+            case p.Above() | p.Exceeds():
+                steps = (
+                    Fraction(condition.steps)
+                    if isinstance(condition, p.Above)
+                    else condition.level * self.count_steps
+                )
+                level = {IN: diagrams.leaf(-steps)} if steps else {}
                 form = self.image(condition.value, at)
                 return forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
             case p.Inverse():

@@ -20,7 +20,7 @@ from nscc.prove.diagrams import TooLarge
 from nscc.prove.forms import IN, Form, Forms
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
-from nscc.words.legality import picture_words
+from nscc.words.legality import decoded, picture_words
 from nscc.words.pictures import Condition
 from nscc.words.reach import Reach, RegisterReaches
 
@@ -57,9 +57,15 @@ def _difference(
     """Return the first difference between register contents and the text; None if there is none."""
     pictures, forms = container.pictures, replay.forms
     assert pictures is not None
-    for name in pictures.outputs:
+    kept = [pictures.registers.get(state.name, "") for state in pictures.states]
+    exposing = {r for words in decoded(container) for op in words for r in op.destinations}
+    if len(set(kept)) < len(kept) or exposing & {*kept}:
+        return "the register of a state holds something else as well"
+    for name in dict.fromkeys((*pictures.outputs, *(state.name for state in pictures.states))):
         register = pictures.registers.get(name, "")
-        contents: Fields | Bits | None = replay.analog.get(register)
+        contents: Fields | Bits | None = None
+        if register in replay.analog:
+            contents = replay.fields(register)
         if isinstance(meaning.nodes.get(name), Condition):
             contents = replay.digital.get(register)
         if contents is None:
@@ -76,12 +82,22 @@ def _difference(
 
 
 @dataclass
+class Masked:
+    """What a register holds after a word that wrote it where FLAG was 1: worked out only where
+    somebody reads it elsewhere."""
+
+    flag: Bits
+    written: Fields
+    before: Fields | Masked
+
+
+@dataclass
 class PictureReplay:
     """The registers of a small array of pixels while the words after an exposure run."""
 
     container: Container
     forms: Forms
-    analog: dict[str, Fields] = field(default_factory=dict)
+    analog: dict[str, Fields | Masked] = field(default_factory=dict)
     digital: dict[str, Bits] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -100,9 +116,28 @@ class PictureReplay:
                 self.analog[name] = {at: self._junk(name, *at) for at in places}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.unknown_bit(at) for at in places}
+        pictures = container.pictures
+        assert pictures is not None
+        for state in pictures.states:
+            register = pictures.registers.get(state.name, "")
+            self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}
 
     def _junk(self, name: str, x: int, y: int) -> Form:
         return {(f"what {name} held", x, y): self.forms.diagrams.one}
+
+    def fields(self, name: str, flag: Bits | None = None) -> Fields:
+        """What an analog register holds; with `flag`, what it holds where that is 1."""
+        held, masked = self.analog[name], []
+        if isinstance(held, Masked) and flag is not None and held.flag == flag:
+            return held.written
+        while isinstance(held, Masked):
+            masked.append(held)
+            held = held.before
+        chosen = self.forms.chosen
+        for each in reversed(masked):
+            held = {at: chosen(bit, each.written[at], held[at]) for at, bit in each.flag.items()}
+        self.analog[name] = held
+        return held
 
     def run(self, op: Op, level: int | None) -> None:
         """Run one word in all pixels, with IN at `level` steps."""
@@ -116,7 +151,7 @@ class PictureReplay:
             case WordEffect.FLAG_DIGITAL:
                 self.digital["FLAG"] = self._or_sources(op)
             case WordEffect.FLAG_ANALOG:
-                before, totals = self.digital["FLAG"], self._totals(op, level)
+                before, totals = self.digital["FLAG"], self._totals(op, level, Fraction(1))
                 flags = {at: forms.positive(total, at) for at, total in totals.items()}
                 if self.container.target.where_obeys_flag:
                     times = forms.diagrams.times
@@ -131,10 +166,12 @@ class PictureReplay:
             case _:
                 raise PictureReplayError(f"`{op}` cannot run after the exposure")
 
-    def _totals(self, op: Op, level: int | None) -> Fields:
-        """Return the sum of a word's analog sources in every pixel."""
+    def _totals(
+        self, op: Op, level: int | None, factor: Fraction, flag: Bits | None = None
+    ) -> Fields:
+        """Return the sum of a word's analog sources in every pixel, times a factor; with `flag`,
+        only where it is 1."""
         forms = self.forms
-        unit_factor = Fraction(1)
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
             if name == "IN":
@@ -143,16 +180,14 @@ class PictureReplay:
                 steps = {IN: forms.diagrams.leaf(Fraction(level))} if level else {}
                 fields.append(dict.fromkeys(forms.places(), steps))
             elif name in NEIGHBOURS:
-                fields.append(self._moved(self.analog["NEWS"], *STEPS[name]))
+                fields.append(self._moved(self.fields("NEWS"), *STEPS[name]))
                 if not self.container.target.news_read_keeps:
                     self.analog["NEWS"] = {at: forms.beyond() for at in forms.places()}
             elif name in self.analog:
-                fields.append(self.analog[name])
+                fields.append(self.fields(name, flag))
             else:
                 raise PictureReplayError(f"`{op}` reads {name} after the exposure")
-        return {
-            at: forms.sum(*((unit_factor, field[at]) for field in fields)) for at in forms.places()
-        }
+        return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.places()}
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """Return for each pixel the value of the pixel at an offset (columns to the right, rows
@@ -168,22 +203,18 @@ class PictureReplay:
 
     def _bus(self, op: Op, level: int | None) -> None:
         forms, flag = self.forms, self.digital["FLAG"]
-        directed = NEIGHBOURS.keys() & {*op.sources, *op.destinations}
-        if directed and any(bit != forms.diagrams.one for bit in flag.values()):
+        masked = any(bit != forms.diagrams.one for bit in flag.values())
+        if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:
             raise PictureReplayError(
                 f"`{op}` accesses neighbours while FLAG is not 1 in all pixels"
             )
-        factor = Fraction(-1, op.operation.divisor)
-        values = {at: forms.sum((factor, total)) for at, total in self._totals(op, level).items()}
+        values = self._totals(op, level, Fraction(-1, op.operation.divisor), flag)
         for name in op.destinations:
             if name in NEIGHBOURS:
                 right, down = STEPS[name]
                 self.analog["NEWS"] = self._moved(values, -right, -down)
                 continue
-            previous = self.analog[name]
-            self.analog[name] = {
-                at: forms.chosen(flag[at], values[at], previous[at]) for at in previous
-            }
+            self.analog[name] = Masked(flag, values, self.analog[name]) if masked else values
 
     def _or_sources(self, op: Op) -> Bits:
         """Return the OR of a word's digital sources."""

@@ -90,8 +90,10 @@ def lex(source: Source) -> Tokens:
     return tokens
 
 
-_PICTURES = ("image", "plane", "assume")
+_PICTURES = ("image", "plane", "assume", "next")
 """The statements of version 3 whose operands may be levels."""
+_OF_TWO = re.compile(r"\[[^\[\]]*,")
+"""The bracket after a plane, not that of a field."""
 
 
 def _of_picture(
@@ -99,7 +101,10 @@ def _of_picture(
 ) -> Token | None:
     """Return the token as statements of version 3 read it, or None if it is the same."""
     start, text = span_of(token).start, tokens.source.text
-    if amount := level.match(text, start):
+    if statement == "next" and tokens.version < 3:
+        return None
+    before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]
+    if (statement != "next" or before == ["COMPARISON"]) and (amount := level.match(text, start)):
         return Token("AMOUNT", amount.group(), start, end_pos=amount.end())
     if statement == "assume":
         return None
@@ -107,7 +112,8 @@ def _of_picture(
         return token.update(type="FUNCTION")
     if token == "exposure":
         return token.update(type="NAME")
-    if token == "[" and tokens.kinds[-1:] == ["NAME"]:
+    is_place = statement != "next" or _OF_TWO.match(text, start)
+    if token == "[" and tokens.kinds[-1:] == ["NAME"] and is_place:
         return token.update(type="PLACE")
     return None
 

@@ -130,6 +130,11 @@ class Container:
         return tuple(name for name in self.pictures.reads if name in self.buckets)
 
     @property
+    def keeps_planes(self) -> bool:
+        """Whether planes go on from frame to frame."""
+        return self.pictures is not None and bool(self.pictures.states)
+
+    @property
     def words_stored(self) -> int:
         """The number of words in the chip's store."""
         after = self.pictures.kernels if self.pictures else ()

@@ -81,6 +81,24 @@ class Chosen:
     otherwise: Value
 
 
+@dataclass(frozen=True)
+class Largest:
+    """The largest value of the neighbours of `value` that have a weight other than 0."""
+
+    value: Value
+    kernel: str
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """A count: of each neighbour that has a weight other than 0, +1 where its bit is 1 and the
+    weight above 0, or its bit 0 and the weight below 0; else -1. Bits beyond the array are the
+    program's `outside`."""
+
+    condition: Condition
+    kernel: str
+
+
 # --- planes ---------------------------------------------------------------------------------------
 
 
@@ -104,6 +122,14 @@ class Above:
 
     value: Value
     steps: int
+
+
+@dataclass(frozen=True)
+class Exceeds:
+    """Whether a count is above a level, which lies half-way between two that are attainable."""
+
+    value: Value
+    level: Fraction
 
 
 @dataclass(frozen=True)
@@ -142,8 +168,8 @@ class At:
     down: int
 
 
-Value = Source | Sum | Filtered | Absolute | Chosen
-Condition = Bit | Constant | Above | Inverse | Joined | Near | At
+Value = Source | Sum | Filtered | Absolute | Chosen | Largest | Agreement
+Condition = Bit | Constant | Above | Exceeds | Inverse | Joined | Near | At
 Node = Value | Condition
 
 
@@ -158,6 +184,16 @@ class Picture:
     def is_plane(self) -> bool:
         """Whether it is a plane."""
         return isinstance(self.node, Condition)
+
+
+@dataclass(frozen=True)
+class KeptPlane:
+    """A state: a plane that outlasts the frame. It starts with `start` in all pixels. Images and
+    planes see its value of the frame before; `next` is evaluated after all of them."""
+
+    name: str
+    start: bool
+    next: Condition
 
 
 @dataclass(frozen=True)
@@ -204,7 +240,8 @@ class Pictures:
     bit is read. `limits_e` are the largest assumed exposures in electrons, by bucket. `reads` are
     the images, planes and buckets that are read out with the frame. `kernels` run in the order of
     `launches`, after all words of the exposure; `registers` then contain the images and planes that
-    are read or reported."""
+    are read or reported. `count_steps` are the steps of IN for one count, 0 if nothing is
+    counted."""
 
     weights: tuple[Weights, ...]
     items: tuple[Picture, ...]
@@ -216,6 +253,20 @@ class Pictures:
     launches: tuple[TailLaunch, ...] = ()
     registers: Mapping[str, str] = field(default_factory=dict)
     costs: tuple[PictureCost, ...] = ()
+    states: tuple[KeptPlane, ...] = ()
+    count_steps: int = 0
+
+    @property
+    def expressions(self) -> dict[str, Node]:
+        """Images, planes and the next values of states, by name in the order of evaluation."""
+        items: dict[str, Node] = {item.name: item.node for item in self.items}
+        return items | {state.name: state.next for state in self.states}
+
+    @property
+    def planes(self) -> frozenset[str]:
+        """The names of planes and states."""
+        items = self.expressions.items()
+        return frozenset(name for name, node in items if isinstance(node, Condition))
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:
@@ -243,7 +294,8 @@ class Pictures:
 _NODES = {
     cls.__name__: cls
     for cls in (
-        Source, Sum, Filtered, Absolute, Chosen, Bit, Constant, Above, Inverse, Joined, Near, At
+        Source, Sum, Filtered, Absolute, Chosen, Largest, Agreement,
+        Bit, Constant, Above, Exceeds, Inverse, Joined, Near, At,
     )
 }  # fmt: skip
 
@@ -253,11 +305,11 @@ def operands(node: Node) -> tuple[Node, ...]:
     match node:
         case Sum():
             return tuple(value for _, value in node.terms)
-        case Filtered() | Absolute() | Above():
+        case Filtered() | Absolute() | Largest() | Above() | Exceeds():
             return (node.value,)
         case Chosen():
             return (node.condition, node.then, node.otherwise)
-        case Inverse() | Near() | At():
+        case Agreement() | Inverse() | Near() | At():
             return (node.condition,)
         case Joined():
             return (node.first, node.second)
@@ -276,6 +328,8 @@ def to_plain(node: Node) -> list[Any]:
     if isinstance(node, Sum):
         terms = [[f.numerator, f.denominator, to_plain(value)] for f, value in node.terms]
         return ["Sum", *terms]
+    if isinstance(node, Exceeds):
+        return ["Exceeds", to_plain(node.value), *node.level.as_integer_ratio()]
     values = (getattr(node, field.name) for field in fields(node))
     return [type(node).__name__, *(to_plain(v) if isinstance(v, Node) else v for v in values)]
 
@@ -287,6 +341,9 @@ def from_plain(plain: Any) -> Node:
         if name == "Sum":
             terms: Any = tuple((Fraction(n, d), from_plain(value)) for n, d, value in values)
             return Sum(terms)
+        if name == "Exceeds":
+            count: Any = from_plain(values[0])
+            return Exceeds(count, Fraction(*values[1:]))
         arguments: list[Any] = [from_plain(v) if isinstance(v, list) else v for v in values]
         make: Any = _NODES[name]
         node: Node = make(*arguments)

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from nscc.words.pictures import (
-    Filtered,
-    Near,
+    Condition,
+    KeptPlane,
     Picture,
     PictureCost,
     Pictures,
@@ -29,7 +29,11 @@ _WIDTH = 96
 
 def header_of(pictures: Pictures) -> dict[str, Any]:
     """Return the header of images and planes as JSON values."""
-    return {
+    counting = {
+        "states": [[s.name, int(s.start), to_plain(s.next)] for s in pictures.states],
+        "count_steps": pictures.count_steps,
+    }  # only where there are some
+    return {name: value for name, value in counting.items() if value} | {
         "kernels": [[k.name, [list(row) for row in k.rows], k.divisor] for k in pictures.weights],
         "items": [[item.name, to_plain(item.node)] for item in pictures.items],
         "outside": pictures.outside,
@@ -65,9 +69,21 @@ def pictures_from(header: Any) -> Pictures:
                 PictureCost(str(name), int(words), float(peak), float(noise))
                 for name, words, peak, noise in header["costs"]
             ),
+            tuple(
+                KeptPlane(str(name), bool(start), _condition(step))
+                for name, start, step in header.get("states", ())
+            ),
+            int(header.get("count_steps", 0)),
         )
     except (TypeError, KeyError, AttributeError) as error:
         raise ValueError("the header's pictures are malformed") from error
+
+
+def _condition(plain: Any) -> Condition:
+    node = from_plain(plain)
+    if not isinstance(node, Condition):
+        raise ValueError("the next value of a state is no plane")
+    return node
 
 
 def to_text(pictures: Pictures) -> Iterator[str]:
@@ -91,18 +107,21 @@ def faults(container: Container) -> Iterator[str]:
     pictures = container.pictures
     if pictures is None:
         return
-    known: set[str] = {*container.buckets}
+    states = {state.name for state in pictures.states}
+    known: set[str] = {*container.buckets, *states}
     weights = {kernel.name for kernel in pictures.weights}
-    for item in pictures.items:
-        for node in subexpressions(item.node):
+    for expression_name, expression in pictures.expressions.items():
+        for node in subexpressions(expression):
             name = getattr(node, "name", None)
             if name is not None and name not in known:
-                yield f"`{item.name[:40]!a}` reads what is not computed before it"
+                yield f"`{expression_name[:40]!a}` reads what is not computed before it"
                 return
-            if isinstance(node, Filtered | Near) and node.kernel not in weights:
-                yield f"`{item.name[:40]!a}` names a kernel that does not exist"
+            if getattr(node, "kernel", None) not in (None, *weights):
+                yield f"`{expression_name[:40]!a}` names a kernel that does not exist"
                 return
-        known.add(item.name)
+        known.add(expression_name)
+    if pictures.count_steps < 0 or states - pictures.registers.keys():
+        yield "its pictures do not say where states or counts are held"
     if pictures.outside not in (None, 0, 1) or pictures.limits_e.keys() != {*container.buckets}:
         yield "its pictures are malformed"
     if not known.issuperset(pictures.outputs) or not pictures.outputs:
@@ -112,9 +131,9 @@ def faults(container: Container) -> Iterator[str]:
             yield "a word of its pictures is not five 32-bit integers"
             return
     for launch in pictures.launches:
-        level = launch.level
+        level, target = launch.level, container.target
         if launch.kernel not in range(len(pictures.kernels)) or not (
-            level is None or type(level) is int
+            level is None or (type(level) is int and target.in_low <= level <= target.in_high)
         ):
             yield "a launch of its pictures is malformed"
             return

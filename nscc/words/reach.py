@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -50,9 +51,12 @@ class RegisterReaches:
     a neighbour reaches no further than the array where the neighbour's own bit does not.
     """
 
-    def __init__(self, target: Target, words: Iterable[Op], *, bits_known: bool = False) -> None:
+    def __init__(
+        self, target: Target, words: Iterable[Op], *, bits_known: bool = False,
+        before: Mapping[str, Reach] = MappingProxyType({}),
+    ) -> None:  # fmt: skip
         self.target, self.bits_known = target, bits_known
-        self.reach: dict[str, Reach] = {}
+        self.reach: dict[str, Reach] = {**before}
         self._constant: dict[str, bool] = {}
         self._everywhere = False
         for word in words:
@@ -103,10 +107,17 @@ class RegisterReaches:
         return reach
 
 
-def beyond_reaches(container: Container) -> dict[str, Reach]:
-    """How far around a pixel what leaves the chip depends on buses, by name."""
+def beyond_reaches(
+    container: Container, before: Mapping[str, Reach] = MappingProxyType({})
+) -> dict[str, Reach]:
+    """Return how far around a pixel each output and each state depends on buses, by name.
+
+    `before` is the result for the previous frame, on whose states this frame depends."""
     pictures = container.pictures
     assert pictures is not None
     words = (op for op, _ in picture_words(container))
-    reaches = RegisterReaches(container.target, words, bits_known=True)
-    return {name: reaches.of(pictures.registers[name]) for name in pictures.outputs}
+    states = [state.name for state in pictures.states]
+    kept = {pictures.registers[name]: before.get(name, Reach()) for name in states}
+    reaches = RegisterReaches(container.target, words, bits_known=True, before=kept)
+    names = dict.fromkeys((*pictures.outputs, *states))
+    return {name: reaches.of(pictures.registers[name]) for name in names}

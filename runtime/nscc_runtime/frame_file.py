@@ -13,7 +13,8 @@ A program with images and planes also has, for every image that it reads, `image
 uint8 (32: a value left the range of registers). For every plane it has `plane_NAME` bool, for
 reports `report_any_NAME`, `report_events_NAME` (with `_count` and `_overflow`) and
 `report_box_NAME`, and `margin` bool: pixels that depend on light beyond the array. `frame` then
-contains the buckets that the program reads, possibly none.
+contains the buckets that the program reads, possibly none. `image_unit` in `meta` has the electrons
+of a count for every image of counts that is read.
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
 it reads, `open_slots` int64 (buckets, rows, cols), the number of slots in which each pixel was
@@ -273,11 +274,23 @@ def meta(
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
+        **({"image_unit": unit} if container and (unit := image_unit(container)) else {}),
         **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
     }
+
+
+def image_unit(container: Container) -> dict[str, float]:
+    """The electrons of a count, for each image of counts that is read."""
+    from nscc.words.counts import counts_by_name
+
+    pictures = container.pictures
+    if pictures is None:
+        return {}
+    unit_e = pictures.count_steps * container.target.electrons_per_step
+    return {name: unit_e for name in counts_by_name(pictures) if name in pictures.reads}
 
 
 def open_us(container: Container) -> list[float] | None:

@@ -63,6 +63,8 @@ class Request:
     threads: int | None = None
     torch_device: str | None = None
     turn: Turn | None = None
+    next_lights: tuple[Light, ...] = ()
+    """Of images and planes: the light of each frame behind the first, where it is another one."""
 
     @classmethod
     def of(
@@ -233,8 +235,12 @@ def _exposing(
         from nscc_runtime.emulator.capture import check
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
-        check(container, light)
+        lights = (light, *request.next_lights)
+        for frame_light in lights:
+            check(container, frame_light)
         program = PicturedProgram(container, sensor, effects, threads)
+        if request.next_lights:
+            return partial(program.film, lights, request.seed, request.device_seed)
         return partial(program.frames, light, request.seed, request.device_seed, count)
     frames: Callable[..., Iterable[Frame]]
     if container.machine is not None:

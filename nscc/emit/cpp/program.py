@@ -42,6 +42,7 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.encoding import decode
+from nscc.words.legality import refuse_picture_states
 from nscc.words.reach import beyond_reaches
 from nscc.words.readout import converter_of, preparation_of
 
@@ -68,6 +69,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     Raises Rejected: NS0520 if the devkit's chip cannot run the program, because of its registers or
     array size, missing pixel data, or no room for the kernels that load codes; NS0521 for words
     that the devkit's library lacks."""
+    refuse_picture_states(container)
     exposure, container = container, with_picture_words(container)
     program, target = lowered.program, container.target
     devkit = devkit_of(target)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import repeat
 from typing import Any
 
 import numpy as np
@@ -23,9 +24,12 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.array_words import ArrayContents, ArrayWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
+from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.sensor import default_sensor
 
 Told = dict[str, NDArray[Any]]
+Planes = dict[str, NDArray[np.bool_]]
+"""Bits (pixels,) by register."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +53,36 @@ class PicturedProgram:
         return image_sensor(self.sensor, self.container.target)
 
     def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
-        """Frames 0 .. `count` - 1 of `light`."""
+        """Frames 0 .. `count` - 1 of `light`, one after the other: states go on."""
+        return self.film(repeat(light, count), seed, device_seed)
+
+    def film(self, lights: Iterable[Light], seed: int, device_seed: int) -> Iterator[Frame]:
+        """A frame of each light, one after the other: states go on."""
         check_adc(self.container.target)
-        for number in range(count):
+        kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
+        reaches = _beyond_reaches(self.container)
+        for number, light in enumerate(lights):
+            if number and self.pictures.states:
+                reaches = beyond_reaches(self.container, reaches)
             exposure = self._exposed(light, seed, device_seed, number)
-            yield self.frame_of(exposure, (seed, device_seed), number)
+            pixels = self._computed(exposure, (seed, device_seed), number, kept_bits)
+            yield self._frame_of(pixels, exposure, (seed, device_seed), number, reaches)
+            kept_bits = self._bits_of_next_frame(pixels)
+
+    def _start_bits(self, pixels: int) -> Planes:
+        """Return the bits of states that the host loads before the first frame."""
+        registers = self.pictures.registers
+        return {registers[s.name]: np.full(pixels, s.start) for s in self.pictures.states}
+
+    def _bits_of_next_frame(self, pixels: ArrayPixels | ArrayContents) -> Planes:
+        """Return the bits of states for the words of the next frame. They are 0 if exposure and
+        readouts take longer than registers keep their bits."""
+        container, pictures = self.container, self.pictures
+        names = [pictures.registers[state.name] for state in pictures.states]
+        values_read = sum(name not in pictures.planes for name in pictures.reads)
+        between_us = sum(container.slot_us) + values_read * container.target.readout_us
+        is_kept = between_us <= retention_us(self.effects, self.sensor)
+        return {name: pixels.bit(name) & is_kept for name in names}
 
     def _exposed(self, light: Light, seed: int, device_seed: int, number: int) -> Exposure:
         if self.effects.noiseless:
@@ -67,9 +96,11 @@ class PicturedProgram:
             seed=seed, device_seed=device_seed, frame=number, threads=self.threads,
         )  # fmt: skip
 
-    def frame_of(self, exposure: Exposure, seeds: tuple[int, int], number: int) -> Frame:
-        """What the words after an exposure make of it, and what is then read out."""
-        pixels = self._computed(exposure, seeds, number)
+    def _frame_of(
+        self, pixels: ArrayPixels | ArrayContents, exposure: Exposure, seeds: tuple[int, int],
+        number: int, reaches: Mapping[str, Reach],
+    ) -> Frame:  # fmt: skip
+        """What is read out after the last word."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
@@ -92,7 +123,7 @@ class PicturedProgram:
         planes = {
             name: pixels.bit(name).reshape(valid.shape) for name in state_registers(self.container)
         }
-        told |= told_of_planes(self.container, planes)
+        told |= told_of_planes(self.container, planes, reaches)
         kept = [name for name in read if name in buckets]
         frame = self._bucket_frame(kept, read, valid, seeds, number)
         return replace(frame, told=told)
@@ -132,7 +163,7 @@ class PicturedProgram:
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
     def _computed(
-        self, exposure: Exposure, seeds: tuple[int, int], number: int
+        self, exposure: Exposure, seeds: tuple[int, int], number: int, kept_bits: Planes
     ) -> ArrayPixels | ArrayContents:
         """The array after the last word."""
         container, pictures = self.container, self.pictures
@@ -146,7 +177,7 @@ class PicturedProgram:
             beyond = values > pictures.limits_e[readout.bucket] * (1 + 1e-9)
             exposed[readout.register] = values / readout.gain
             exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
-        code = {name: plane.reshape(-1) for name, plane in container.planes().items()}
+        code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept_bits
         if self.effects.noiseless:
             words = array_words(container)
             return words.run((shape[0], shape[1]), exposed, exposed_by, code)
@@ -178,13 +209,20 @@ def image_sensor(sensor: Sensor, target: Target) -> Sensor:
     return sensor.changed(**changed)
 
 
-def told_of_planes(container: Container, planes: Mapping[str, NDArray[np.bool_]]) -> Told:
-    """What a frame says of bits, by the digital registers (rows, cols) that hold them."""
+def told_of_planes(
+    container: Container, planes: Mapping[str, NDArray[np.bool_]],
+    reaches: Mapping[str, Reach] | None = None,
+) -> Told:  # fmt: skip
+    """Return the planes, reports and margin of a frame.
+
+    `planes` are the bits (rows, cols) by digital register. `reaches` tells by name how far around a
+    pixel the outputs depend on buses, by default in the first frame."""
     pictures = container.pictures
     assert pictures is not None
-    reaches = _beyond_reaches(container)
-    target = container.target
-    told: Told = {"margin": Reach().joined(*reaches.values()).margin((target.rows, target.cols))}
+    reaches = _beyond_reaches(container) if reaches is None else reaches
+    shape = container.target.rows, container.target.cols
+    outputs = (reaches[name] for name in pictures.outputs)
+    told: Told = {"margin": Reach().joined(*outputs).margin(shape)}
     for name in pictures.reads:
         if pictures.registers[name] in planes:
             told[f"plane_{name}"] = planes[pictures.registers[name]]

@@ -1,0 +1,191 @@
+"""Comparisons of images: with levels of charge, with integers where they are counts, or with each
+other."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from nscc.chips.target import Target
+from nscc.program.constants import constant
+from nscc.program.expressions import Meaning
+from nscc.program.looking import level_e
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems
+from nscc.source import Span
+from nscc.syntax import tree
+from nscc.words import pictures as p
+from nscc.words.counts import CountRange, counts_of
+
+_MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
+
+
+class WrongPicture(Exception):
+    """An expression has an error, which is reported."""
+
+
+class PictureComparer(ABC):
+    """What comparisons need to know: `counts` are the images so far that are counts."""
+
+    def __init__(
+        self,
+        declared: Declarations,
+        constants: Mapping[str, Meaning],
+        target: Target,
+        kernels: Mapping[str, p.Weights],
+        problems: Problems,
+    ) -> None:
+        self.declared, self.constants, self.target = declared, constants, target
+        self.kernels, self.problems = kernels, problems
+        self.counts: dict[str, CountRange] = {}
+
+    @abstractmethod
+    def _image(self, expr: tree.Expr) -> p.Value:
+        """The image that an expression is; raises WrongPicture after reporting why it is none."""
+
+    @abstractmethod
+    def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
+        """Reports an image of counts beside one of electrons, and raises WrongPicture."""
+
+    def _counts(self, value: p.Value) -> CountRange | None:
+        """The values of a count; None for electrons."""
+        return counts_of(value, self.counts, self.kernels)
+
+    def _compare(self, compare: tree.Compare) -> p.Condition:
+        operands = (compare.first, *compare.later_operands)
+        condition: p.Condition | None = None
+        for op, first, second in zip(
+            compare.ops, operands[:-1], compare.later_operands, strict=True
+        ):
+            if op in ("==", "!="):
+                raise self._report(
+                    "NS0533", "charges are compared by `>` and `<`", compare.span,
+                    f"this is `{op}`",
+                    ("a pixel compares with both sides of a small range: "
+                     "`-2% < image < 2%`",),
+                    notes=("no comparator can tell whether two charges are equal",),
+                )  # fmt: skip
+            comparison = self._one_comparison(op, first, second, compare.span)
+            condition = comparison if condition is None else p.Joined("and", condition, comparison)
+        assert condition is not None
+        return condition
+
+    def _one_comparison(
+        self, op: str, first: tree.Expr, second: tree.Expr, span: Span
+    ) -> p.Condition:
+        """A comparison of an image with a level or with another image."""
+        if self._is_level(first):
+            if not self._is_level(second):
+                return self._one_comparison(_MIRRORED[op], second, first, span)
+            raise self._report(
+                "NS0533", "a comparison has an image on at least one side", span, "two levels",
+                ("compare an image with a level: `image > 6%`",),
+            )  # fmt: skip
+        value, level = self._image(first), second
+        if not self._is_level(second):
+            other, level = self._image(second), tree.Int(second.span, 0)
+            self._require_alike(value, other, span)
+            value = picture_sum((Fraction(1), value), (Fraction(-1), other))
+        counts = self._counts(value)
+        if counts is not None:
+            return self._count_comparison(value, counts, op, level)
+        test = p.Above(value, self._steps(level))
+        return test if op[0] == ">" else p.Inverse(test)
+
+    def _is_level(self, expr: tree.Expr) -> bool:
+        """Whether one side of a comparison is a level: with a unit, or a number."""
+        while isinstance(expr, tree.Unary) and expr.op == "-":
+            expr = expr.operand
+        return isinstance(expr, tree.Amount) or self._is_number(expr)
+
+    def _count_comparison(
+        self, value: p.Value, counts: CountRange, op: str, level: tree.Expr
+    ) -> p.Condition:
+        """A comparison of counts, half-way between two that are attainable."""
+        if not self._is_number(level):
+            raise self._report(
+                "NS0533", "a level of counts is an integer", level.span, "with a unit",
+                ("write a number without a unit: `count > 3`",),
+            )  # fmt: skip
+        number = constant(level, self.constants, self.problems, "a level")
+        if number is None:
+            raise WrongPicture
+        split = counts.half_way(Fraction(number), or_equal=op in (">=", "<"))
+        if split is None:
+            raise self._report(
+                "NS0533", f"these counts lie from {counts.low} to {counts.high}: this comparison "
+                "has the same answer in every pixel", level.span, "beyond all counts",
+                (f"compare with a number from {counts.low} to {counts.high}",),
+            )  # fmt: skip
+        test = p.Exceeds(value, split)
+        return test if op[0] == ">" else p.Inverse(test)
+
+    def _steps(self, expr: tree.Expr) -> int:
+        """A level in steps of IN."""
+        sign, inner = 1, expr
+        while isinstance(inner, tree.Unary) and inner.op == "-":
+            sign, inner = -sign, inner.operand
+        if not isinstance(inner, tree.Amount):
+            number = constant(expr, self.constants, self.problems, "a level")
+            if number == 0:
+                return 0
+            raise WrongPicture if number is None else self._report(
+                "NS0533", "a level has a unit", expr.span, "without a unit",
+                (f"write `{number}%` of a full well, `{number}e` or `{number}lsb`; "
+                 "only `0` needs none",),
+            )  # fmt: skip
+        target = self.target
+        electrons = sign * level_e(float(inner.value), inner.unit, target)
+        steps = round(electrons / target.electrons_per_step)
+        reach = min(target.in_high, -target.in_low)
+        if abs(steps) > reach or steps == 0 != electrons:
+            least, most = target.electrons_per_step, reach * target.electrons_per_step
+            raise self._report(
+                "NS0533", f"IN cannot be {electrons:g} e", expr.span, "this level",
+                (f"give a level from {100 * least / target.full_well_e:.3g}% to "
+                 f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
+                notes=(f"IN has steps of {least:.4g} e, up to {reach} of them",),
+            )  # fmt: skip
+        return steps
+
+    def _is_number(self, expr: tree.Expr) -> bool:
+        """Whether an expression has neither images nor levels in it."""
+        match expr:
+            case tree.Int():
+                return True
+            case tree.Name():
+                return expr.text in self.declared.lets or expr.text in ("N", "rows", "cols")
+            case tree.Unary(op="-"):
+                return self._is_number(expr.operand)
+            case tree.Binary():
+                return self._is_number(expr.left) and self._is_number(expr.right)
+        return False
+
+    def _report(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        label: str,
+        helps: tuple[str, ...],
+        **details: Any,
+    ) -> WrongPicture:
+        self.problems.error(code, message, span, label, helps=helps, **details)
+        return WrongPicture()
+
+
+def picture_sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
+    """A sum without sums in it, and without terms that add nothing."""
+    flat: list[tuple[Fraction, p.Value]] = []
+    for factor, value in terms:
+        terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
+        flat += [(factor * inner, term) for inner, term in terms_of_value]
+    merged: dict[p.Value, Fraction] = {}
+    for factor, value in flat:
+        merged[value] = merged.get(value, Fraction(0)) + factor
+    nonzero = tuple((factor, value) for value, factor in merged.items() if factor)
+    if len(nonzero) == 1 and nonzero[0][0] == 1:
+        return nonzero[0][1]
+    return p.Sum(nonzero)

@@ -1,0 +1,140 @@
+"""Counts: the values of images that are made of bits, and the electrons that a count takes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from math import floor, gcd, lcm
+
+from nscc.chips.target import Target
+from nscc.words import pictures as p
+
+
+@dataclass(frozen=True)
+class CountRange:
+    """Attainable values lie from `low` to `high`; all are `low` and a multiple of `stride`."""
+
+    low: Fraction
+    high: Fraction
+    stride: Fraction
+
+    @property
+    def peak(self) -> Fraction:
+        """The largest one without its sign."""
+        return max(-self.low, self.high)
+
+    def half_way(self, level: Fraction, *, or_equal: bool) -> Fraction | None:
+        """The level half-way between the counts that are above `level` (or equal to it) and those
+        that are not; None where all are, or none."""
+        places = (level - self.low) / self.stride if self.stride else Fraction(0)
+        below = floor(places)
+        if or_equal and places == below:
+            below -= 1
+        split = self.low + (below + Fraction(1, 2)) * self.stride
+        return split if self.low < split < self.high else None
+
+
+def counts_of(
+    node: p.Value, known: Mapping[str, CountRange], weights: Mapping[str, p.Weights]
+) -> CountRange | None:
+    """The values that a count may have; `known` are those of images by name. None for electrons."""
+    match node:
+        case p.Source():
+            return known.get(node.name)
+        case p.Agreement():
+            number = len(weights[node.kernel].taps)
+            return CountRange(Fraction(-number), Fraction(number), Fraction(2))
+        case p.Sum():
+            return _total([(f, counts_of(value, known, weights)) for f, value in node.terms])
+        case p.Filtered():
+            inner = counts_of(node.value, known, weights)
+            return _total([(weight, inner) for weight in weights[node.kernel].taps.values()])
+        case p.Largest():
+            return counts_of(node.value, known, weights)
+        case p.Absolute():
+            inner = counts_of(node.value, known, weights)
+            if inner is None:
+                return None
+            stride = _common(inner.stride, 2 * inner.low)
+            least = min(abs(inner.low), abs(inner.high))
+            if inner.low <= 0 <= inner.high:
+                least = -inner.low % stride if stride else abs(inner.low)
+            return CountRange(least, inner.peak, stride)
+        case p.Chosen():
+            both = [counts_of(value, known, weights) for value in (node.then, node.otherwise)]
+            first, second = both
+            if first is None or second is None:
+                return None
+            low, high = min(first.low, second.low), max(first.high, second.high)
+            return CountRange(
+                low, high, _common(first.stride, second.stride, first.low - second.low)
+            )
+    return None
+
+
+def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None:
+    low, high, strides = Fraction(0), Fraction(0), []
+    for factor, counts in terms:
+        if counts is None:
+            return None
+        ends = factor * counts.low, factor * counts.high
+        low, high = low + min(ends), high + max(ends)
+        strides.append(factor * counts.stride)
+    return CountRange(low, high, _common(*strides)) if terms else None
+
+
+def _common(*numbers: Fraction) -> Fraction:
+    """The largest number of which all are multiples; 0 of zeros."""
+    divisor = lcm(*(number.denominator for number in numbers))
+    return Fraction(gcd(*(int(number * divisor) for number in numbers)), divisor)
+
+
+def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
+    """The counts among the images of a program."""
+    known: dict[str, CountRange] = {}
+    for item in pictures.items:
+        if not isinstance(item.node, p.Condition):
+            counts = counts_of(item.node, known, pictures.weights_by_name)
+            if counts is not None:
+                known[item.name] = counts
+    return known
+
+
+@dataclass(frozen=True)
+class CountUnit:
+    """How many `steps` of IN a count takes: as many as fit `steps_available`, a multiple of `least`
+    (0 where that is too much). `peak` is the largest count, of the image or plane `name`."""
+
+    steps: int
+    steps_available: int
+    least: int
+    peak: Fraction
+    name: str
+
+
+def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
+    """The steps of IN for the counts of a program; None where nothing is counted.
+
+    A count must fit the registers and IN, and levels and factors must be whole steps.
+    """
+    known, weights = counts_by_name(pictures), pictures.weights_by_name
+    peak, name, least = Fraction(0), "", 1
+    for item, expression in pictures.expressions.items():
+        for node in p.subexpressions(expression):
+            if isinstance(node, p.Exceeds):
+                least = lcm(least, node.level.denominator)
+            terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
+            factors = [factor for factor, term in terms if isinstance(term, p.Agreement)]
+            if factors:  # where all bits are 1, IN adds two counts for each of them at once
+                least = lcm(least, *(factor.denominator for factor in factors))
+                peak, name = max((peak, name), (2 * sum(map(abs, factors), Fraction(0)), item))
+            if not isinstance(node, p.Condition):
+                counts = counts_of(node, known, weights)
+                if counts is not None:
+                    peak, name = max((peak, name), (counts.peak, item))
+    if not name:
+        return None
+    full_e = min(target.register_max_e, -target.register_min_e)
+    most = min(target.in_high, -target.in_low, floor(full_e / target.electrons_per_step))
+    return CountUnit(floor(most / peak) // least * least, most, least, peak, name)

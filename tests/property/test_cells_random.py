@@ -1,0 +1,77 @@
+"""Random recurrent cells: every count, plane and state of every frame is what SciPy makes of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cells_oracle import Cell, random_cell
+from marks import slow
+
+from nscc.chips.load import builtin_target
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
+from nscc.words.container import Container
+from nscc.words.file import from_bytes, to_bytes
+from nscc_runtime.effects import selected
+from nscc_runtime.frame_file import image_unit
+from nscc_runtime.light import Light
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
+from nscc_runtime.sensor import default_sensor
+
+ROWS, COLS, FRAMES = 40, 44, 4
+CHUNKS, CELLS = 34, 10
+ALLOWED = {"NS0533", "NS0535", "NS0540", "NS0541"}
+"""What a cell may be refused for: a comparison that is always true, or too little room."""
+MOST_REFUSED = 0.3
+
+
+def compiled(text: str) -> Container | None:
+    """The proved container for a small array; None where the cell is refused for good."""
+    target = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
+    try:
+        made = run_passes(
+            Source("cell.nsl", text), Path(), Options(level=0, target=target, cache=False)
+        )
+    except Rejected as rejected:
+        if {d.code for d in rejected.diagnostics if d.severity.value == "error"} <= ALLOWED:
+            return None
+        raise
+    assert made.container is not None
+    return made.container
+
+
+def check_film(cell: Cell, container: Container, seed: int) -> None:
+    """The emulator's film of random light is what the oracle says, frame by frame."""
+    rng = np.random.default_rng(seed)
+    lights = rng.integers(0, 30000, (FRAMES, 1, ROWS, COLS)).astype(np.float32)
+    runner = PicturedProgram(
+        container, default_sensor(container.target), selected("none"), threads=1
+    )
+    frames = runner.film((Light.of_clip(light) for light in lights), seed, seed)
+    states = {name: np.full((ROWS, COLS), start) for name, start in cell.start.items()}
+    units = image_unit(container)
+    for light, frame in zip(lights, frames, strict=True):
+        known, states = cell.step(light[0].astype(np.float64), states)
+        assert not frame.told["margin"].any()
+        for name, bits in states.items():
+            assert np.array_equal(frame.told[f"plane_{name}"], bits)
+        for name, unit_e in units.items():
+            np.testing.assert_allclose(frame.told[f"image_{name}"] / unit_e, known[name], atol=1e-9)
+
+
+@pytest.mark.parametrize("chunk", [slow(c) if c >= 4 else c for c in range(CHUNKS)])
+def test_cells_compute_what_the_text_says(chunk: int) -> None:
+    refused = 0
+    for seed in range(chunk * CELLS, (chunk + 1) * CELLS):
+        cell = random_cell(seed, most_side=5 if chunk < 4 else 7)
+        container = compiled(cell.text)
+        if container is None:
+            refused += 1
+            continue
+        assert to_bytes(from_bytes(to_bytes(container), "cell.icw")) == to_bytes(container)
+        check_film(cell, container, seed)
+    assert refused <= MOST_REFUSED * CELLS
