@@ -192,7 +192,9 @@ def test_a_state_stays_where_it_was() -> None:
     pictures = container.pictures
     assert pictures is not None
     moved = replace(pictures, registers={**pictures.registers, "h": "R11"})
-    assert pictures_fault(replace(container, pictures=moved)) == "`h` is not what the text says"
+    assert pictures_fault(replace(container, pictures=moved)) == (
+        "`h` differs from its expression in the program"
+    )
     writing = StoredKernel("writes", (encode(op("SET", [pictures.registers["h"]])),))
     spoilt = replace(container, kernels=(*container.kernels, writing))
     reason = "the register of a state holds something else as well"
