@@ -82,7 +82,7 @@ def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, .
               metavar="NAME|FILE.toml",
               help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
-              help="How long to search for fewer words.")  # fmt: skip
+              help="Effort of the search for fewer words.")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
               "this length instead of each configuration's shortest.")  # fmt: skip
 @click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
