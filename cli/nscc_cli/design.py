@@ -60,7 +60,7 @@ _MOST_SLOTS = 4096
 @click.option("--target", type=TARGET, default="scamp5", show_default=True,
               metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
-              help="How long to search for fewer words.")  # fmt: skip
+              help="Effort of the search for fewer words.")  # fmt: skip
 @shared.scene_options
 @shared.fit_option("crop")
 @shared.sensor_options

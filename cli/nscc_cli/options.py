@@ -86,7 +86,7 @@ pixels_option = section(COMPILE, option(
 build_options = section(
     COMPILE,
     option("-O", "level", type=LEVEL,
-           help="How long to search for fewer words (default: 2; check: 1)."),
+           help="Effort of the search for fewer words (default: 2; check: 1)."),
     option("--codes", type=Choice(["fixed", "open"]),
            help="Compile for the codes in use, or for every legal one (default: fixed)."),
     option("--lowering", type=Choice(["auto", "accumulate", "latch", "edges"]),

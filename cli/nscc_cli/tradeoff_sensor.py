@@ -78,7 +78,7 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
               metavar="NAME|FILE.toml",
               help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
-              help="How long to search for fewer words.")  # fmt: skip
+              help="Effort of the search for fewer words.")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
               "this length instead of each configuration's shortest.")  # fmt: skip
 @click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",

@@ -75,8 +75,7 @@ class LookingPlan:
 
     @cached_property
     def latches(self) -> bool:
-        """Whether every closing shutter copies, and no shutter opens after the start of the
-        frame."""
+        """Whether every closing shutter stores a copy of PIX, and no shutter opens after slot 0."""
         falls = (
             pair
             for moment in self.moments

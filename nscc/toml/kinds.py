@@ -27,10 +27,10 @@ class Kind(Protocol):
         """Return the end of the sentence "the key must be .."."""
 
     def read(self, value: Any) -> Any:
-        """Return the Python value of a file's value; raise ValueError if it is not allowed."""
+        """Convert a value from a file to a Python value; raise ValueError if it is not allowed."""
 
     def plain(self, value: Any) -> Any:
-        """Return the value that a file contains for a Python value, the inverse of `read`."""
+        """Convert a Python value to the value that a file contains, the inverse of `read`."""
         return value
 
 

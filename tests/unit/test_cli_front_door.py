@@ -112,7 +112,7 @@ def test_build_writes_what_its_help_says(
     assert invoke(["build", "ok.nsl", *options], folder).status == 0
     assert {path.name for path in folder.iterdir()} - before == written
     told = " ".join(invoke(["build", "--help"], folder).out.split())
-    assert "The container is among them where icw or -o asks for it." in told
+    assert "The container is written only with icw or -o." in told
     assert "Also write" not in told
 
 

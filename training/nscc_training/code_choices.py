@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 ORDERED = ("two-phase", "staggered", "cyclic")
-"""Starts of staggered bumps (`nscc_training.encoders.ordered`)."""
+"""Names of initial codes with staggered bumps (`nscc_training.encoders.ordered`)."""
 SCATTERED = ("poisson-disc", "non-adjacent")
-"""Starts in which equal exposure times are far apart (`nscc_training.encoders.scattered`)."""
+"""Names of initial codes in which equal exposure times are far apart
+(`nscc_training.encoders.scattered`)."""
 STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
 
 SLOPED = ("straight-through", "sigmoid", "gumbel")

@@ -109,10 +109,11 @@ def inner(
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
 ) -> list[tuple[bool, int, int]]:
-    """Return gates that would be 1 on `ones` and 0 on `zeros` with one additional source.
+    """Return gates that would be 1 on `ones` and 0 on `zeros` if they had one additional source.
 
-    Each is (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1 and
-    0. The gate also reads all other registers that it may read."""
+    Each item is (inverted, ones', zeros'). `inverted` means a NOR, otherwise the gate is an OR. The
+    additional source must be 1 on ones' and 0 on zeros'. The gate also reads all other registers
+    that it may read."""
     ways = []
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)

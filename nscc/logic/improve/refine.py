@@ -118,7 +118,7 @@ class _Refinery(Generic[P]):
         return improve(solution, self.problem, self.machine, Budget(steps))
 
     def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
-        """Improve a solution with equal segments kept equal, with and without room for more
+        """Improve a solution so that equal segments stay equal, with and without room for more
         segments."""
         priced_solutions = []
         for room in sorted({self.room, 0}, reverse=True):
