@@ -8,6 +8,11 @@ from numpy.typing import NDArray
 Picture = NDArray[np.float32]
 Generator = np.random.Generator
 
+DIRECTIONS = (
+    "right", "down-right", "down", "down-left", "left", "up-left", "up", "up-right",
+)  # fmt: skip
+"""The directions of `moving_texture`, 45 degrees apart."""
+
 
 def still(generator: Generator, size: int) -> Picture:
     """Return a picture (size, size) of light over four to six decades: surfaces, edges, lamps."""
@@ -35,6 +40,26 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
         for texture, mask, place, speed in sprites:
             _paste(light[k], texture, mask, place + speed * k)
     return light
+
+
+def moving_texture(
+    generator: Generator, frames: int, size: int, direction: str, speed: float
+) -> NDArray[np.float32]:
+    """Return a clip (frames, size, size) on 0..1 of a texture that moves by `speed` pixels per
+    frame in one of `DIRECTIONS`, blurred by its motion during each frame.
+
+    The texture is periodic: what leaves the picture enters it on the opposite side. Its statistics
+    are those of its mirror images, so the sum of all frames does not distinguish a direction from
+    its opposite."""
+    angle = DIRECTIONS.index(direction) * (np.pi / 4)
+    down, right = speed * np.sin(angle), speed * np.cos(angle)
+    spectrum = np.fft.rfft2(_unit(_fractal(generator, size, 1.0)))
+    cycles = down * np.fft.fftfreq(size)[:, None] + right * np.fft.rfftfreq(size)[None, :]
+    # Cycles per frame of each frequency: its phase advances, and the exposure averages it.
+    middles = np.arange(frames)[:, None, None] + 0.5
+    moved = spectrum * np.sinc(cycles) * np.exp(-2j * np.pi * cycles * middles)
+    clip = np.fft.irfft2(moved, s=(size, size), axes=(1, 2))
+    return np.clip(clip, 0, 1).astype(np.float32)
 
 
 def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
