@@ -7,7 +7,7 @@ import pytest
 
 pytest.importorskip("torch", reason="the training package is installed with torch")
 
-from nscc_training.made_scenes import DIRECTIONS, moving_texture  # noqa: E402
+from nscc_training.made_scenes import DIRECTIONS, moving_texture
 
 SIZE = 48
 
@@ -19,8 +19,10 @@ def clip_of(direction: str, speed: float = 2.0, seed: int = 3) -> np.ndarray:
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_the_texture_moves_at_its_speed_in_its_direction(direction: str) -> None:
     clip = clip_of(direction)
-    assert clip.shape == (16, SIZE, SIZE) and clip.dtype == np.float32
-    assert clip.min() >= 0 and clip.max() <= 1
+    assert clip.shape == (16, SIZE, SIZE)
+    assert clip.dtype == np.float32
+    assert clip.min() >= 0
+    assert clip.max() <= 1
     first, last = (np.fft.fft2(frame - frame.mean()) for frame in (clip[0], clip[8]))
     likeness = np.fft.ifft2(last * first.conj()).real
     moved = [(int(at) + 24) % SIZE - 24 for at in np.unravel_index(likeness.argmax(), (SIZE, SIZE))]
