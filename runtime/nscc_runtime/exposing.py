@@ -40,6 +40,7 @@ from nscc_runtime.python_arguments import (
     SensorLike,
     changes_of,
     container_of,
+    effects_of,
     laid_of,
     number,
     sensor_of,
@@ -139,7 +140,7 @@ def capture(
         check_device(call, torch_device)
     file = _plan(call, plan)
     request = Request.of(
-        effects=_effects(call, effects), tolerance=_tolerance(call, "tolerance", tolerance),
+        effects=effects_of(call, effects), tolerance=_tolerance(call, "tolerance", tolerance),
         tolerance_max=_tolerance(call, "tolerance_max", tolerance_max), plan=file,
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
         repeat=repeat, threads=threads, torch_device=torch_device, turn=turn,
@@ -264,7 +265,7 @@ def plan(
         _tolerance(call, name, value)
         for name, value in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
     )
-    request = Request.of(effects=_effects(call, effects), tolerance=allowed, tolerance_max=most)
+    request = Request.of(effects=effects_of(call, effects), tolerance=allowed, tolerance_max=most)
     check(container, scene)
     if container.target.streamed:
         raise planless(call)
@@ -415,15 +416,6 @@ def _tolerance(call: str, name: str, tolerance: object) -> ToleranceInput | None
     if tolerance is None or isinstance(tolerance, str | Tolerance):
         return tolerance
     return number(call, name, tolerance)
-
-
-def _effects(call: str, effects: object) -> str | Selection | None:
-    if effects is None or isinstance(effects, str | Selection):
-        return effects
-    raise wrong_argument(
-        f"{call}: effects is text, not {shown(effects)}",
-        helps=("for instance effects='auto', 'all', 'none' or 'shot,read'",),
-    )
 
 
 def _plan(call: str, plan: object) -> Plan | Path | None:

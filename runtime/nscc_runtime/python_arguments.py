@@ -16,6 +16,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.container import Container
+from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.scenes.load import PlacedLight, light_of_array
@@ -139,4 +140,14 @@ def _array(call: str, light: object) -> NDArray[Any]:
         f"{call}: light must be an array, a scene or the name of a scene, not {shown(light)}",
         notes=("arrays are electrons per slot (N, rows, cols), or per second (rows, cols)",),
         helps=("nscc_runtime.scene('photo.exr', exposure='30000@70') loads your own scene",),
+    )
+
+
+def effects_of(call: str, effects: object) -> str | Selection | None:
+    """Effects, or their text; WrongArgument for anything else."""
+    if effects is None or isinstance(effects, str | Selection):
+        return effects
+    raise wrong_argument(
+        f"{call}: effects is text, not {shown(effects)}",
+        helps=("for instance effects='auto', 'all', 'none' or 'shot,read'",),
     )

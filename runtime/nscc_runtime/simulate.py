@@ -64,6 +64,8 @@ class Request:
     threads: int | None = None
     torch_device: str | None = None
     turn: Turn | None = None
+    next_lights: tuple[Light, ...] = ()
+    """Of images and planes: the light of each frame behind the first, where it is another one."""
 
     @classmethod
     def of(
@@ -230,18 +232,24 @@ def _pictured(
         refuse_pictures(
             container, f"{option} needs a plan", f"leave {option} out: all is simulated"
         )
-    check(container, light)
+    lights = (light, *request.next_lights)
+    for each in lights:
+        check(container, each)
     program = PicturedProgram(container, sensor, request.effects, request.threads)
     if request.effects.auto and listener.say is not None:
         listener.say("images and planes: all effects are simulated, slot by slot, without a plan")
     with listener.timings.measure("expose_s"):
-        exposed = program.frames(light, request.seed, request.device_seed, request.repeat or 1)
+        seeds = request.seed, request.device_seed
+        exposed = (
+            program.film(lights, *seeds)
+            if request.next_lights
+            else program.frames(light, *seeds, request.repeat or 1)
+        )
         frame = _gathered(exposed, request.repeat, listener)
     digest = _digest(container)
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     plan["slot_loop_reasons"] = ["images and planes are computed of every pixel and its neighbours"]
     fidelity = "planned" if request.effects.noiseless else "reference"
-    seeds = request.seed, request.device_seed
     origin = Provenance(digest, sensor, *seeds, fidelity, plan)
     return Simulated(frame, origin, request.effects)
 

@@ -18,6 +18,8 @@ from nscc.words.pictures import Above, At, Inverse, Joined, from_plain, to_plain
 HEAD = "nsl 3 frame 4 slots of 1ms "
 ONE = HEAD + "open when true "
 TWO = HEAD + "bucket a open when n < 2 bucket b open when n > 1 "
+KEPT = ONE + "plane p = exposure > 6% "
+COUNT = KEPT + ("outside 0 kernel k = [[0, 1, 0], [1, -1, 1], [0, 1, 0]] image c = agree(p, k) ")
 KERNEL = "kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] / 8 "
 
 
@@ -87,8 +89,25 @@ def test_statements_of_version_3_are_refused_before_it(version: int, statement: 
         (ONE + "image i = exposure / 2 read j", ["NS0214"]),
         (ONE + "assume exposure < 6% image i = exposure / 2 read i", ["NS0537"]),
         (ONE + "assume exposure <= 120% image i = exposure / 2 read i", ["NS0537"]),
-        (ONE + KERNEL + "image i = max(exposure, k) read i", ["NS0539"]),
-        (ONE + KERNEL + "plane p = exposure > 6% image i = agree(p, k) read i", ["NS0539"]),
+        (ONE + KERNEL + "image i = min(exposure, k) read i", ["NS0531"]),
+        (ONE + KERNEL + "image i = max(exposure) read i", ["NS0531"]),
+        (ONE + KERNEL + "plane p = exposure > 6% image i = agree(p, k) read i", ["NS0534"]),
+        (COUNT + "image i = exposure + c read i", ["NS0531"]),
+        (COUNT + "image i = exposure if p else c read i", ["NS0531"]),
+        (COUNT + "plane q = exposure > c read q", ["NS0531"]),
+        (COUNT + "plane q = c > 6% read q", ["NS0533"]),
+        (COUNT + "plane q = c > 5 read q", ["NS0533"]),
+        (COUNT + "plane q = c >= -5 read q", ["NS0533"]),
+        (COUNT + "plane q = c == 1 read q", ["NS0533"]),
+        (COUNT + "image i = c * 26 read i", ["NS0540"]),
+        (COUNT + "image i = agree(c, k) read i", ["NS0531"]),
+        (KEPT + "state h : 0..3 = 0 kept next h = p read h", ["NS0543"]),
+        (KEPT + "state h : bit = 0 next h = p read h", ["NS0543"]),
+        (KEPT + "state h : bit = 2 kept next h = p read h", ["NS0311"]),
+        (KEPT + "state h : bit = 0 kept next h = exposure read h", ["NS0531"]),
+        (KEPT + "state h : bit = 0 kept next h = p next g = p read h", ["NS0214"]),
+        (KEPT + "state h : bit = 0 kept next h = exposure > 3 read h", ["NS0533"]),
+        (KEPT.replace("1ms", "400ms") + "state h : bit = 0 kept next h = p read h", ["NS0602"]),
         (ONE + "image i = exposure * 2 read i", ["NS0540"]),
         (ONE + "outside 0 plane p = exposure > 6% plane q = p[0, 65] read q", ["NS0541"]),
         (ONE + "image i = exposure / 2 image i = exposure read i", ["NS0201"]),

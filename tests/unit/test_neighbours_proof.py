@@ -14,8 +14,9 @@ from nscc.chips.load import builtin_target
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
 from nscc.prove.pictures_proof import pictures_fault
+from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.words.container import Container
+from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import picture_fault
 from nscc_runtime.effects import selected
@@ -25,7 +26,24 @@ from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-NAMES = ("edges", "bright_spots", "motion_in_a_frame", "local_contrast")
+NAMES = ("edges", "bright_spots", "motion_in_a_frame", "local_contrast", "grown_regions", "cell")
+CELL = """nsl 3
+frame 1 slots of 33ms
+open when true
+outside 1
+kernel wf = [[1, -1, 1]]
+kernel uf = [[-1], [1], [-1]]
+kernel wo = [[1, 1, 0]]
+kernel uo = [[-1], [-1], [1]]
+state h : bit = 1 kept
+plane x = exposure > 50%
+image f = agree(x, wf) + agree(h, uf)
+image o = agree(x, wo) + agree(h, uo)
+image most = max(o, wf)
+next h = not (h xor f > 0)
+read h, o, most
+"""
+"""Four kernels counted in one walk, and the largest count of neighbours."""
 SIDE = 20
 MUTATIONS = 50
 """Of each program, in each of five parts."""
@@ -34,7 +52,8 @@ MUTATIONS = 50
 @cache
 def container_of(name: str) -> Container:
     target = replace(builtin_target("scamp5"), rows=SIDE, cols=SIDE)
-    source = read_source(EXAMPLES / f"{name}.nsl")
+    in_text = name == "cell"
+    source = Source("cell.nsl", CELL) if in_text else read_source(EXAMPLES / f"{name}.nsl")
     made = run_passes(source, EXAMPLES, Options(level=1, target=target, cache=False)).container
     assert made is not None
     return made
@@ -78,27 +97,38 @@ def mutated(word: Op, rng: np.random.Generator, container: Container) -> Op | No
     return None
 
 
-def frame_of(container: Container, seed: int) -> Frame:
+def film_of(container: Container, seed: int) -> list[Frame]:
+    """Frames one after the other: what a state does shows in later ones."""
     rng = np.random.default_rng(seed)
-    light = rng.integers(0, 30000, (container.slots, SIDE, SIDE)) / container.slots
+    assert container.pictures is not None
+    frames = 3 if container.pictures.states else 1
+    lights = [
+        rng.integers(0, 30000, (container.slots, SIDE, SIDE)) / container.slots
+        for _ in range(frames)
+    ]
     sensor = default_sensor(container.target)
     runner = PicturedProgram(container, sensor, selected("none"), threads=1)
-    (frame,) = runner.frames(Light.of_clip(light.astype(np.float32)), 0, seed, 1)
-    return frame
+    return list(runner.film((Light.of_clip(e.astype(np.float32)) for e in lights), 0, seed))
 
 
 def same_frames(first: Container, second: Container) -> bool:
     """Whether two containers give the same images and planes outside of their margins."""
     for seed in range(2):
-        a, b = frame_of(first, seed), frame_of(second, seed)
-        inside = ~(a.told["margin"] | b.told["margin"])
-        for key, values in a.told.items():
-            computed = key.startswith(("image_", "plane_")) and "saturated" not in key
-            if computed and not np.allclose(values[inside], b.told[key][inside], atol=1e-6):
-                return False
-            reported = key.startswith("report_") and inside.all()
-            if reported and not np.array_equal(values, b.told[key]):
-                return False
+        films = film_of(first, seed), film_of(second, seed)
+        if not all(same_frame(a, b) for a, b in zip(*films, strict=True)):
+            return False
+    return True
+
+
+def same_frame(a: Frame, b: Frame) -> bool:
+    inside = ~(a.told["margin"] | b.told["margin"])
+    for key, values in a.told.items():
+        computed = key.startswith(("image_", "plane_")) and "saturated" not in key
+        if computed and not np.allclose(values[inside], b.told[key][inside], atol=1e-6):
+            return False
+        reported = key.startswith("report_") and inside.all()
+        if reported and not np.array_equal(values, b.told[key]):
+            return False
     return True
 
 
@@ -154,3 +184,16 @@ def test_code_registers_stay() -> None:
         pictures_fault(replace(container, code_registers=("R5",)))
         == "R5 holds code, and is written"
     )
+
+
+def test_a_state_stays_where_it_was() -> None:
+    """A register that holds something else at the end, or that the exposure writes, is no state."""
+    container = container_of("cell")
+    pictures = container.pictures
+    assert pictures is not None
+    moved = replace(pictures, registers={**pictures.registers, "h": "R11"})
+    assert pictures_fault(replace(container, pictures=moved)) == "`h` is not what the text says"
+    writing = StoredKernel("writes", (encode(op("SET", [pictures.registers["h"]])),))
+    spoilt = replace(container, kernels=(*container.kernels, writing))
+    reason = "the register of a state holds something else as well"
+    assert pictures_fault(spoilt) == reason

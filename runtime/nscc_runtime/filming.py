@@ -1,0 +1,95 @@
+"""Consecutive frames in Python: each of its own light, while states go on from frame to frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import fields
+
+from nscc.diagnostics.arguments import require_whole_number, warn, wrong_argument
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.words.readout import converter_of
+from nscc_runtime.captured import Capture
+from nscc_runtime.effects import Selection
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.pieces import simulate_scene
+from nscc_runtime.python_arguments import (
+    LightLike,
+    ProgramLike,
+    SensorLike,
+    container_of,
+    effects_of,
+    laid_of,
+    sensor_of,
+)
+from nscc_runtime.simulate import Listener, Request
+
+
+def film(
+    program: ProgramLike,
+    lights: Iterable[LightLike],
+    *,
+    sensor: SensorLike = None,
+    effects: str | Selection | None = None,
+    seed: int = Request.seed,
+    device_seed: int = Request.device_seed,
+    threads: int | None = Request.threads,
+) -> Capture:
+    """Capture consecutive frames of a program with images or planes, each of its own light.
+
+    Kept states go on from frame to frame. `capture` with `repeat` does the same with one light.
+
+    Parameters
+    ----------
+    program : ShutterProgram, Container, str or PathLike
+        A program with images or planes, or a file with one.
+    lights : iterable of array, Light, Scene or str
+        The light of each frame, as for `capture`.
+    sensor : Sensor, mapping, str or PathLike, optional
+        As for `capture`.
+    effects : str or Selection, optional
+        As for `capture`; "none" by default.
+    seed : int
+        Seed of the noise.
+    device_seed : int
+        Seed of the fixed pattern, which stands for one device.
+    threads : int, optional
+        Number of threads, by default that of the processors. The result does not depend on it.
+
+    Returns
+    -------
+    Capture
+        All arrays have a leading axis of frames. Its `light` is that of the first frame.
+
+    Raises
+    ------
+    Rejected
+        NS0789 for a program without images or planes, or without lights; others as `capture`.
+    """
+    call = "nscc_runtime.film"
+    container = container_of(call, program)
+    if container.pictures is None:
+        raise wrong_argument(
+            f"{call} takes a program with images or planes",
+            helps=("nscc_runtime.captures(program, lights) captures other programs",),
+        )
+    require_whole_number(call, "seed", seed)
+    require_whole_number(call, "device_seed", device_seed)
+    diagnostics: list[Diagnostic] = []
+    scenes = [laid_of(call, light, container, diagnostics.append) for light in lights]
+    if not scenes:
+        raise wrong_argument(f"{call}: there is no light", helps=("give one for each frame",))
+    for number, scene in enumerate(scenes):
+        if len(scene) > 1 or not scene[0].placement.fits_one_array:
+            raise wrong_argument(
+                f"{call}: light {number} takes several exposures",
+                helps=("use scenes in grey, and fit='crop' or fit='scale'",),
+            )
+    request = Request.of(
+        effects=effects_of(call, effects), seed=int(seed), device_seed=int(device_seed),
+        repeat=len(scenes), threads=threads, next_lights=tuple(s[0].light for s in scenes[1:]),
+    )  # fmt: skip
+    chip = sensor_of(call, sensor, converter_of(container))
+    exposed = simulate_scene(container, scenes[0], chip, request, Listener(warn=diagnostics.append))
+    warn(diagnostics)
+    frame = exposed.simulated.frame
+    return Capture(**{f.name: getattr(frame, f.name) for f in fields(Frame)}, exposed=exposed)

@@ -1,0 +1,260 @@
+"""Counts of bits, states that step on planes, and the largest of neighbours."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.ndimage import maximum_filter
+
+import nscc
+import nscc_runtime
+from nscc.chips.load import builtin_target
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.editing.complete import complete
+from nscc.editing.document import Document
+from nscc.editing.hover import hover
+from nscc.emit.picture_report import picture_report
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
+from nscc.syntax.format import format_source
+from nscc.words.assembly import assemble
+from nscc.words.container import Container
+from nscc.words.counts import Counts
+from nscc.words.disassembly import disassemble
+from nscc.words.file import to_bytes
+from nscc.words.pictures import Bit, Exceeds, from_plain, to_plain
+from nscc.words.pictures import Source as ImageSource
+
+SIDE = 20
+CELL = """nsl 3                        # a binary recurrent cell
+frame 1 slots of 33ms
+open when true
+outside 0
+kernel wf from "cell.npz"
+kernel uf from "cell.npz"
+kernel wo from "cell.npz"
+kernel uo from "cell.npz"
+state h : bit = 1 kept
+plane x = exposure > 50%
+image f = agree(x, wf) + agree(h, uf)
+image o = agree(x, wo) + agree(h, uo)
+next h = not (h xor f > 0)
+read h, o
+"""
+HEAD = "nsl 3 frame 1 slots of 1ms open when true outside 0 "
+AROUND = "kernel k = [[1, 1, 1], [1, 0, 1], [1, 1, 1]] "
+
+
+def small(text: str, side: int = SIDE, folder: Path = Path()) -> Container:
+    target = replace(builtin_target("scamp5"), rows=side, cols=side)
+    made = run_passes(
+        Source("p.nsl", text), folder, Options(level=0, target=target, cache=False)
+    ).container
+    assert made is not None
+    return made
+
+
+@pytest.fixture(scope="module")
+def cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The cell of four 5 x 5 kernels, with its weights."""
+    folder = tmp_path_factory.mktemp("cell")
+    rng = np.random.default_rng(45)
+    np.savez(
+        folder / "cell.npz", **{k: rng.choice([-1, 1], (5, 5)) for k in ("wf", "uf", "wo", "uo")}
+    )
+    (folder / "cell.nsl").write_text(CELL)
+    return folder / "cell.nsl"
+
+
+def test_a_cell_of_four_kernels_takes_few_words(cell: Path) -> None:
+    container = small(CELL, folder=cell.parent)
+    report = picture_report(container)
+    assert report["images_words_total"] <= 300
+    assert container.words_stored <= container.target.store_words
+    assert report["images"]["f"]["peak_count"] == 50
+    unit_e = report["images"]["o"]["electrons_per_count"]
+    assert 50 * unit_e <= container.target.register_max_e < 75 * unit_e
+    assert report["states"]["h"] == {"words": report["states"]["h"]["words"], "reach": 2}
+
+
+def test_images_that_are_counted_together_share_words(cell: Path) -> None:
+    """The second image costs nothing but its sum."""
+    report = picture_report(small(CELL, folder=cell.parent))
+    alone = CELL.replace("image o = agree(x, wo) + agree(h, uo)\n", "").replace("h, o", "h, f")
+    alone_words = picture_report(small(alone, folder=cell.parent))["images"]["f"]["words"]
+    assert report["images"]["o"]["words"] <= 4
+    assert report["images"]["f"]["words"] <= alone_words + 10
+
+
+def test_python_films_keep_the_state(cell: Path, tmp_path: Path) -> None:
+    program = nscc.compile(cell, level=0)
+    rng = np.random.default_rng(1)
+    lights = rng.integers(0, 30000, (4, 1, 256, 256)).astype(np.float32)
+    film = nscc_runtime.film(program, list(lights))
+    assert film.planes["h"].shape == film.images["o"].shape == (4, 256, 256)
+    unit_e = film.meta["image_unit"]["o"]
+    counts = film.images["o"] / unit_e
+    np.testing.assert_allclose(counts, np.rint(counts), atol=1e-9)
+    same = nscc_runtime.capture(program, lights[0], repeat=4)
+    again = nscc_runtime.film(program, [lights[0]] * 4)
+    assert np.array_equal(same.planes["h"], again.planes["h"])
+    assert not np.array_equal(same.planes["h"][0], same.planes["h"][1])
+    noisy = [nscc_runtime.film(program, list(lights), effects="all", seed=3) for _ in range(2)]
+    assert np.array_equal(noisy[0].images["o"], noisy[1].images["o"])
+    assert not np.array_equal(noisy[0].planes["h"], film.planes["h"])
+    with np.load(film.save(tmp_path / "film.npz")) as arrays:
+        assert arrays["plane_h"].shape == (4, 256, 256)
+
+
+def test_a_film_needs_images_and_light(cell: Path) -> None:
+    plain = nscc.compile("nsl 3 frame 1 slots of 1ms open when true", level=0)
+    with pytest.raises(Rejected, match="NS0789"):
+        nscc_runtime.film(plain, [np.zeros((1, 256, 256))])
+    with pytest.raises(Rejected, match="NS0789"):
+        nscc_runtime.film(nscc.compile(cell, level=0), [])
+
+
+@pytest.mark.parametrize("kernel", ["[[1, 1, 1], [1, 0, 1], [1, 1, 1]]", "[[0, 1, 1, 0, -2]]"])
+def test_the_largest_of_neighbours(kernel: str) -> None:
+    text = (
+        f"nsl 3 frame 1 slots of 1ms open when true kernel k = {kernel} "
+        "image i = -exposure / 2 image up = max(exposure, k) image down = -max(i, k) "
+        "read up, down"
+    )
+    light = np.random.default_rng(3).integers(0, 30000, (1, SIDE, SIDE)).astype(np.float32)
+    mask = np.array(eval(kernel)) != 0
+    told = frame_of(small(text), light)
+    inside = ~told["margin"]
+    assert inside[2:-2, 2:-2].all()
+    largest = maximum_filter(light[0], footprint=mask)
+    least = -maximum_filter(-light[0], footprint=mask)
+    np.testing.assert_allclose(told["image_up"][inside], largest[inside], atol=1e-6)
+    np.testing.assert_allclose(told["image_down"][inside], least[inside] / 2, atol=1e-6)
+
+
+def test_the_largest_count_of_neighbours() -> None:
+    text = (
+        HEAD
+        + AROUND
+        + ("plane p = exposure > 50% image c = agree(p, k) image top = max(c, k) read c, top")
+    )
+    light = np.random.default_rng(3).integers(0, 30000, (1, SIDE, SIDE)).astype(np.float32)
+    container = small(text)
+    told = frame_of(container, light)
+    inside = ~told["margin"]
+    around = np.ones((3, 3), np.bool_)
+    around[1, 1] = False
+    top = maximum_filter(told["image_c"], footprint=around)
+    np.testing.assert_allclose(told["image_top"][inside], top[inside], atol=1e-6)
+
+
+def test_margins_of_states_grow_with_the_frames() -> None:
+    """What a state took from beyond the array stays unknown, and goes on to its neighbours."""
+    text = (
+        "nsl 3 frame 1 slots of 1ms open when true outside 0 "
+        + AROUND
+        + "state h : bit = 0 kept image i = k(exposure) / 8 next h = any(h, k) or i > 10% read h"
+    )
+    light = np.full((1, SIDE, SIDE), 9000.0, np.float32)
+    margins = [told["margin"] for told in film_of(small(text), [light] * 3)]
+    widths = [int(margin[SIDE // 2].sum()) // 2 for margin in margins]
+    assert widths == [1, 2, 3]
+
+
+def test_bits_fade_where_registers_keep_them_for_less_than_a_frame() -> None:
+    from nscc_runtime.effects import selected
+    from nscc_runtime.light import Light
+    from nscc_runtime.neighbours.pictured_program import PicturedProgram
+    from nscc_runtime.sensor import default_sensor
+
+    text = "nsl 3 frame 1 slots of 30ms open when true state h : bit = 1 kept plane p = h read p"
+    container = small(text)
+    light = Light.of_clip(np.zeros((1, SIDE, SIDE), np.float32))
+    for retention_us, bits in ((20_000.0, [True, False]), (40_000.0, [True, True])):
+        sensor = default_sensor(container.target).changed(digital_retention_us=retention_us)
+        runner = PicturedProgram(container, sensor, selected("decay"), threads=1)
+        frames = list(runner.frames(light, 0, 1, 2))
+        assert [bool(frame.told["plane_p"].all()) for frame in frames] == bits
+
+
+def test_a_state_without_next_is_refreshed() -> None:
+    container = small(HEAD + "state h : bit = 1 kept plane p = not h read p, h")
+    text = disassemble(container)
+    again = assemble(Source("p.asm", text), Path())
+    assert to_bytes(again) == to_bytes(container)
+    frames = film_of(container, [np.zeros((1, SIDE, SIDE), np.float32)] * 2)
+    assert all(told["plane_h"].all() and not told["plane_p"].any() for told in frames)
+
+
+def test_states_may_wait() -> None:
+    """A condition of `next`: the state that does not step keeps its value."""
+    text = HEAD + (
+        "state seen : bit = 0 kept state odd : bit = 0 kept plane bright = exposure > 50% "
+        "next seen = true when bright next odd = not odd read seen, odd"
+    )
+    lights = [np.full((1, SIDE, SIDE), e, np.float32) for e in (0.0, 20000.0, 0.0)]
+    frames = film_of(small(text), lights)
+    assert [bool(told["plane_seen"].all()) for told in frames] == [False, True, True]
+    assert [bool(told["plane_odd"].all()) for told in frames] == [True, False, True]
+
+
+def test_registers_of_an_exposure_are_not_those_of_states() -> None:
+    """The words of coded shutters write registers; a state lies in another one."""
+    text = (
+        "nsl 3 frame 8 slots of 1ms code stop : 1..8 open when n < stop "
+        "state h : bit = 0 kept plane p = exposure > 20% next h = p or h read h "
+        "pixels stop = 1 + (x + y) % 8"
+    )
+    assert picture_report(small(text))["states"]["h"]["words"] > 0
+
+
+@pytest.mark.parametrize(
+    ("level", "or_equal", "half_way"),
+    [(0, False, 0), (0, True, 0), (1, False, 2), (1, True, 0), (-3, False, -2), (2, False, 2),
+     (3, True, 2), (3, False, None), (-3, True, None), (-9, False, None), (9, True, None)],
+)  # fmt: skip
+def test_levels_lie_half_way_between_attainable_counts(
+    level: int, or_equal: bool, half_way: int | None
+) -> None:
+    """Of the counts -3, -1, 1 and 3."""
+    counts = Counts(Fraction(-3), Fraction(3), Fraction(2))
+    assert counts.half_way(Fraction(level), or_equal=or_equal) == half_way
+
+
+def test_editors_know_states_of_planes(cell: Path) -> None:
+    document = Document("cell.nsl", CELL, cell.parent)
+    found = hover(document, CELL.index("h xor"))
+    assert found is not None
+    assert "a plane that is kept" in found.text
+    names = {offer.text for offer in complete(document, CELL.index("h xor"))[1]}
+    assert {"wf", "x", "f", "h"} <= names
+    assert format_source(Source("cell.nsl", CELL)).startswith("nsl 3")
+
+
+def test_nodes_go_through_files() -> None:
+    node = Exceeds(ImageSource("f"), Fraction(3, 2))
+    assert from_plain(to_plain(node)) == node
+    with pytest.raises(ValueError, match="malformed"):
+        from_plain(["Exceeds", to_plain(Bit("p")), 1, 0])
+
+
+def frame_of(container: Container, light: np.ndarray) -> dict[str, Any]:
+    (told,) = film_of(container, [light])
+    return told
+
+
+def film_of(container: Container, lights: list[np.ndarray]) -> list[dict[str, Any]]:
+    from nscc_runtime.effects import selected
+    from nscc_runtime.light import Light
+    from nscc_runtime.neighbours.pictured_program import PicturedProgram
+    from nscc_runtime.sensor import default_sensor
+
+    runner = PicturedProgram(
+        container, default_sensor(container.target), selected("none"), threads=1
+    )
+    return [dict(frame.told) for frame in runner.film(map(Light.of_clip, lights), 0, 1)]
