@@ -22,8 +22,9 @@ from nscc.words import pictures as p
 if TYPE_CHECKING:
     from nscc.neighbours.lower import Lowering
 
-MOST_IMAGES = 4
-"""So many images are counted in one walk at most."""
+WALKS = ((4, True), (4, False), (3, False), (2, False), (1, False))
+"""Limits that are tried in turn, until everything fits the registers: the most images that are
+counted in one walk, and whether they may share accumulators, which takes registers later."""
 
 Place = tuple[p.Condition, Offset]
 Direction = tuple[Fraction, ...]
@@ -57,8 +58,8 @@ class Counting:
     """Counts of a lowering; `ready` are images that were counted before their turn, by name: of
     which accumulators they are made."""
 
-    def __init__(self, lowering: Lowering) -> None:
-        self.lowering = lowering
+    def __init__(self, lowering: Lowering, limits: tuple[int, bool]) -> None:
+        self.lowering, self.limits = lowering, limits
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
         self.walks = 0
 
@@ -66,16 +67,18 @@ class Counting:
         """Counts the image at a position of the text, if all of it is a sum of agreements, with
         those behind it that can be counted in the same walk: as many as take the fewest words."""
         items = self.lowering.pictures.items
-        together = [item for item in items[position:] if self._can_count(item)][:MOST_IMAGES]
+        most, may_share = self.limits
+        together = [item for item in items[position:] if self._can_count(item)][:most]
         if items[position].name in self.ready or together[:1] != [items[position]]:
             return
         sums = [(item.name, split(item.node)[0]) for item in together]  # type: ignore[arg-type]
+        makes = (_separate, _shared) if may_share else (_separate,)
         ways = [
             lambda n=n, make=make: self._count(sums[:n], make)
             for n in range(1, len(sums) + 1)
-            for make in (_separate, _shared)
+            for make in makes
         ]
-        shares = [n for n in range(1, len(sums) + 1) for _ in range(2)]
+        shares = [n for n in range(1, len(sums) + 1) for _ in makes]
         self.lowering.do_shortest(ways, shares)
 
     def _can_count(self, item: p.Picture) -> bool:

@@ -37,6 +37,7 @@ class Lowering(Emitter):
         digital: Sequence[str],
         unwritten: Collection[str],
         synthesis: Synthesis,
+        walks: tuple[int, bool],
     ) -> None:
         super().__init__(pictures)
         self.target, self.synthesis = target, synthesis
@@ -48,7 +49,7 @@ class Lowering(Emitter):
             for name, (register, sign) in buckets.items()
         }
         self.bits = BitWords(self, digital, unwritten)
-        self.counting = Counting(self)
+        self.counting = Counting(self, walks)
         self.count_e = pictures.count_steps * target.electrons_per_step
         self.costs: list[p.PictureCost] = []
         self.uses = self._uses()
