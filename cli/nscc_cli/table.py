@@ -8,6 +8,7 @@ COMMANDS = {
     "new": "Begin a program: one with a remark on every statement.",
     "design": "Write a program that is made for a scene.",
     "import-mask": "Write a program that opens an own mask's shutters.",
+    "import-network": "Write a program of a trained network of bits.",
     "check": "Check programs: names, ranges, time, registers.",
     "build": "Compile a program to a container of words.",
     "run": "Expose one frame of a scene with a program.",

@@ -30,8 +30,9 @@ class CellFiles:
 
 
 def cell_files(
-    cell: PixelCell, kernels_name: str, *, frame_us: float = 33_000.0, remark: str = ""
-) -> CellFiles:
+    cell: PixelCell, kernels_name: str, *, frame_us: float = 33_000.0, target: str | None = None,
+    remark: str = "",
+) -> CellFiles:  # fmt: skip
     """Return the program of a cell.
 
     A maximum of counts is above a threshold where one of the counts is, so pooling is a dilation of
@@ -45,6 +46,8 @@ def cell_files(
         Name of the file of kernels, in the folder of the program.
     frame_us : float
         Exposure time of a frame in microseconds.
+    target : str, optional
+        Name of the chip, for the program's text.
     remark : str
         Comment at the start of the program.
 
@@ -62,6 +65,7 @@ def cell_files(
         for j, kernel in enumerate(row) if kernel.any()
     }  # fmt: skip
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 3"]
+    lines += [] if target is None else [f"target {target}"]
     lines += [f"frame 1 slots of {frame_us:g}us", "open when true"]
     lines += [f"outside {int(cell.outside)}", ""]
     lines += [f'kernel {name} from "{kernels_name}"' for name in arrays]
@@ -119,6 +123,27 @@ def compiled_cell(
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / kernels_name).write_bytes(files.kernels)
         return compile(files.text, target=target, folder=folder)
+
+
+def level_on_chip(level: float, target: Target) -> float:
+    """Return the level that a chip compares exposures with.
+
+    A cell is bit-exact on the chip if its `level` is such a level: comparisons have the resolution
+    of IN.
+
+    Parameters
+    ----------
+    level : float
+        In full wells.
+    target : Target
+
+    Returns
+    -------
+    float
+        In full wells.
+    """
+    step_e = target.electrons_per_step
+    return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 
 
 def pooled_bits(planes: Mapping[str, NDArray[np.bool_]], cell: PixelCell, names: tuple[str, ...]
