@@ -11,22 +11,21 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
-from typing import Any, TypeVar
+from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
-from nscc.neighbours.counting import Counting, split
-from nscc.neighbours.held import Emitter, Held, PictureRefused
+from nscc.neighbours.count_words import CountEmitter, Result, split
+from nscc.neighbours.held import Held, PictureRefused
 from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, values_of
 from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
 from nscc.operations import NEIGHBOURS, op
 from nscc.words import pictures as p
 
-Result = TypeVar("Result")
 Weights = dict[tuple[int, int], Fraction]
 
 
-class Lowering(Emitter):
+class Lowering(CountEmitter):
     """The words of all items; `registers` then says where what leaves the chip is held."""
 
     def __init__(
@@ -39,7 +38,7 @@ class Lowering(Emitter):
         synthesis: Synthesis,
         walks: tuple[int, bool],
     ) -> None:
-        super().__init__(pictures)
+        super().__init__(pictures, walks)
         self.target, self.synthesis = target, synthesis
         bucket_registers = {register for register, _ in buckets.values()}
         self.free = [name for name in target.analog_available if name not in bucket_registers]
@@ -49,7 +48,6 @@ class Lowering(Emitter):
             for name, (register, sign) in buckets.items()
         }
         self.bits = BitWords(self, digital, unwritten)
-        self.counting = Counting(self, walks)
         self.count_e = pictures.count_steps * target.electrons_per_step
         self.costs: list[p.PictureCost] = []
         self.uses = self._uses()
@@ -74,7 +72,7 @@ class Lowering(Emitter):
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
             self.bits.begin(item.name)
-            self.counting.prepare(position)
+            self.count_ahead(position)
             if isinstance(item.node, p.Condition):
                 self.bits.declare(item.name, item.node)
                 self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
@@ -146,7 +144,7 @@ class Lowering(Emitter):
             case p.Chosen():
                 return self.chosen(node)
             case p.Agreement():
-                return self.counting.value(split(node)[0])
+                return self.counted(split(node)[0])
             case p.Largest():
                 return self.largest(self.value(node.value), list(self.weights[node.kernel].taps))
 
@@ -234,10 +232,10 @@ class Lowering(Emitter):
         """A sum of values: agreements are counted together, terms of one value are one kernel."""
         agreements, others = split(node)
         if agreements.terms:
-            counted = self.counting.value(agreements)
+            count = self.counted(agreements)
             if not others:
-                return counted
-            return self.added([(1, counted), (1, self.value(p.Sum(tuple(others))))])
+                return count
+            return self.added([(1, count), (1, self.value(p.Sum(tuple(others))))])
         taps, inner = self._merged(node)
         if inner is not node:
             return self._shortest(
@@ -275,7 +273,7 @@ class Lowering(Emitter):
         return (
             len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
             bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
-            dict(self.counting.ready), self.counting.walks,
+            {name: terms[:] for name, terms in self.ready.items()}, self.walks,
         )  # fmt: skip
 
     def _restore(self, state: tuple[Any, ...]) -> None:
@@ -283,7 +281,7 @@ class Lowering(Emitter):
         words, self.free, self.held, self.uses, self.masked, *of_bits = state
         del self.words[words:]
         bits.free, bits.planes, bits.uses, bits.steered, *of_counting = of_bits
-        self.counting.ready, self.counting.walks = of_counting
+        self.ready, self.walks = of_counting
 
     def _term_by_term(self, node: p.Sum) -> Held:
         """A sum whose terms are computed one after the other."""

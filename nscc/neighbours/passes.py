@@ -10,7 +10,7 @@ from math import ceil, log2
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.resources import time_text
 from nscc.lower.timeline import RETENTION_SHARE
-from nscc.neighbours.counting import WALKS
+from nscc.neighbours.count_words import WALKS
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis

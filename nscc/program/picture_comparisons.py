@@ -17,7 +17,7 @@ from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
-from nscc.words.counts import Counts, counts_of
+from nscc.words.counts import CountRange, counts_of
 
 _MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
 
@@ -39,7 +39,7 @@ class PictureComparer(ABC):
     ) -> None:
         self.declared, self.constants, self.target = declared, constants, target
         self.kernels, self.problems = kernels, problems
-        self.counts: dict[str, Counts] = {}
+        self.counts: dict[str, CountRange] = {}
 
     @abstractmethod
     def _image(self, expr: tree.Expr) -> p.Value:
@@ -49,7 +49,7 @@ class PictureComparer(ABC):
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
         """Reports an image of counts beside one of electrons, and raises WrongPicture."""
 
-    def _counts(self, value: p.Value) -> Counts | None:
+    def _counts(self, value: p.Value) -> CountRange | None:
         """The values of a count; None for electrons."""
         return counts_of(value, self.counts, self.kernels)
 
@@ -101,7 +101,7 @@ class PictureComparer(ABC):
         return isinstance(expr, tree.Amount) or self._is_number(expr)
 
     def _count_comparison(
-        self, value: p.Value, counts: Counts, op: str, level: tree.Expr
+        self, value: p.Value, counts: CountRange, op: str, level: tree.Expr
     ) -> p.Condition:
         """A comparison of counts, half-way between two that are attainable."""
         if not self._is_number(level):

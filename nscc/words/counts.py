@@ -12,7 +12,7 @@ from nscc.words import pictures as p
 
 
 @dataclass(frozen=True)
-class Counts:
+class CountRange:
     """Attainable values lie from `low` to `high`; all are `low` and a multiple of `stride`."""
 
     low: Fraction
@@ -36,15 +36,15 @@ class Counts:
 
 
 def counts_of(
-    node: p.Value, known: Mapping[str, Counts], weights: Mapping[str, p.Weights]
-) -> Counts | None:
+    node: p.Value, known: Mapping[str, CountRange], weights: Mapping[str, p.Weights]
+) -> CountRange | None:
     """The values that a count may have; `known` are those of images by name. None for electrons."""
     match node:
         case p.Source():
             return known.get(node.name)
         case p.Agreement():
             number = len(weights[node.kernel].taps)
-            return Counts(Fraction(-number), Fraction(number), Fraction(2))
+            return CountRange(Fraction(-number), Fraction(number), Fraction(2))
         case p.Sum():
             return _total([(f, counts_of(value, known, weights)) for f, value in node.terms])
         case p.Filtered():
@@ -60,18 +60,20 @@ def counts_of(
             least = min(abs(inner.low), abs(inner.high))
             if inner.low <= 0 <= inner.high:
                 least = -inner.low % stride if stride else abs(inner.low)
-            return Counts(least, inner.peak, stride)
+            return CountRange(least, inner.peak, stride)
         case p.Chosen():
             both = [counts_of(value, known, weights) for value in (node.then, node.otherwise)]
             first, second = both
             if first is None or second is None:
                 return None
             low, high = min(first.low, second.low), max(first.high, second.high)
-            return Counts(low, high, _common(first.stride, second.stride, first.low - second.low))
+            return CountRange(
+                low, high, _common(first.stride, second.stride, first.low - second.low)
+            )
     return None
 
 
-def _total(terms: list[tuple[Fraction, Counts | None]]) -> Counts | None:
+def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None:
     low, high, strides = Fraction(0), Fraction(0), []
     for factor, counts in terms:
         if counts is None:
@@ -79,7 +81,7 @@ def _total(terms: list[tuple[Fraction, Counts | None]]) -> Counts | None:
         ends = factor * counts.low, factor * counts.high
         low, high = low + min(ends), high + max(ends)
         strides.append(factor * counts.stride)
-    return Counts(low, high, _common(*strides)) if terms else None
+    return CountRange(low, high, _common(*strides)) if terms else None
 
 
 def _common(*numbers: Fraction) -> Fraction:
@@ -88,9 +90,9 @@ def _common(*numbers: Fraction) -> Fraction:
     return Fraction(gcd(*(int(number * divisor) for number in numbers)), divisor)
 
 
-def counts_by_name(pictures: p.Pictures) -> dict[str, Counts]:
+def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
     """The counts among the images of a program."""
-    known: dict[str, Counts] = {}
+    known: dict[str, CountRange] = {}
     for item in pictures.items:
         if not isinstance(item.node, p.Condition):
             counts = counts_of(item.node, known, pictures.weights_by_name)

@@ -24,7 +24,7 @@ from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.words.assembly import assemble
 from nscc.words.container import Container
-from nscc.words.counts import Counts
+from nscc.words.counts import CountRange
 from nscc.words.disassembly import disassemble
 from nscc.words.file import to_bytes
 from nscc.words.pictures import Bit, Exceeds, from_plain, to_plain
@@ -222,7 +222,7 @@ def test_levels_lie_half_way_between_attainable_counts(
     level: int, or_equal: bool, half_way: int | None
 ) -> None:
     """Of the counts -3, -1, 1 and 3."""
-    counts = Counts(Fraction(-3), Fraction(3), Fraction(2))
+    counts = CountRange(Fraction(-3), Fraction(3), Fraction(2))
     assert counts.half_way(Fraction(level), or_equal=or_equal) == half_way
 
 

@@ -9,18 +9,17 @@ for both images.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TypeVar
 
-from nscc.neighbours.bits import Offset
-from nscc.neighbours.held import Held
+from nscc.neighbours.bits import BitWords, Offset
+from nscc.neighbours.held import Emitter, Held
 from nscc.operations import op
 from nscc.words import pictures as p
-
-if TYPE_CHECKING:
-    from nscc.neighbours.lower import Lowering
 
 WALKS = ((4, True), (4, False), (3, False), (2, False), (1, False))
 """Limits that are tried in turn, until everything fits the registers: the most images that are
@@ -54,154 +53,159 @@ def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
     return CountSum(agreements), [t for t in terms if not isinstance(t[1], p.Agreement)]
 
 
-class Counting:
-    """Counts of a lowering; `ready` are images that were counted before their turn, by name: of
-    which accumulators they are made."""
+Result = TypeVar("Result")
 
-    def __init__(self, lowering: Lowering, limits: tuple[int, bool]) -> None:
-        self.lowering, self.limits = lowering, limits
+
+class CountEmitter(Emitter):
+    """The counts of a lowering; `ready` are images that were counted before their turn, by name: of
+    which accumulators they are made. `count_e` are the electrons of a count."""
+
+    bits: BitWords
+    held: dict[str, Held]
+    uses: dict[str, int]
+    count_e: float
+
+    def __init__(self, pictures: p.Pictures, walks: tuple[int, bool]) -> None:
+        super().__init__(pictures)
+        self.most_images, self.may_share = walks
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
         self.walks = 0
 
-    def prepare(self, position: int) -> None:
+    @abstractmethod
+    def take(self) -> str:
+        """A register that is free."""
+
+    @abstractmethod
+    def checked(self, low: float, high: float) -> None:
+        """Refuses a value that a register does not hold."""
+
+    @abstractmethod
+    def filtered(self, value: Held, weights: dict[Offset, Fraction]) -> Held:
+        """A value weighted by a kernel."""
+
+    @abstractmethod
+    def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
+        """The sum of values that are held, each with its sign in the sum."""
+
+    @abstractmethod
+    def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
+        """What that way gives which takes the fewest words for its share of the work."""
+
+    def count_ahead(self, position: int) -> None:
         """Counts the image at a position of the text, if all of it is a sum of agreements, with
         those behind it that can be counted in the same walk: as many as take the fewest words."""
-        items = self.lowering.pictures.items
-        most, may_share = self.limits
-        together = [item for item in items[position:] if self._can_count(item)][:most]
-        if items[position].name in self.ready or together[:1] != [items[position]]:
+        items = self.pictures.items[position:]
+        sums = [(item.name, total) for item in items if (total := self._countable(item))]
+        if not sums or sums[0][0] != items[0].name:
             return
-        sums = [(item.name, split(item.node)[0]) for item in together]  # type: ignore[arg-type]
-        makes = (_separate, _shared) if may_share else (_separate,)
-        ways = [
-            lambda n=n, make=make: self._count(sums[:n], make)
-            for n in range(1, len(sums) + 1)
-            for make in makes
-        ]
-        shares = [n for n in range(1, len(sums) + 1) for _ in makes]
-        self.lowering.do_shortest(ways, shares)
+        numbers = range(1, min(len(sums), self.most_images) + 1)
+        ways, shares = [], []
+        for number in numbers:
+            for directions_of in (_separate, _shared)[: 1 + self.may_share]:
+                ways.append(partial(self._count, sums[:number], directions_of))
+                shares.append(number)
+        self.do_shortest(ways, shares)
 
-    def _can_count(self, item: p.Picture) -> bool:
-        """Whether an item is a sum of agreements of planes that are known by now."""
+    def _countable(self, item: p.Picture) -> CountSum | None:
+        """An item that is a sum of agreements of planes that are known by now; None for others."""
         if isinstance(item.node, p.Condition) or item.name in self.ready:
-            return False
+            return None
         agreements, others = split(item.node)
-        known = self.lowering.bits.planes.keys() | self.lowering.held.keys()
-        return bool(agreements.terms) and not others and all(
-            node.name in known
-            for node in p.subexpressions(item.node)
-            if isinstance(node, p.Bit | p.Source)
-        )  # fmt: skip
+        known = self.bits.planes.keys() | self.held.keys()
+        names = {
+            node.name for node in p.subexpressions(item.node) if isinstance(node, p.Bit | p.Source)
+        }
+        return agreements if agreements.terms and not others and names <= known else None
 
-    def value(self, agreements: CountSum) -> Held:
+    def counted(self, agreements: CountSum) -> Held:
         """The sum of agreements that stand in an expression, or that were counted before."""
-        terms = self.ready.pop(self.lowering.now, None)
+        terms = self.ready.pop(self.now, None)
         if terms is None:
-            ways = [lambda: self._count([("", agreements)], _separate)]
-            self.lowering.do_shortest(ways, [1])
+            self._count([("", agreements)], _separate)
             terms = self.ready.pop("")
-        return self._combined(terms)
-
-    def _combined(self, terms: list[tuple[Fraction, Held]]) -> Held:
-        """The sum of accumulators with their factors."""
-        lowering = self.lowering
         factor, first = terms[0]
-        if len(terms) == 1 and abs(factor) == 1 and lowering.uses[first.name or ""] == 1:
-            del lowering.held[first.name or ""]
-            sign = first.sign if factor > 0 else -first.sign
-            return Held(first.register, sign, first.low, first.high, variance=first.variance)
+        assert first.name is not None
+        if len(terms) == 1 and abs(factor) == 1 and self.uses[first.name] == 1:
+            return replace(self.held.pop(first.name), name=None, sign=1 if factor > 0 else -1)
         signed_terms = []
         for factor, accumulator in terms:
-            term = lowering.filtered(accumulator, {(0, 0): abs(factor)})
+            term = self.filtered(accumulator, {(0, 0): abs(factor)})
             signed_terms.append((1 if factor > 0 else -1, term))
-        return lowering.added(signed_terms)
+        return self.added(signed_terms)
 
     def _count(
         self, sums: Sequence[tuple[str, CountSum]],
         directions_of: Callable[[Iterable[Direction]], list[Direction]],
     ) -> None:  # fmt: skip
         """The walks that count some images, by accumulators of these directions."""
-        lowering = self.lowering
-        kernels = lowering.weights
-        weights = [total.weights(kernels) for _, total in sums]
+        weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(place for image in weights for place in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
         directions = directions_of(vectors.values())
-        parts = {at: _parts(vector, directions) for at, vector in vectors.items()}
-        spans = [
-            sum((abs(part[d]) for part in parts.values() if d in part), Fraction(0))
-            for d in range(len(directions))
-        ]
-        accumulators = self._begin(parts.values(), len(directions))
+        steps = {at: _steps_along(vector, directions) for at, vector in vectors.items()}
+        registers = self._begin(steps.values(), len(directions))
         for condition in dict.fromkeys(condition for condition, _ in places):
-            self._walk(condition, parts, accumulators)
+            self._walk(condition, steps, registers)
         self._skip_repeated([term.condition for _, total in sums for _, term in total.terms])
-        lowering.everywhere()
-        unit_e = lowering.count_e
-        held = []
+        self.everywhere()
         self.walks += 1
-        for number, (register, most) in enumerate(zip(accumulators, spans, strict=True)):
-            name = f"count {self.walks}.{number}"
-            words = 1 + 2 * sum(number in part for part in parts.values())
-            high = float(most) * unit_e
-            lowering.checked(-high, high)
-            held.append(Held(register, 1, -high, high, name, float(words)))
-            lowering.held[name] = held[-1]
-            lowering.uses[name] = sum(1 for d in range(len(sums)) if directions[number][d])
-        for index, (name, _) in enumerate(sums):
-            self.ready[name] = [
-                (direction[index], accumulator)
-                for direction, accumulator in zip(directions, held, strict=True)
-                if direction[index]
-            ]
+        self.ready |= {name: [] for name, _ in sums}
+        for number, direction in enumerate(directions):
+            factors = [abs(step[number]) for step in steps.values() if number in step]
+            high_e = float(sum(factors)) * self.count_e
+            self.checked(-high_e, high_e)
+            name, variance = f"count {self.walks}.{number}", 1.0 + 2 * len(factors)
+            accumulator = Held(registers[number], 1, -high_e, high_e, name, variance)
+            self.held[name] = accumulator
+            self.uses[name] = sum(1 for factor in direction if factor)
+            for (image, _), factor in zip(sums, direction, strict=True):
+                if factor:
+                    self.ready[image].append((factor, accumulator))
 
-    def _begin(self, parts: Iterable[dict[int, Fraction]], number: int) -> list[str]:
+    def _begin(self, steps: Iterable[dict[int, Fraction]], number: int) -> list[str]:
         """Accumulators of counts in which no bit is 1."""
-        lowering = self.lowering
         start = [Fraction(0)] * number
-        for part in parts:
-            for accumulator, factor in part.items():
+        for step in steps:
+            for accumulator, factor in step.items():
                 start[accumulator] -= factor
         registers = []
-        lowering.everywhere()
+        self.everywhere()
         for count in start:
-            registers.append(lowering.take())
-            level = -int(count * lowering.pictures.count_steps)
-            lowering.word(op("bus", registers[-1:], ["IN"] if level else []), level or None)
+            registers.append(self.take())
+            level = -int(count * self.pictures.count_steps)
+            self.word(op("bus", registers[-1:], ["IN"] if level else []), level or None)
         return registers
 
     def _walk(
-        self, condition: p.Condition, parts: dict[Place, dict[int, Fraction]],
-        accumulators: Sequence[str],
+        self, condition: p.Condition, steps: dict[Place, dict[int, Fraction]],
+        registers: Sequence[str],
     ) -> None:  # fmt: skip
         """Adds the bits of one plane, place by place."""
-        lowering, bits = self.lowering, self.lowering.bits
-        bit = bits.bit(condition)
-        offsets = {at for plane, at in parts if plane == condition}
-        for at, register in bits.places(bit[0], offsets):
-            lowering.word(op("WHERE", [], [register]))
-            for number, factor in parts[condition, at].items():
-                self._add(accumulators[number], int(2 * factor * lowering.pictures.count_steps))
-        bits.give(bit)
+        bit = self.bits.bit(condition)
+        offsets = {at for plane, at in steps if plane == condition}
+        for at, register in self.bits.places(bit[0], offsets):
+            self.word(op("WHERE", [], [register]))
+            for number, factor in steps[condition, at].items():
+                self._add(registers[number], int(2 * factor * self.pictures.count_steps))
+        self.bits.give(bit)
 
-    def _add(self, register: str, steps: int) -> None:
+    def _add(self, register: str, in_steps: int) -> None:
         """Adds steps of IN where FLAG is 1. A word inverts: IN is in the first or the second."""
         for number, (target, source) in enumerate([("NEWS", register), (register, "NEWS")]):
-            adds = number == (steps < 0)
+            adds = number == (in_steps < 0)
             sources = [source, "IN"] if adds else [source]
-            self.lowering.word(op("bus", [target], sources), abs(steps) if adds else None)
+            self.word(op("bus", [target], sources), abs(in_steps) if adds else None)
 
     def _skip_repeated(self, conditions: Sequence[p.Condition]) -> None:
         """Planes that were walked over once are not read again for the other agreements."""
-        lowering = self.lowering
         for number, condition in enumerate(conditions):
             if condition not in conditions[:number]:
                 continue
             for node in p.subexpressions(condition):
                 if isinstance(node, p.Bit):
-                    lowering.bits.give((lowering.bits.planes[node.name], node.name))
+                    self.bits.give((self.bits.planes[node.name], node.name))
                 elif isinstance(node, p.Source):
-                    lowering.give(lowering.held[node.name])
+                    self.give(self.held[node.name])
 
 
 def _separate(vectors: Iterable[Direction]) -> list[Direction]:
@@ -221,8 +225,8 @@ def _normal(vector: Direction) -> tuple[Fraction, Direction]:
     return first, tuple(number / first for number in vector)
 
 
-def _parts(vector: Direction, directions: Sequence[Direction]) -> dict[int, Fraction]:
-    """What is added to which accumulator, for a vector."""
+def _steps_along(vector: Direction, directions: Sequence[Direction]) -> dict[int, Fraction]:
+    """How much of each accumulator, of these directions, adds up to a vector."""
     factor, direction = _normal(vector)
     if direction in directions:
         return {directions.index(direction): factor}
