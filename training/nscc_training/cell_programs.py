@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,7 +36,7 @@ def cell_files(
 
     A maximum of counts is above a threshold where one of the counts is, so pooling is a dilation of
     the outputs' bits (`any`), in steps of 3 x 3. Of a pooled plane, the host uses the pixels in the
-    middle of the squares (`pooled_bits`).
+    middle of the squares (`cell_film`).
 
     Parameters
     ----------
@@ -146,14 +145,40 @@ def level_on_chip(level: float, target: Target) -> float:
     return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 
 
-def pooled_bits(planes: Mapping[str, NDArray[np.bool_]], cell: PixelCell, names: tuple[str, ...]
-                ) -> NDArray[np.bool_]:  # fmt: skip
-    """Return the bits that a decoder uses of the planes of a frame: (outputs, rows // pool,
-    cols // pool), the middles of the squares."""
-    stack = np.stack([planes[name] for name in names])
-    rows, cols = (size // cell.pool for size in stack.shape[1:])
+def cell_film(
+    program: ShutterProgram, cell: PixelCell, exposure: NDArray[np.float32],
+    planes: tuple[str, ...], *, effects: str = "none", seed: int = 0, device_seed: int = 0,
+) -> NDArray[np.bool_]:  # fmt: skip
+    """Run the program of a cell in the emulator.
+
+    Parameters
+    ----------
+    program : ShutterProgram
+    cell : PixelCell
+    exposure : array of float32
+        (frames, rows, cols), in full wells.
+    planes : tuple of str
+        Those of `CellFiles`.
+    effects : str
+        As for `nscc_runtime.film`.
+    seed, device_seed : int
+        Seeds of the noise and of the device.
+
+    Returns
+    -------
+    array of bool
+        (frames, outputs, rows // pool, cols // pool): the bits in the middles of the squares.
+        Without effects they are those of `PixelCell.film`, if `level` is a `level_on_chip`.
+    """
+    from nscc_runtime.filming import film
+
+    full_e = np.float32(program.container.target.full_well_e)
+    lights = [frame[None] * full_e for frame in exposure]
+    captured = film(program, lights, effects=effects, seed=seed, device_seed=device_seed, threads=1)
+    stack = np.stack([captured.planes[name] for name in planes], axis=1)
+    rows, cols = (size // cell.pool for size in stack.shape[-2:])
     first = cell.pool // 2
-    return stack[:, first :: cell.pool, first :: cell.pool][:, :rows, :cols]
+    return stack[..., first :: cell.pool, first :: cell.pool][..., :rows, :cols]
 
 
 def _numbered(name: str, count: int) -> list[str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 import torch
 from torch import Tensor, nn
-from torch.nn import functional as F
+from torch.nn import functional
 
 from nscc_training.draws import normal
 from nscc_training.gradients import opened, replaced
@@ -59,7 +59,9 @@ class CellNoise:
         unit_e = pictures.count_steps * target.electrons_per_step
         words = max(image["noise_gain"] for image in program.report["images"].values())
         word_e = values["analog_noise_lsb"] * values["electrons_per_lsb"]
-        comparator = hypot(values["comparator_noise_fraction"], values["comparator_offset_fraction"])
+        comparator = hypot(
+            values["comparator_noise_fraction"], values["comparator_offset_fraction"]
+        )
         comparator_e = comparator * values["full_well_e"]
         return cls(comparator, hypot(words * word_e, comparator_e) / unit_e)
 
@@ -94,6 +96,10 @@ class PixelCell(nn.Module):
 
     is_binary: bool = True
     """False: real weights, and tanh instead of comparisons."""
+    level: Tensor
+    outside: Tensor
+    pool_size: Tensor
+    flips: Tensor
 
     def __init__(
         self, *, kernel: int = 3, states: int = 1, outputs: int = 1, pool: int = 1,
@@ -113,7 +119,7 @@ class PixelCell(nn.Module):
             raise ValueError(f'update is {update!r}, but must be "flip" or "replace"')
         if not 0 < level < 1:
             raise ValueError(f"level is {level:g}, but must be between 0 and 1 full well")
-        self.kernel, self.states, self.outputs, self.pool = kernel, states, outputs, pool
+        self.kernel, self.states, self.outputs = kernel, states, outputs
         gates = states + outputs
         places = (1 + states) * kernel * kernel
         self.weight = nn.Parameter(torch.randn(gates, 1 + states, kernel, kernel) / sqrt(places))
@@ -121,8 +127,16 @@ class PixelCell(nn.Module):
         self.register_buffer("level", torch.tensor(level, dtype=torch.float64))
         for name, value in ("pool_size", pool), ("outside", outside), ("flips", update == "flip"):
             self.register_buffer(name, torch.tensor(int(value)))
-        self.beyond = 2.0 * outside - 1.0
-        self.update: Update = update
+
+    @property
+    def pool(self) -> int:
+        """Side of the squares of pixels that an output is pooled over."""
+        return int(self.pool_size)
+
+    @property
+    def update(self) -> Update:
+        """How the gates update the states."""
+        return "flip" if self.flips else "replace"
 
     def kernels(self) -> Tensor:
         """Return the weights as -1, 0, 1.
@@ -164,8 +178,9 @@ class PixelCell(nn.Module):
         weights = self.weight / size
         if self.is_binary:
             weights = replaced(weights, torch.sign(self.weight.detach()))
-        padded = F.pad(bits, [self.kernel // 2] * 4, value=self.beyond)
-        return F.conv2d(padded, weights.to(bits))
+        beyond = 2.0 * float(self.outside) - 1.0
+        padded = functional.pad(bits, [self.kernel // 2] * 4, value=beyond)
+        return functional.conv2d(padded, weights.to(bits))
 
     def forward(
         self, bits: Tensor, state: Tensor, *, noise_counts: float = 0.0,
@@ -191,7 +206,7 @@ class PixelCell(nn.Module):
         state : Tensor
             The new states.
         """
-        threshold = self.threshold
+        threshold: Tensor = self.threshold
         if self.is_binary:  # comparisons lie half-way between attainable counts
             threshold = replaced(threshold, self.thresholds().to(threshold) + 1)
         margins = self.counts(torch.cat([bits, state], 1)) - threshold.reshape(-1, 1, 1).to(bits)
@@ -199,7 +214,7 @@ class PixelCell(nn.Module):
             margins = margins + noise_counts * normal(margins, generator)
         gates, outputs = margins[:, : self.states], margins[:, self.states :]
         if self.pool > 1:
-            outputs = F.max_pool2d(outputs, self.pool)
+            outputs = functional.max_pool2d(outputs, self.pool)
         update = self._compared(gates)
         return self._compared(outputs), update * state if self.update == "flip" else update
 

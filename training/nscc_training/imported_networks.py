@@ -127,7 +127,7 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     if not fits:
         shapes = f"`weight` has the shape {_shape(weight)}, `threshold` {_shape(threshold)}"
         raise refused(path, f"{shapes}; a cell has {_SHAPES}, with 1 or 2 states")
-    settings = {}
+    settings: dict[str, Any] = {}
     for name, default in _SETTINGS.items():
         value = state.get(name, torch.tensor(default))
         if value.numel() != 1:
@@ -165,7 +165,7 @@ def _loaded(path: Path, data: bytes) -> dict[str, Tensor]:
         state: Any = torch.load(io.BytesIO(data), map_location="cpu", weights_only=True)
     except Exception as error:  # torch, zipfile and pickle raise a dozen types for damaged files
         reason = "it is not a file of torch.save that holds tensors only"
-        raise refused(path, reason, f"the reader says: {one_line(error)}") from error
+        raise refused(path, reason, f"the reader says: {_first_sentence(error)}") from error
     if not isinstance(state, dict):
         raise refused(path, f"it holds {type(state).__name__}, not a state dict")
     for name, value in state.items():
@@ -187,6 +187,10 @@ def refused(path: Path, reason: str, note: str = "") -> Rejected:
             "nscc_training.cells.PixelCell; decoders stay off the chip",
         ),
     )
+
+
+def _first_sentence(error: Exception) -> str:
+    return one_line(error).partition(". ")[0]
 
 
 def _shape(tensor: Tensor) -> str:

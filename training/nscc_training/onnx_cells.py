@@ -84,14 +84,14 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     after = [n for n in graph.node if n.op_type == "Sub" and n.input[0] == conv.output[0]]
     if len(after) != 1 or len(graph.input) != 2:
         raise refused(path, "it does not have two inputs, and one threshold behind its layer Conv")
-    shape = next((list(a.ints) for n in pools for a in n.attribute if a.name == "kernel_shape"), [1])
+    sides = [a.ints[0] for n in pools for a in n.attribute if a.name == "kernel_shape"]
     state_name = graph.input[1].name
     flips = any(n.op_type == "Mul" and state_name in n.input for n in graph.node)
     return {
         "weight": constant(conv, 1),
         "threshold": constant(after[0], 1).reshape(-1),
         "outside": (constant(the("Pad"), 2) > 0).long(),
-        "pool_size": torch.tensor(shape[0]),
+        "pool_size": torch.tensor(sides[0] if sides else 1),
         "flips": torch.tensor(int(flips)),
     }
 
