@@ -29,8 +29,8 @@ class CellFiles:
 
 
 def cell_files(
-    cell: PixelCell, kernels_name: str, *, frame_us: float = 33_000.0, target: str | None = None,
-    remark: str = "",
+    cell: PixelCell, kernels_name: str | None, *, frame_us: float = 33_000.0,
+    target: str | None = None, remark: str = "",
 ) -> CellFiles:  # fmt: skip
     """Return the program of a cell.
 
@@ -41,8 +41,8 @@ def cell_files(
     Parameters
     ----------
     cell : PixelCell
-    kernels_name : str
-        Name of the file of kernels, in the folder of the program.
+    kernels_name : str or None
+        Name of the file of kernels, in the folder of the program; None writes them into the text.
     frame_us : float
         Exposure time of a frame in microseconds.
     target : str, optional
@@ -67,7 +67,11 @@ def cell_files(
     lines += [] if target is None else [f"target {target}"]
     lines += [f"frame 1 slots of {frame_us:g}us", "open when true"]
     lines += [f"outside {int(cell.outside)}", ""]
-    lines += [f'kernel {name} from "{kernels_name}"' for name in arrays]
+    lines += [
+        f"kernel {name} = {kernel.tolist()}" if kernels_name is None
+        else f'kernel {name} from "{kernels_name}"'
+        for name, kernel in arrays.items()
+    ]  # fmt: skip
     steps = cell.pool // 2
     if steps:
         lines.append("kernel around = [[1, 1, 1], [1, 1, 1], [1, 1, 1]]")
@@ -96,51 +100,21 @@ def cell_files(
 
 
 def compiled_cell(
-    files: CellFiles, kernels_name: str, target: Target | str | None = None
+    files: CellFiles, kernels_name: str | None = None, target: Target | str | None = None
 ) -> ShutterProgram:
-    """Compile and prove the program of a cell.
-
-    Parameters
-    ----------
-    files : CellFiles
-    kernels_name : str
-        Name of the file of kernels in the program's text.
-    target : Target or str, optional
-        The chip.
-
-    Returns
-    -------
-    ShutterProgram
-
-    Raises
-    ------
-    Rejected
-        With the compiler's errors, for a cell that does not fit the chip.
-    """
+    """Compile and prove the program of a cell; Rejected with the compiler's errors. `kernels_name`
+    is that of `cell_files`."""
     from nscc.shutter_program import compile
 
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / kernels_name).write_bytes(files.kernels)
+        if kernels_name is not None:
+            (Path(folder) / kernels_name).write_bytes(files.kernels)
         return compile(files.text, target=target, folder=folder)
 
 
 def level_on_chip(level: float, target: Target) -> float:
-    """Return the level that a chip compares exposures with.
-
-    A cell is bit-exact on the chip if its `level` is such a level: comparisons have the resolution
-    of IN.
-
-    Parameters
-    ----------
-    level : float
-        In full wells.
-    target : Target
-
-    Returns
-    -------
-    float
-        In full wells.
-    """
+    """Return the level, in full wells, that a chip compares exposures with: comparisons have the
+    resolution of IN. A cell is bit-exact on the chip if its `level` is such a level."""
     step_e = target.electrons_per_step
     return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 

@@ -127,16 +127,8 @@ class PixelCell(nn.Module):
         self.register_buffer("level", torch.tensor(level, dtype=torch.float64))
         for name, value in ("pool_size", pool), ("outside", outside), ("flips", update == "flip"):
             self.register_buffer(name, torch.tensor(int(value)))
-
-    @property
-    def pool(self) -> int:
-        """Side of the squares of pixels that an output is pooled over."""
-        return int(self.pool_size)
-
-    @property
-    def update(self) -> Update:
-        """How the gates update the states."""
-        return "flip" if self.flips else "replace"
+        self.pool, self.update, self.beyond = pool, update, 2.0 * outside - 1.0
+        self.register_load_state_dict_post_hook(_read_settings)  # type: ignore[no-untyped-call]
 
     def kernels(self) -> Tensor:
         """Return the weights as -1, 0, 1.
@@ -178,8 +170,7 @@ class PixelCell(nn.Module):
         weights = self.weight / size
         if self.is_binary:
             weights = replaced(weights, torch.sign(self.weight.detach()))
-        beyond = 2.0 * float(self.outside) - 1.0
-        padded = functional.pad(bits, [self.kernel // 2] * 4, value=beyond)
+        padded = functional.pad(bits, [self.kernel // 2] * 4, value=self.beyond)
         return functional.conv2d(padded, weights.to(bits))
 
     def forward(
@@ -258,6 +249,14 @@ class PixelCell(nn.Module):
         if self.is_binary:
             return 2 * opened(margins, width) - 1
         return torch.tanh(margins / width)
+
+
+def _read_settings(cell: PixelCell, _keys: object) -> None:
+    """Set the attributes of a cell from its loaded buffers: numbers instead of tensors can be
+    exported to ONNX."""
+    cell.pool = int(cell.pool_size)
+    cell.update = "flip" if cell.flips else "replace"
+    cell.beyond = 2.0 * float(cell.outside) - 1.0
 
 
 def set_moving_edges(cell: PixelCell) -> None:

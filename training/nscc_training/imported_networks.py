@@ -40,28 +40,11 @@ class ImportedNetwork:
 def import_network(
     path: Path, kernels_name: str, *, frame_us: float = 33_000.0, target: str = "scamp5"
 ) -> ImportedNetwork:
-    """Return the program of a trained cell.
+    """Return the program of a trained cell: a state dict (.pt) or a forward pass (.onnx), with
+    `kernels_name` for the file of kernels in the text.
 
-    Parameters
-    ----------
-    path : Path
-        A .pt file of the state dict of a `PixelCell`, or an .onnx file of its forward pass.
-    kernels_name : str
-        Name of the file of kernels, for the program's text.
-    frame_us : float
-        Exposure time of a frame in microseconds.
-    target : str
-        The chip, by name or file.
-
-    Returns
-    -------
-    ImportedNetwork
-
-    Raises
-    ------
-    Rejected
-        NS0851 for a file that does not contain such a cell, and the compiler's errors for a cell
-        that does not fit the chip.
+    Raises Rejected: NS0851 for a file that does not contain such a cell, and the compiler's errors
+    for a cell that does not fit the chip.
     """
     cell = read_cell(path)
     table = load_target(target, Path())
@@ -76,21 +59,8 @@ def import_network(
 
 
 def read_cell(path: Path) -> PixelCell:
-    """Read a cell from a state dict (.pt, .pth) or an .onnx file.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    PixelCell
-
-    Raises
-    ------
-    Rejected
-        NS0851 for a file that does not contain a cell, with the name of the layer.
-    """
+    """Read a cell from a state dict (.pt, .pth) or an .onnx file; Rejected (NS0851) with the name
+    of the layer for another file."""
     suffix = path.suffix.lower()
     if suffix not in (".pt", ".pth", ".onnx"):
         raise refused(path, "its name does not end in .pt, .pth or .onnx")

@@ -52,17 +52,17 @@ class MotionSettings:
     kernel: int = 3
     states: int = 1
     outputs: int = 3
-    pool: int = 7
+    pool: int = 5
     update: Update = "replace"
-    size: int = 48
-    frames: int = 12
+    size: int = 32
+    frames: int = 8
     speed: float = 1.5
     noise: float = 1.0
-    films: int = 384
-    tuned_films: int = 160
-    test_films: int = 160
-    real_steps: int = 80
-    binary_steps: int = 160
+    films: int = 192
+    tuned_films: int = 96
+    test_films: int = 96
+    real_steps: int = 40
+    binary_steps: int = 80
     batch: int = 16
     target: str = "scamp5"
     seed: int = 0
@@ -75,6 +75,10 @@ class LinearDecoder:
 
     weight: NDArray[np.float32]
     bias: NDArray[np.float32]
+
+    def direction(self, bits: NDArray[np.bool_]) -> str:
+        """Return the direction of a film's bits (frames, outputs, rows, cols)."""
+        return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
 
     def accuracy(self, shares: Tensor, directions: Tensor) -> float:
         """Return the part of films (films, outputs) whose direction has the highest score."""
@@ -132,26 +136,11 @@ def motion_films(settings: MotionSettings, count: int, stream: int) -> tuple[Ten
 
 
 def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> MotionCell:
-    """Train a cell, compile it, and measure it in torch and in the emulator.
+    """Train a cell, compile it, and measure it in torch and in the emulator; Rejected for a cell
+    that does not fit the chip.
 
-    The cell is first trained with real weights, then with their signs and under noise. The noise is
-    that of its own compiled program. Every decoder is fitted to the shares of 1 bits of training
-    films.
-
-    Parameters
-    ----------
-    settings : MotionSettings
-    track : Progress
-        Draws the progress of training and emulation.
-
-    Returns
-    -------
-    MotionCell
-
-    Raises
-    ------
-    Rejected
-        With the compiler's errors, for a cell that does not fit the chip.
+    The cell is first trained with real weights, then with their signs and under the noise of its
+    compiled program. Every decoder is fitted to the shares of 1 bits of training films.
     """
     target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
     cell = _start(settings, target)
@@ -215,20 +204,20 @@ def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
     }  # fmt: skip
 
 
+def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
+    """Return the cell of `examples/direction.nsl`, and a decoder of its frames with every effect.
+    Both come with nscc."""
+    from safetensors.numpy import load_file
+
+    from nscc_training.imported_networks import read_cell
+
+    folder = Path(__file__).with_name("shipped_cell")
+    return read_cell(folder / STATE), LinearDecoder(**load_file(folder / DECODER))
+
+
 def fit_decoder(shares: Tensor, directions: Tensor) -> LinearDecoder:
-    """Fit a linear decoder by logistic regression.
-
-    Parameters
-    ----------
-    shares : Tensor
-        (films, outputs), the share of bits that are 1.
-    directions : Tensor
-        (films,), numbers of `DIRECTIONS`.
-
-    Returns
-    -------
-    LinearDecoder
-    """
+    """Fit a linear decoder of shares (films, outputs) by logistic regression; `directions` are
+    numbers of `DIRECTIONS`."""
     mean, spread = shares.mean(0), shares.std(0).clamp(min=1e-6)
     inputs = (shares - mean) / spread
     layer = nn.Linear(shares.shape[1], len(DIRECTIONS))
