@@ -1,4 +1,4 @@
-"""Cells that tell the direction of motion: the shipped one, decoders, and training from start to end."""
+"""Cells that tell the direction of motion: the shipped one, decoders, and training."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import torch
 
 from nscc.chips.load import load_target
-from nscc_training.cell_programs import cell_film, cell_files, compiled_cell
+from nscc_training.cell_programs import cell_files, cell_film, compiled_cell
 from nscc_training.made_scenes import DIRECTIONS
 from nscc_training.motion_cells import (
     MotionSettings,
