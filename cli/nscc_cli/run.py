@@ -156,7 +156,8 @@ def _run_on_emulator(
         say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")
         if simulated.audit is not None:
             say_done(str(simulated.audit))
-    alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
+    kept = container.machine.keeps if container.machine else container.keeps_planes
+    alike = request.effects.noiseless and not kept
     colours = "colours" in exposed.laid
     say_done(summary(container, frame, files, alike=alike, colours=colours))
     if simulated.broken is not None:

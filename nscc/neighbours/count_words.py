@@ -1,10 +1,11 @@
 """The words of counts: bits of neighbours, shifted one step at a time, add IN to accumulators.
 
-Several images can be counted in one walk over the neighbourhood: they share the shifts, and FLAG.
-A word adds to one register, so a weight of an image takes two words where FLAG is 1. Of two images
-whose weights agree at a place, half their sum changes there and half their difference does not;
-where the weights differ it is the other way round. Accumulators of such sums take two words a place
-for both images.
+Several images can be counted in one walk over the neighbourhood: they share the shifts. A word
+inverts, so each place takes two words to another register, one of them with IN: one in all pixels,
+then one where the bit is 1. A pixel keeps the error of only one of them, and all pixels lose the
+same share of a count to the gain of words. Of two images whose weights agree at a place, half their
+sum changes there and half their difference does not; where the weights differ it is the other way
+round. Accumulators of such sums take two words a place for both images.
 """
 
 from __future__ import annotations
@@ -53,6 +54,19 @@ def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
     return CountSum(agreements), [t for t in terms if not isinstance(t[1], p.Agreement)]
 
 
+@dataclass
+class Accumulator:
+    """A register that holds a count times `sign`. It starts with `start` counts, in the word number
+    `first_word`; the count lies within `span` of 0, and `words` wrote it."""
+
+    register: str
+    first_word: int
+    sign: int = 1
+    start: Fraction = Fraction(0)
+    span: Fraction = Fraction(0)
+    words: float = 1.0
+
+
 Result = TypeVar("Result")
 
 
@@ -69,7 +83,7 @@ class CountEmitter(Emitter):
         super().__init__(pictures)
         self.most_images, self.may_share = walks
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
-        self.walks = 0
+        self.walks, self.spare = 0, ""
 
     @abstractmethod
     def take(self) -> str:
@@ -126,7 +140,8 @@ class CountEmitter(Emitter):
         factor, first = terms[0]
         assert first.name is not None
         if len(terms) == 1 and abs(factor) == 1 and self.uses[first.name] == 1:
-            return replace(self.held.pop(first.name), name=None, sign=1 if factor > 0 else -1)
+            sign = first.sign if factor > 0 else -first.sign
+            return replace(self.held.pop(first.name), name=None, sign=sign)
         signed_terms = []
         for factor, accumulator in terms:
             term = self.filtered(accumulator, {(0, 0): abs(factor)})
@@ -143,58 +158,79 @@ class CountEmitter(Emitter):
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
         directions = directions_of(vectors.values())
         steps = {at: _steps_along(vector, directions) for at, vector in vectors.items()}
-        registers = self._begin(steps.values(), len(directions))
+        self.everywhere()
+        accumulators = [self._begin() for _ in directions]
+        self.spare = self.take()
         for condition in dict.fromkeys(condition for condition, _ in places):
-            self._walk(condition, steps, registers)
+            self._walk(condition, steps, accumulators)
         self._skip_repeated([term.condition for _, total in sums for _, term in total.terms])
         self.everywhere()
+        self.give(Held(self.spare, 1, 0.0, 0.0))
         self.walks += 1
         self.ready |= {name: [] for name, _ in sums}
-        for number, direction in enumerate(directions):
-            factors = [abs(step[number]) for step in steps.values() if number in step]
-            high_e = float(sum(factors)) * self.count_e
-            self.checked(-high_e, high_e)
-            name, variance = f"count {self.walks}.{number}", 1.0 + 2 * len(factors)
-            accumulator = Held(registers[number], 1, -high_e, high_e, name, variance)
-            self.held[name] = accumulator
-            self.uses[name] = sum(1 for factor in direction if factor)
+        for number, (direction, accumulator) in enumerate(
+            zip(directions, accumulators, strict=True)
+        ):
+            held = self._held(accumulator, f"count {self.walks}.{number}")
+            self.uses[held.name or ""] = sum(1 for factor in direction if factor)
             for (image, _), factor in zip(sums, direction, strict=True):
                 if factor:
-                    self.ready[image].append((factor, accumulator))
+                    self.ready[image].append((factor, held))
 
-    def _begin(self, steps: Iterable[dict[int, Fraction]], number: int) -> list[str]:
-        """Accumulators of counts in which no bit is 1."""
-        start = [Fraction(0)] * number
-        for step in steps:
-            for accumulator, factor in step.items():
-                start[accumulator] -= factor
-        registers = []
-        self.everywhere()
-        for count in start:
-            registers.append(self.take())
-            level = -int(count * self.pictures.count_steps)
-            self.word(op("bus", registers[-1:], ["IN"] if level else []), level or None)
-        return registers
+    def _begin(self) -> Accumulator:
+        """An accumulator; its start is known when all bits are added."""
+        register = self.take()
+        self.word(op("bus", [register]))
+        return Accumulator(register, len(self.words) - 1)
+
+    def _held(self, accumulator: Accumulator, name: str) -> Held:
+        """What an accumulator holds after the last bit, now that its start is known."""
+        level = -int(accumulator.start * self.pictures.count_steps)
+        if level:
+            first = self.words[accumulator.first_word][0]
+            started = op("bus", first.destinations, ["IN"])
+            self.words[accumulator.first_word] = started, level
+        high_e = float(accumulator.span) * self.count_e
+        self.checked(-high_e, high_e)
+        held = Held(
+            accumulator.register, accumulator.sign, -high_e, high_e, name, accumulator.words
+        )
+        self.held[name] = held
+        return held
 
     def _walk(
         self, condition: p.Condition, steps: dict[Place, dict[int, Fraction]],
-        registers: Sequence[str],
+        accumulators: Sequence[Accumulator],
     ) -> None:  # fmt: skip
         """Adds the bits of one plane, place by place."""
         bit = self.bits.bit(condition)
         offsets = {at for plane, at in steps if plane == condition}
         for at, register in self.bits.places(bit[0], offsets):
-            self.word(op("WHERE", [], [register]))
             for number, factor in steps[condition, at].items():
-                self._add(registers[number], int(2 * factor * self.pictures.count_steps))
+                self._add(accumulators[number], register, factor)
         self.bits.give(bit)
 
-    def _add(self, register: str, in_steps: int) -> None:
-        """Adds steps of IN where FLAG is 1. A word inverts: IN is in the first or the second."""
-        for number, (target, source) in enumerate([("NEWS", register), (register, "NEWS")]):
-            adds = number == (in_steps < 0)
-            sources = [source, "IN"] if adds else [source]
-            self.word(op("bus", [target], sources), abs(in_steps) if adds else None)
+    def _add(self, accumulator: Accumulator, bit: str, factor: Fraction) -> None:
+        """Adds a factor where a bit is 1, and takes it away where it is 0.
+
+        IN comes to the pixels whose bit is 1 or to the others, as the sign requires that the
+        accumulator has by now; the start makes up for the rest.
+        """
+        level = abs(int(2 * factor * self.pictures.count_steps))
+        to_ones = factor * accumulator.sign > 0
+        for is_flagged in (False, True):
+            if is_flagged:
+                self.word(op("WHERE", [], [bit]))
+            else:
+                self.everywhere()
+            adds = is_flagged == to_ones
+            sources = [accumulator.register, *(["IN"] if adds else [])]
+            self.word(op("bus", [self.spare], sources), level if adds else None)
+        self.spare, accumulator.register = accumulator.register, self.spare
+        accumulator.sign = -accumulator.sign
+        accumulator.start += -factor if to_ones else factor
+        accumulator.span += abs(factor)
+        accumulator.words += 1
 
     def _skip_repeated(self, conditions: Sequence[p.Condition]) -> None:
         """Planes that were walked over once are not read again for the other agreements."""

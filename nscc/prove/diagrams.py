@@ -28,7 +28,8 @@ class Diagrams:
         self._values: dict[int, Fraction] = {}
         self._number: dict[object, int] = {}
         self._known: dict[tuple[str, int, int], int] = {}
-        self._scaled: dict[tuple[int, int, int], int] = {}
+        self._multiples: dict[tuple[int, int], dict[int, int]] = {}
+        self._inverses: dict[int, int] = {}
         self._support: dict[int, frozenset[int]] = {}
         self._order: list[tuple[int, int, int]] = []
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
@@ -112,15 +113,22 @@ class Diagrams:
 
     def inverse(self, bit: int) -> int:
         """`not` of a bit."""
-        return self.add(self.one, self.scaled(Fraction(-1), bit))
+        inverse = self._inverses.get(bit)
+        if inverse is None:
+            inverse = self._inverses[bit] = self.add(self.one, self.scaled(Fraction(-1), bit))
+        return inverse
 
     def scaled(self, factor: Fraction, node: int) -> int:
         """A number times a fraction."""
-        key = (*factor.as_integer_ratio(), node)
-        product = self._scaled.get(key)
+        known = self.multiples(factor)
+        product = known.get(node)
         if product is None:
-            product = self._scaled[key] = self.times(self.leaf(factor), node)
+            product = known[node] = self.times(self.leaf(factor), node)
         return product
+
+    def multiples(self, factor: Fraction) -> dict[int, int]:
+        """The products with a fraction that are known so far."""
+        return self._multiples.setdefault(factor.as_integer_ratio(), {})
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
         """One number where a bit is 1, another one where it is 0."""

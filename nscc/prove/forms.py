@@ -80,9 +80,11 @@ class Forms:
         diagrams, zero = self.diagrams, self.diagrams.zero
         total: dict[Unknown, int] = {}
         for factor, form in terms:
-            is_one = factor == 1
+            known = diagrams.multiples(factor)
             for unknown, number in form.items():
-                scaled = number if is_one else diagrams.scaled(factor, number)
+                scaled = known.get(number)
+                if scaled is None:
+                    scaled = diagrams.scaled(factor, number)
                 before = total.get(unknown, zero)
                 total[unknown] = scaled if before == zero else diagrams.add(before, scaled)
         return {unknown: number for unknown, number in total.items() if number != zero}

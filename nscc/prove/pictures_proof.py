@@ -193,7 +193,7 @@ class PictureReplay:
             case WordEffect.FLAG_DIGITAL:
                 self.digital["FLAG"] = self._or_sources(op)
             case WordEffect.FLAG_ANALOG:
-                before, totals = self.digital["FLAG"], self._totals(op, level)
+                before, totals = self.digital["FLAG"], self._totals(op, level, Fraction(1))
                 flags = {at: forms.positive(total, at) for at, total in totals.items()}
                 if self.container.target.where_obeys_flag:
                     times = forms.diagrams.times
@@ -208,10 +208,12 @@ class PictureReplay:
             case _:
                 raise PictureReplayError(f"`{op}` has no place after the exposure")
 
-    def _totals(self, op: Op, level: int | None, flag: Bits | None = None) -> Fields:
-        """The sum of a word's analog sources in every pixel; with `flag`, where that is 1."""
+    def _totals(
+        self, op: Op, level: int | None, factor: Fraction, flag: Bits | None = None
+    ) -> Fields:
+        """The sum of a word's analog sources in every pixel, times a factor; with `flag`, where
+        that is 1."""
         forms = self.forms
-        unit_factor = Fraction(1)
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
             if name == "IN":
@@ -227,9 +229,7 @@ class PictureReplay:
                 fields.append(self.fields(name, flag))
             else:
                 raise PictureReplayError(f"`{op}` reads {name} after the exposure")
-        return {
-            at: forms.sum(*((unit_factor, field[at]) for field in fields)) for at in forms.places()
-        }
+        return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.places()}
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """What the pixels so far away hold."""
@@ -247,9 +247,7 @@ class PictureReplay:
         masked = any(bit != forms.diagrams.one for bit in flag.values())
         if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:
             raise PictureReplayError(f"`{op}` reaches neighbours, and FLAG is not 1 in all pixels")
-        factor = Fraction(-1, op.operation.divisor)
-        totals = self._totals(op, level, flag)
-        values = {at: forms.sum((factor, total)) for at, total in totals.items()}
+        values = self._totals(op, level, Fraction(-1, op.operation.divisor), flag)
         for name in op.destinations:
             if name in NEIGHBOURS:
                 right, down = STEPS[name]

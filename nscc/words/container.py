@@ -134,6 +134,11 @@ class Container:
         return tuple(name for name in self.pictures.reads if name in self.buckets)
 
     @property
+    def keeps_planes(self) -> bool:
+        """Whether planes go on from frame to frame."""
+        return self.pictures is not None and bool(self.pictures.states)
+
+    @property
     def words_stored(self) -> int:
         """How many words the chip's store holds."""
         after = self.pictures.kernels if self.pictures else ()

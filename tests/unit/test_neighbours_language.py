@@ -13,7 +13,7 @@ from nscc.program.program import Program
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.syntax.parse import parse
-from nscc.words.pictures import Above, At, Inverse, Joined, from_plain, to_plain
+from nscc.words.pictures import Above, At, Bit, Inverse, Joined, from_plain, to_plain
 
 HEAD = "nsl 3 frame 4 slots of 1ms "
 ONE = HEAD + "open when true "
@@ -190,3 +190,25 @@ def test_the_style_of_images() -> None:
         "nsl 3\nkernel k = [[1, 0, -1]] / 2\nimage i = abs(k(exposure)) - exposure * 2 / 4\n"
         "plane p = i > -4% and i[1, -1]\n"
     )
+
+
+def test_next_reads_planes_as_images_do() -> None:
+    """Levels, functions and neighbours in `next`; a field's bit stays what it is."""
+    text = (
+        ONE + "outside 0 kernel k = [[1, 0, -1]] state h : bit = 1 kept plane p = exposure > 6% "
+        "next h = h[-1, 2] xor any(p, k) and (exposure < 40% or agree(not h, k) > 0) read h"
+    )
+    pictures = program(text).pictures
+    assert pictures is not None
+    (state,) = pictures.states
+    assert (state.name, state.start) == ("h", True)
+    assert isinstance(state.next, Joined)
+    assert state.next.first == At(Bit("h"), -1, 2)
+    looked = (
+        "nsl 3 frame 4 slots of 1ms code bits : bit[4] open when n < 4 "
+        "sense a when light > 3% at n < 3 state s : bit = 1 "
+        "next s = bits[(8 % 3)] and not a read s pixels bits = 5"
+    )
+    assert program(looked).machine is not None
+    source = Source("p.nsl", text)
+    assert format_source(Source("p.nsl", format_source(source))) == format_source(source)
