@@ -59,8 +59,8 @@ class MotionSettings:
     speed: float = 1.5
     noise: float = 1.0
     films: int = 192
-    tuned_films: int = 96
-    test_films: int = 96
+    tuned_films: int = 64
+    test_films: int = 80
     real_steps: int = 40
     binary_steps: int = 80
     batch: int = 16
