@@ -168,4 +168,4 @@ def test_noise_of_training_is_that_of_the_emulator() -> None:
     spread = (errors - np.polyval(np.polyfit(counts, errors, 1), counts)).std()
     comparators = CellNoise.of(program).exposure * target.full_well_e / unit_e
     words = np.sqrt(CellNoise.of(program).count ** 2 - comparators**2)
-    assert 0.7 * words < spread < 1.1 * words
+    assert 0.85 * words < spread < 1.1 * words

@@ -9,8 +9,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from nscc_training.cell_states import cell_of_state, refused
 from nscc_training.cells import PixelCell
-from nscc_training.imported_networks import cell_of_state, refused
 from nscc_training.problems import listed, one_line
 
 _LAYERS = frozenset((
