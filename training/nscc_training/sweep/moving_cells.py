@@ -68,7 +68,7 @@ def _train(values: Values, place: Place) -> Figures:
         **{f"{name}_accuracy": round(share, 4) for name, share in trained.accuracies.items()},
         "different_bits": trained.different_bits,
         "words": report["images_words_total"],
-        "us": report["images_us"],
+        "us": round(report["images_us"], 3),
         "count_noise": round(trained.noise.count, 3),
         "bits_per_frame": trained.bits_per_frame,
         "full_frame_bits": trained.full_frame_bits,
