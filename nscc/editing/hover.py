@@ -17,6 +17,7 @@ from nscc.program.problems import clipped, counted
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.words import FORMS
+from nscc.words.counts import counts_by_name
 from nscc.words.pictures import Weights
 
 _MOST_VALUES = 12
@@ -118,8 +119,11 @@ def _picture(document: Document, name: str) -> str | None:
     if cost is None:
         return description
     description += f". {counted(cost.words, 'word')}"
-    if is_plane:
+    if is_plane or pictures is None:
         return description
+    count = counts_by_name(pictures).get(name)
+    if count is not None:
+        return f"{description}, counts to {count.peak}, noise gain {cost.noise_gain:.3g}"
     return f"{description}, peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
 
 

@@ -57,14 +57,14 @@ def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
 @dataclass
 class Accumulator:
     """A register that holds a count times `sign`. It starts with `start` counts, in the word number
-    `first_word`; the count lies within `span` of 0, and `words` wrote it."""
+    `first_word`; the count lies within `span` of 0. `variance` is that of `Held`."""
 
     register: str
     first_word: int
     sign: int = 1
     start: Fraction = Fraction(0)
     span: Fraction = Fraction(0)
-    words: float = 1.0
+    variance: float = 1.0
 
 
 Result = TypeVar("Result")
@@ -129,7 +129,8 @@ class CountEmitter(Emitter):
         names = {
             node.name for node in p.subexpressions(item.node) if isinstance(node, p.Bit | p.Source)
         }
-        return agreements if agreements.terms and not others and names <= known else None
+        counts = bool(agreements.weights(self.weights)) and not others
+        return agreements if counts and names <= known else None
 
     def counted(self, agreements: CountSum) -> Held:
         """The sum of agreements that stand in an expression, or that were counted before."""
@@ -150,20 +151,22 @@ class CountEmitter(Emitter):
 
     def _count(
         self, sums: Sequence[tuple[str, CountSum]],
-        directions_of: Callable[[Iterable[Direction]], list[Direction]],
+        directions_of: Callable[[Sequence[Direction], int], list[Direction]],
     ) -> None:  # fmt: skip
         """The walks that count some images, by accumulators of these directions."""
         weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(place for image in weights for place in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
-        directions = directions_of(vectors.values())
+        directions = directions_of(list(vectors.values()), len(sums))
         steps = {at: _steps_along(vector, directions) for at, vector in vectors.items()}
         self.everywhere()
         accumulators = [self._begin() for _ in directions]
         self.spare = self.take()
+        unread = [term.condition for _, total in sums for _, term in total.terms]
         for condition in dict.fromkeys(condition for condition, _ in places):
             self._walk(condition, steps, accumulators)
-        self._skip_repeated([term.condition for _, total in sums for _, term in total.terms])
+            unread.remove(condition)
+        self._skip(unread)
         self.everywhere()
         self.give(Held(self.spare, 1, 0.0, 0.0))
         self.walks += 1
@@ -171,8 +174,9 @@ class CountEmitter(Emitter):
         for number, (direction, accumulator) in enumerate(
             zip(directions, accumulators, strict=True)
         ):
-            held = self._held(accumulator, f"count {self.walks}.{number}")
-            self.uses[held.name or ""] = sum(1 for factor in direction if factor)
+            name = f"count {self.walks}.{number}"
+            self.uses[name] = sum(1 for factor in direction if factor)
+            held = self.held[name] = self._finished(accumulator, name)
             for (image, _), factor in zip(sums, direction, strict=True):
                 if factor:
                     self.ready[image].append((factor, held))
@@ -183,7 +187,7 @@ class CountEmitter(Emitter):
         self.word(op("bus", [register]))
         return Accumulator(register, len(self.words) - 1)
 
-    def _held(self, accumulator: Accumulator, name: str) -> Held:
+    def _finished(self, accumulator: Accumulator, name: str) -> Held:
         """What an accumulator holds after the last bit, now that its start is known."""
         level = -int(accumulator.start * self.pictures.count_steps)
         if level:
@@ -192,11 +196,8 @@ class CountEmitter(Emitter):
             self.words[accumulator.first_word] = started, level
         high_e = float(accumulator.span) * self.count_e
         self.checked(-high_e, high_e)
-        held = Held(
-            accumulator.register, accumulator.sign, -high_e, high_e, name, accumulator.words
-        )
-        self.held[name] = held
-        return held
+        sign, variance = accumulator.sign, accumulator.variance
+        return Held(accumulator.register, sign, -high_e, high_e, name, variance)
 
     def _walk(
         self, condition: p.Condition, steps: dict[Place, dict[int, Fraction]],
@@ -230,27 +231,24 @@ class CountEmitter(Emitter):
         accumulator.sign = -accumulator.sign
         accumulator.start += -factor if to_ones else factor
         accumulator.span += abs(factor)
-        accumulator.words += 1
+        accumulator.variance += 1
 
-    def _skip_repeated(self, conditions: Sequence[p.Condition]) -> None:
-        """Planes that were walked over once are not read again for the other agreements."""
-        for number, condition in enumerate(conditions):
-            if condition not in conditions[:number]:
-                continue
-            for node in p.subexpressions(condition):
-                if isinstance(node, p.Bit):
-                    self.bits.give((self.bits.planes[node.name], node.name))
-                elif isinstance(node, p.Source):
-                    self.give(self.held[node.name])
+    def _skip(self, conditions: Iterable[p.Condition]) -> None:
+        """Planes that were walked over are not read again for the other agreements."""
+        nodes = (node for condition in conditions for node in p.subexpressions(condition))
+        for node in nodes:
+            if isinstance(node, p.Bit):
+                self.bits.give((self.bits.planes[node.name], node.name))
+            elif isinstance(node, p.Source):
+                self.give(self.held[node.name])
 
 
-def _separate(vectors: Iterable[Direction]) -> list[Direction]:
+def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:
     """An accumulator for each image."""
-    size = len(next(iter(vectors)))
-    return [tuple(Fraction(i == j) for j in range(size)) for i in range(size)]
+    return [tuple(Fraction(i == j) for j in range(images)) for i in range(images)]
 
 
-def _shared(vectors: Iterable[Direction]) -> list[Direction]:
+def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
     """An accumulator for each ratio of the images' weights at a place."""
     return list(dict.fromkeys(_normal(vector)[1] for vector in vectors))
 

@@ -125,10 +125,10 @@ def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
             if isinstance(node, p.Exceeds):
                 least = lcm(least, node.level.denominator)
             terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
-            for factor, term in terms:
-                if isinstance(term, p.Agreement):  # a bit that is 1 adds two counts by IN
-                    least = lcm(least, factor.denominator)
-                    peak, name = max((peak, name), (2 * abs(factor), item))
+            factors = [factor for factor, term in terms if isinstance(term, p.Agreement)]
+            if factors:  # where all bits are 1, IN adds two counts for each of them at once
+                least = lcm(least, *(factor.denominator for factor in factors))
+                peak, name = max((peak, name), (2 * sum(map(abs, factors), Fraction(0)), item))
             if not isinstance(node, p.Condition):
                 counts = counts_of(node, known, weights)
                 if counts is not None:

@@ -131,9 +131,9 @@ def faults(container: Container) -> Iterator[str]:
             yield "a word of its pictures is not five 32-bit integers"
             return
     for launch in pictures.launches:
-        level = launch.level
+        level, target = launch.level, container.target
         if launch.kernel not in range(len(pictures.kernels)) or not (
-            level is None or type(level) is int
+            level is None or (type(level) is int and target.in_low <= level <= target.in_high)
         ):
             yield "a launch of its pictures is malformed"
             return

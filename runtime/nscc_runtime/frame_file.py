@@ -13,6 +13,7 @@ converter, `image_codes_NAME` uint8 and `image_saturated_by_NAME` uint8 (32: a v
 of registers) for every image that it reads, `plane_NAME` bool for every plane, `report_any_NAME`,
 `report_events_NAME` (with `_count` and `_overflow`), `report_box_NAME`, and `margin` bool: pixels
 that depend on what is beyond the array. Its `frame` holds the buckets that it reads, perhaps none.
+`image_unit` in its meta has the electrons of a count for every image of counts that it reads.
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
 it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open, and
@@ -335,7 +336,7 @@ def meta(
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
-        **({"image_unit": image_unit(container)} if container and container.pictures else {}),
+        **({"image_unit": unit} if container and (unit := image_unit(container)) else {}),
         **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": origin.plan,
@@ -348,7 +349,8 @@ def image_unit(container: Container) -> dict[str, float]:
     from nscc.words.counts import counts_by_name
 
     pictures = container.pictures
-    assert pictures is not None
+    if pictures is None:
+        return {}
     unit_e = pictures.count_steps * container.target.electrons_per_step
     return {name: unit_e for name in counts_by_name(pictures) if name in pictures.reads}
 
