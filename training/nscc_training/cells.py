@@ -42,14 +42,6 @@ class CellNoise:
 
         Words and comparators are independent. The fixed offsets of comparators are included as
         noise, so that a cell is trained for every device. The gain of words is not included.
-
-        Parameters
-        ----------
-        program : ShutterProgram
-
-        Returns
-        -------
-        CellNoise
         """
         from nscc_runtime.exposing import sensor_for
 
@@ -131,41 +123,20 @@ class PixelCell(nn.Module):
         self.register_load_state_dict_post_hook(_read_settings)  # type: ignore[no-untyped-call]
 
     def kernels(self) -> Tensor:
-        """Return the weights as -1, 0, 1.
-
-        Returns
-        -------
-        Tensor
-            (gates, 1 + states, kernel, kernel), int64.
-        """
+        """Return the weights (gates, 1 + states, kernel, kernel) as -1, 0, 1, int64."""
         return torch.sign(self.weight.detach()).long()
 
     def thresholds(self) -> Tensor:
         """Return the largest attainable count of each gate that does not exceed its threshold.
-
-        Returns
-        -------
-        Tensor
-            (gates,), int64: attainable counts are -places, -places + 2, .., places.
-        """
+        Attainable counts are -places, -places + 2, .., places; the result is int64."""
         places = self.kernels().abs().sum((1, 2, 3))
         steps = torch.floor((self.threshold.detach() + places) / 2).long()
         # At least one count is above it, and at least one is not.
         return 2 * torch.minimum(steps.clamp(min=0), (places - 1).clamp(min=0)) - places
 
     def counts(self, bits: Tensor) -> Tensor:
-        """Return the counts of all gates; with real weights, in the same unit.
-
-        Parameters
-        ----------
-        bits : Tensor
-            (batch, 1 + states, rows, cols): the bit of the exposure, then the states.
-
-        Returns
-        -------
-        Tensor
-            (batch, gates, rows, cols).
-        """
+        """Return the counts of all gates (batch, gates, rows, cols) for the bits of exposure and
+        states (batch, 1 + states, rows, cols). Real weights give the same unit."""
         size = self.weight.detach().abs().mean((1, 2, 3), keepdim=True)
         weights = self.weight / size
         if self.is_binary:
