@@ -8,6 +8,7 @@ COMMANDS = {
     "new": "Write a first program, with comments.",
     "design": "Compute a program for a scene.",
     "import-mask": "Write a program for the shutters in a mask file.",
+    "import-network": "Write a program for a trained network of bits.",
     "check": "Report errors of programs, and whether they fit the chip.",
     "build": "Compile a program to a container of words.",
     "run": "Expose one frame of a scene with a program.",

@@ -73,6 +73,7 @@ _TASKS: dict[str, dict[str, _Shown]] = {
         "motion_in_a_frame": _Shown("builtin:motion", 60_000, None),
         "local_contrast": _Shown("builtin:hdr", 200_000, None),
         "grown_regions": _Shown("builtin:hdr", 60_000, None),
+        "direction": _Shown("builtin:motion", 30_000, None),
     },
     "Two exposures in one frame": {
         "two_buckets": _clip(60_000), "coded_two_buckets": _clip(60_000),

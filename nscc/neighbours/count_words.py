@@ -22,8 +22,9 @@ from nscc.neighbours.held import Emitter, Held
 from nscc.operations import op
 from nscc.words import pictures as p
 
-MOST_IMAGES = 4
-"""So many images are counted in one walk at most."""
+WALKS = ((4, True), (4, False), (3, False), (2, False), (1, False))
+"""Limits that are tried in turn, until everything fits the registers: the most images that are
+counted in one walk, and whether they may share accumulators, which takes registers later."""
 
 Place = tuple[p.Condition, Offset]
 Direction = tuple[Fraction, ...]
@@ -78,8 +79,9 @@ class CountEmitter(Emitter):
     uses: dict[str, int]
     count_e: float
 
-    def __init__(self, pictures: p.Pictures) -> None:
+    def __init__(self, pictures: p.Pictures, walks: tuple[int, bool]) -> None:
         super().__init__(pictures)
+        self.most_images, self.may_share = walks
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
         self.walks, self.spare = 0, ""
 
@@ -110,10 +112,10 @@ class CountEmitter(Emitter):
         sums = [(item.name, total) for item in items if (total := self._countable(item))]
         if not sums or sums[0][0] != items[0].name:
             return
-        numbers = range(1, min(len(sums), MOST_IMAGES) + 1)
+        numbers = range(1, min(len(sums), self.most_images) + 1)
         ways, shares = [], []
         for number in numbers:
-            for directions_of in (_separate, _shared):
+            for directions_of in (_separate, _shared)[: 1 + self.may_share]:
                 ways.append(partial(self._count, sums[:number], directions_of))
                 shares.append(number)
         self.do_shortest(ways, shares)

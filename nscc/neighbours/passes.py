@@ -10,6 +10,7 @@ from math import ceil, log2
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.resources import time_text
 from nscc.lower.timeline import RETENTION_SHARE
+from nscc.neighbours.count_words import WALKS
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
@@ -73,9 +74,21 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
     written = {name for word in exposing if word is not None for name in word.destinations}
     synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
-    lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
-    lowering.run()
-    return lowering
+    refused: PictureRefused | None = None
+    for walks in WALKS:
+        lowering = Lowering(
+            pictures, target, buckets, digital, {*digital} - written, synthesis, walks
+        )
+        try:
+            lowering.run()
+        except PictureRefused as error:
+            refused = refused or error
+            if not pictures.count_steps:
+                break
+        else:
+            return lowering
+    assert refused is not None
+    raise refused
 
 
 def grouped(

@@ -29,6 +29,7 @@ KEPT = [
     "PixelShutters",  # public: the operator for DeepInverse
     "RIGHT",  # one of four directions
     "write_shipped",  # docs/reconstruct.md
+    "shipped_cell",  # docs/tutorials/network.md
     "resent",  # a count that tests of the protocol read
 ]
 OF_THE_PROTOCOL = [

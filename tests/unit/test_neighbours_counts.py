@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -29,6 +30,10 @@ from nscc.words.disassembly import disassemble
 from nscc.words.file import to_bytes
 from nscc.words.pictures import Bit, Exceeds, from_plain, to_plain
 from nscc.words.pictures import Source as ImageSource
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
+from nscc_runtime.sensor import default_sensor
 
 SIDE = 20
 CELL = """nsl 3                        # a binary recurrent cell
@@ -91,6 +96,19 @@ def test_images_that_are_counted_together_share_words(cell: Path) -> None:
     assert report["images"]["f"]["words"] <= alone_words + 10
 
 
+def test_the_error_of_counts_is_what_the_report_says(cell: Path) -> None:
+    container = small(CELL, side=64, folder=cell.parent)
+    sensor = default_sensor(container.target).changed(analog_pattern_lsb=0.0, analog_gain=1.0)
+    runner = PicturedProgram(container, sensor, selected("analog"), threads=1)
+    bright = np.random.default_rng(2).random((1, 64, 64)) < 0.5
+    (frame,) = runner.frames(Light.of_clip(bright * np.float32(30000)), 3, 1, 1)
+    exact = film_of(container, [bright * np.float32(30000)])[0]["image_o"]
+    word_e = sensor.analog_noise_lsb * sensor.electrons_per_lsb
+    noise_gain = picture_report(container)["images"]["o"]["noise_gain"]
+    error_e = (frame.told["image_o"] - exact).std()
+    assert error_e == pytest.approx(noise_gain * word_e, rel=0.06)
+
+
 def test_python_films_keep_the_state(cell: Path, tmp_path: Path) -> None:
     program = nscc.compile(cell, level=0)
     rng = np.random.default_rng(1)
@@ -127,7 +145,7 @@ def test_the_largest_of_neighbours(kernel: str) -> None:
         "read up, down"
     )
     light = np.random.default_rng(3).integers(0, 30000, (1, SIDE, SIDE)).astype(np.float32)
-    mask = np.array(eval(kernel)) != 0
+    mask = np.array(json.loads(kernel)) != 0
     told = frame_of(small(text), light)
     inside = ~told["margin"]
     assert inside[2:-2, 2:-2].all()
@@ -187,11 +205,6 @@ def test_margins_of_states_grow_with_the_frames() -> None:
 
 
 def test_bits_fade_where_registers_keep_them_for_less_than_a_frame() -> None:
-    from nscc_runtime.effects import selected
-    from nscc_runtime.light import Light
-    from nscc_runtime.neighbours.pictured_program import PicturedProgram
-    from nscc_runtime.sensor import default_sensor
-
     text = "nsl 3 frame 1 slots of 30ms open when true state h : bit = 1 kept plane p = h read p"
     container = small(text)
     light = Light.of_clip(np.zeros((1, SIDE, SIDE), np.float32))
@@ -272,11 +285,6 @@ def frame_of(container: Container, light: np.ndarray) -> dict[str, Any]:
 
 
 def film_of(container: Container, lights: list[np.ndarray]) -> list[dict[str, Any]]:
-    from nscc_runtime.effects import selected
-    from nscc_runtime.light import Light
-    from nscc_runtime.neighbours.pictured_program import PicturedProgram
-    from nscc_runtime.sensor import default_sensor
-
     runner = PicturedProgram(
         container, default_sensor(container.target), selected("none"), threads=1
     )

@@ -33,6 +33,8 @@ def soft(value: Values, sensor: Sensor) -> Values:
     knee = KNEE(sensor)
     limit = np.where(value < 0, -LOWEST(sensor), HIGHEST(sensor))
     size = np.abs(value)
+    if not np.any(size > knee * limit):
+        return value
     if knee == 1.0:
         return np.asarray(np.where(size > limit, np.copysign(limit, value), value))
     room = (1.0 - knee) * limit

@@ -27,7 +27,7 @@ TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "
 _POINTS = "points"
 _MOST_REASONS = 5
 _POLL_S = 0.2
-_NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
+_NAMED = {"train": "runs", "evaluate": "results", "design": "programs", "cell": "cells"}
 """Folders with named links to the outputs of points, by kind."""
 
 

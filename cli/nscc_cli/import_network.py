@@ -1,0 +1,43 @@
+"""`nscc import-network`: a program of a network that was trained with torch."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from nscc.files import refuse_same, write_together
+from nscc_cli.completion import TARGET
+from nscc_cli.options import OUT, PATH
+from nscc_cli.support import CommonCommand, NumberRange, say_done
+
+
+@click.command("import-network", cls=CommonCommand)
+@click.argument("model", metavar="MODEL.pt|onnx", type=PATH)
+@click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
+@click.option("--frame-us", type=NumberRange(1e-3, 1e9), default=33_000.0, show_default=True,
+              help="Exposure time of a frame in microseconds.")  # fmt: skip
+@click.option("--target", type=TARGET, default="scamp5", show_default=True,
+              metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
+def command(model: Path, out: Path, frame_us: float, target: str) -> None:
+    """Write the program of a recurrent cell of bits, and its kernels beside it.
+
+    MODEL is the state dict of a `nscc_training.cells.PixelCell`, or the ONNX export of its forward
+    pass. Other networks are refused, with the names of their layers. The program is compiled and
+    proved before it is written.
+    """
+    from nscc_training.imported_networks import import_network
+
+    if out.suffix.lower() != ".nsl":
+        raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
+    kernels = out.with_suffix(".kernels.npz")
+    refuse_same([out, kernels], "-o and its kernels")
+    imported = import_network(model, kernels.name, frame_us=frame_us, target=target)
+    write_together({out: imported.text.encode(), kernels: imported.kernels})
+    cell = imported.cell
+    say_done("\n".join([
+        f"{cell.states} states, {cell.outputs} outputs, kernels {cell.kernel} x {cell.kernel}, "
+        f"{imported.words} words a frame",
+        f"exposures are compared with {100 * imported.level:.4g} % of a full well",
+        *(f"wrote {path.as_posix()}" for path in (out, kernels)),
+    ]))  # fmt: skip

@@ -1,0 +1,246 @@
+"""Recurrent networks of bits in the pixels, as torch modules that compile to programs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot, sqrt
+from typing import TYPE_CHECKING, Literal, get_args
+
+import torch
+from torch import Tensor, nn
+from torch.nn import functional
+
+from nscc_training.draws import normal
+from nscc_training.gradients import opened, replaced
+
+if TYPE_CHECKING:
+    from nscc.shutter_program import ShutterProgram
+
+Update = Literal["flip", "replace"]
+MOST_KERNEL, MOST_STATES, MOST_OUTPUTS = 9, 2, 8
+"""Limits of a cell: the size of kernels and pools, and the number of states and outputs."""
+
+
+@dataclass(frozen=True)
+class CellNoise:
+    """Noise of a cell's comparisons, for training.
+
+    Parameters
+    ----------
+    exposure : float
+        Standard deviation of the comparison of an exposure with its level, in full wells.
+    count : float
+        Standard deviation of the comparison of a gate with its threshold, in counts.
+    """
+
+    exposure: float
+    count: float
+
+    @classmethod
+    def of(cls, program: ShutterProgram) -> CellNoise:
+        """Return the noise that the emulator gives the compiled program of a cell.
+
+        Words and comparators are independent. The fixed offsets of comparators are included as
+        noise, so that a cell is trained for every device. The gain of words is not included.
+        """
+        from nscc_runtime.exposing import sensor_for
+
+        values = sensor_for(program).values
+        pictures, target = program.container.pictures, program.container.target
+        assert pictures is not None
+        unit_e = pictures.count_steps * target.electrons_per_step
+        words = max(image["noise_gain"] for image in program.report["images"].values())
+        word_e = values["analog_noise_lsb"] * values["electrons_per_lsb"]
+        comparator = hypot(
+            values["comparator_noise_fraction"], values["comparator_offset_fraction"]
+        )
+        comparator_e = comparator * values["full_well_e"]
+        return cls(comparator, hypot(words * word_e, comparator_e) / unit_e)
+
+
+class PixelCell(nn.Module):
+    """A recurrent cell of one-bit states and one-bit outputs in every pixel.
+
+    A bit is +1 or -1. Each gate counts agreements: for the bit x of the exposure and the states h,
+    its count is the sum of weight * bit over the neighbourhood, with weights of +1 and -1 (a weight
+    of 0 leaves its place out). The gate is +1 where its count exceeds its threshold, else -1. All
+    gates see the old states. The first gates update the states: `flip` multiplies a state by its
+    gate, as PixelRNN does, and `replace` replaces it. The other gates are outputs. An output is
+    pooled by the maximum over squares of `pool` x `pool` pixels.
+
+    The parameter `weight` (gates, 1 + states, kernel, kernel) has the weights' signs; `threshold`
+    is (gates,), in counts. The state dict also has the settings, so that it describes the cell.
+
+    Parameters
+    ----------
+    kernel : int
+        Rows and columns of kernels: odd, 3 to 9.
+    states, outputs : int
+        Number of one-bit states (1 or 2) and of outputs (1 to 8).
+    pool : int
+        Side of the squares: odd, 1 (no pooling) to 9.
+    update : {"flip", "replace"}
+    level : float
+        Exposures above this part of a full well are +1.
+    outside : {0, 1}
+        Bits beyond the array: -1 or +1.
+    """
+
+    is_binary: bool = True
+    """False: real weights, and tanh instead of comparisons."""
+    level: Tensor
+    outside: Tensor
+    pool_size: Tensor
+    flips: Tensor
+
+    def __init__(
+        self, *, kernel: int = 3, states: int = 1, outputs: int = 1, pool: int = 1,
+        update: Update = "flip", level: float = 0.5, outside: int = 0,
+    ) -> None:  # fmt: skip
+        """Raise ValueError for settings that no program has."""
+        super().__init__()
+        for name, value, low, high, step in (
+            ("kernel", kernel, 3, MOST_KERNEL, 2), ("pool", pool, 1, MOST_KERNEL, 2),
+            ("states", states, 1, MOST_STATES, 1), ("outputs", outputs, 1, MOST_OUTPUTS, 1),
+            ("outside", outside, 0, 1, 1),
+        ):  # fmt: skip
+            if value not in range(low, high + 1, step):
+                odd = "an odd number" if step == 2 else "a whole number"
+                raise ValueError(f"{name} is {value}, but must be {odd} from {low} to {high}")
+        if update not in get_args(Update):
+            raise ValueError(f'update is {update!r}, but must be "flip" or "replace"')
+        if not 0 < level < 1:
+            raise ValueError(f"level is {level:g}, but must be between 0 and 1 full well")
+        self.kernel, self.states, self.outputs = kernel, states, outputs
+        gates = states + outputs
+        places = (1 + states) * kernel * kernel
+        self.weight = nn.Parameter(torch.randn(gates, 1 + states, kernel, kernel) / sqrt(places))
+        self.threshold = nn.Parameter(torch.zeros(gates))
+        self.register_buffer("level", torch.tensor(level, dtype=torch.float64))
+        for name, value in ("pool_size", pool), ("outside", outside), ("flips", update == "flip"):
+            self.register_buffer(name, torch.tensor(int(value)))
+        self.pool, self.update, self.beyond = pool, update, 2.0 * outside - 1.0
+        self.register_load_state_dict_post_hook(_read_settings)  # type: ignore[no-untyped-call]
+
+    def kernels(self) -> Tensor:
+        """Return the weights (gates, 1 + states, kernel, kernel) as -1, 0, 1, int64."""
+        return torch.sign(self.weight.detach()).long()
+
+    def thresholds(self) -> Tensor:
+        """Return the largest attainable count of each gate that does not exceed its threshold.
+        Attainable counts are -places, -places + 2, .., places; the result is int64."""
+        places = self.kernels().abs().sum((1, 2, 3))
+        steps = torch.floor((self.threshold.detach() + places) / 2).long()
+        # At least one count is above it, and at least one is not.
+        return 2 * torch.minimum(steps.clamp(min=0), (places - 1).clamp(min=0)) - places
+
+    def counts(self, bits: Tensor) -> Tensor:
+        """Return the counts of all gates (batch, gates, rows, cols) for the bits of exposure and
+        states (batch, 1 + states, rows, cols). Real weights give the same unit."""
+        size = self.weight.detach().abs().mean((1, 2, 3), keepdim=True)
+        weights = self.weight / size
+        if self.is_binary:
+            weights = replaced(weights, torch.sign(self.weight.detach()))
+        padded = functional.pad(bits, [self.kernel // 2] * 4, value=self.beyond)
+        return functional.conv2d(padded, weights.to(bits))
+
+    def forward(
+        self, bits: Tensor, state: Tensor, *, noise_counts: float = 0.0,
+        generator: torch.Generator | None = None,
+    ) -> tuple[Tensor, Tensor]:  # fmt: skip
+        """Compute one frame.
+
+        Parameters
+        ----------
+        bits : Tensor
+            (batch, 1, rows, cols), +1 where the exposure is above `level`, else -1.
+        state : Tensor
+            (batch, states, rows, cols), +1 or -1; +1 before the first frame.
+        noise_counts : float
+            Standard deviation of each comparison.
+        generator : torch.Generator, optional
+            Source of the noise; no noise without it.
+
+        Returns
+        -------
+        outputs : Tensor
+            (batch, outputs, rows // pool, cols // pool), +1 or -1.
+        state : Tensor
+            The new states.
+        """
+        threshold: Tensor = self.threshold
+        if self.is_binary:  # comparisons lie half-way between attainable counts
+            threshold = replaced(threshold, self.thresholds().to(threshold) + 1)
+        margins = self.counts(torch.cat([bits, state], 1)) - threshold.reshape(-1, 1, 1).to(bits)
+        if generator is not None and noise_counts:
+            margins = margins + noise_counts * normal(margins, generator)
+        gates, outputs = margins[:, : self.states], margins[:, self.states :]
+        if self.pool > 1:
+            outputs = functional.max_pool2d(outputs, self.pool)
+        update = self._compared(gates)
+        return self._compared(outputs), update * state if self.update == "flip" else update
+
+    def film(
+        self, exposure: Tensor, *, noise: CellNoise | None = None,
+        generator: torch.Generator | None = None,
+    ) -> Tensor:  # fmt: skip
+        """Compute all frames of films.
+
+        Parameters
+        ----------
+        exposure : Tensor
+            (batch, frames, rows, cols), in full wells.
+        noise : CellNoise, optional
+            Noise of the comparisons.
+        generator : torch.Generator, optional
+            Source of the noise; no noise without it.
+
+        Returns
+        -------
+        Tensor
+            (batch, frames, outputs, rows // pool, cols // pool), +1 or -1.
+        """
+        batch, frames, rows, cols = exposure.shape
+        state = self.weight.new_ones(batch, self.states, rows, cols)
+        noise = noise or CellNoise(0.0, 0.0)
+        frame_outputs = []
+        for number in range(frames):
+            light = exposure[:, number : number + 1]
+            if generator is not None and noise.exposure:
+                light = light + noise.exposure * normal(light, generator)
+            bits = torch.where(light > self.level, 1.0, -1.0).to(state)
+            outputs, state = self(bits, state, noise_counts=noise.count, generator=generator)
+            frame_outputs.append(outputs)
+        return torch.stack(frame_outputs, 1)
+
+    def _compared(self, margins: Tensor) -> Tensor:
+        """Return +1 where a margin is positive, else -1; its gradient reaches as far as the
+        standard deviation of counts of random bits."""
+        width = sqrt(self.weight[0].numel())
+        if self.is_binary:
+            return 2 * opened(margins, width) - 1
+        return torch.tanh(margins / width)
+
+
+def _read_settings(cell: PixelCell, _keys: object) -> None:
+    """Set the attributes of a cell from its loaded buffers: numbers instead of tensors can be
+    exported to ONNX."""
+    cell.pool = int(cell.pool_size)
+    cell.update = "flip" if cell.flips else "replace"
+    cell.beyond = 2.0 * float(cell.outside) - 1.0
+
+
+def set_moving_edges(cell: PixelCell) -> None:
+    """Set the weights of a cell to edges that move, one direction for each output: the exposure's
+    weights have the edge where it is, the states' where it was a frame before. States become
+    majorities of the exposure. Training starts better from these weights than from random ones."""
+    places = torch.arange(cell.kernel) - cell.kernel // 2
+    with torch.no_grad():
+        cell.weight[: cell.states, 0] = cell.weight[: cell.states, 0].abs()
+        for output in range(cell.outputs):
+            angle = torch.tensor(2 * torch.pi * output / cell.outputs)
+            ahead = torch.cos(angle) * places[None, :] + torch.sin(angle) * places[:, None]
+            size = cell.weight[cell.states + output].abs()
+            side = torch.where(torch.arange(1 + cell.states).reshape(-1, 1, 1) == 0, 0.5, -0.5)
+            cell.weight[cell.states + output] = size * torch.sign(side - ahead)
+            cell.threshold[cell.states + output] = size.numel() / 2

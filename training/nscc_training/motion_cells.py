@@ -1,0 +1,301 @@
+"""Cells that tell the direction of motion: training, emulation, and a decoder off the chip."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+from torch.nn.functional import cross_entropy
+
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
+from nscc.shutter_program import ShutterProgram
+from nscc_runtime.progress import Progress, unseen
+from nscc_training.cell_programs import (
+    CellFiles,
+    cell_files,
+    cell_film,
+    compiled_cell,
+    level_on_chip,
+)
+from nscc_training.cells import CellNoise, PixelCell, Update, set_moving_edges
+from nscc_training.draws import generator_of
+from nscc_training.made_scenes import DIRECTIONS, moving_texture
+
+PROGRAM, KERNELS, DECODER, STATE = (
+    "direction.nsl", "direction.kernels.npz", "direction.decoder.safetensors", "direction.pt"
+)  # fmt: skip
+"""Files of a trained cell."""
+_TRAINING, _TEST, _BATCHES, _NOISE = range(4)
+"""Streams of random numbers."""
+_RATE = 0.02
+_BLOCK = 32
+"""Films that are computed at a time."""
+
+
+@dataclass(frozen=True)
+class MotionSettings:
+    """A cell, its films, and its training.
+
+    Films show textures that move by `speed` pixels per frame in one of eight directions. `noise`
+    multiplies the noise during training; 0 trains without noise. The first `tuned_films` films of
+    the training are emulated to fit the last decoder.
+    """
+
+    kernel: int = 3
+    states: int = 1
+    outputs: int = 3
+    pool: int = 5
+    update: Update = "replace"
+    size: int = 32
+    frames: int = 8
+    speed: float = 1.5
+    noise: float = 1.0
+    films: int = 192
+    tuned_films: int = 64
+    test_films: int = 80
+    real_steps: int = 40
+    binary_steps: int = 80
+    batch: int = 16
+    target: str = "scamp5"
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class LinearDecoder:
+    """Scores of the directions: `weight` (directions, outputs) times the share of bits that are 1
+    in each output of a film, plus `bias` (directions,)."""
+
+    weight: NDArray[np.float32]
+    bias: NDArray[np.float32]
+
+    def direction(self, bits: NDArray[np.bool_]) -> str:
+        """Return the direction of a film's bits (frames, outputs, rows, cols)."""
+        return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
+
+    def accuracy(self, shares: Tensor, directions: Tensor) -> float:
+        """Return the part of films (films, outputs) whose direction has the highest score."""
+        scores = shares @ torch.from_numpy(self.weight).T + torch.from_numpy(self.bias)
+        return float((scores.argmax(1) == directions).float().mean())
+
+
+@dataclass(frozen=True)
+class MotionCell:
+    """A trained cell with its program, its decoder for the emulated chip, and accuracies on films
+    that were not used for training.
+
+    Attributes
+    ----------
+    accuracies : dict
+        `real`: real weights and tanh. `binary`: the cell in torch without noise. `noisy`: with the
+        noise of training. `exact`: emulated without effects. `effects`: emulated with every effect,
+        with the decoder of `noisy`. `tuned`: the same with a decoder of emulated films.
+    different_bits : int
+        Bits in which `exact` differs from `binary`.
+    """
+
+    cell: PixelCell
+    program: ShutterProgram
+    files: CellFiles
+    decoder: LinearDecoder
+    noise: CellNoise
+    accuracies: dict[str, float]
+    different_bits: int
+
+    @property
+    def bits_per_frame(self) -> int:
+        """Bits that the decoder uses of each frame."""
+        target = self.program.container.target
+        pool = self.cell.pool
+        return self.cell.outputs * (target.rows // pool) * (target.cols // pool)
+
+    @property
+    def full_frame_bits(self) -> int:
+        """Bits of a frame from the converter."""
+        target = self.program.container.target
+        return target.rows * target.cols * target.code_bits
+
+
+def motion_films(settings: MotionSettings, count: int, stream: int) -> tuple[Tensor, Tensor]:
+    """Return films (count, frames, size, size) in full wells, and the numbers of their
+    directions."""
+    generator = np.random.default_rng([settings.seed, stream])
+    directions = np.arange(count) % len(DIRECTIONS)
+    light = np.stack([
+        moving_texture(generator, settings.frames, settings.size, DIRECTIONS[k], settings.speed)
+        for k in directions
+    ])  # fmt: skip
+    return torch.from_numpy(light), torch.from_numpy(directions)
+
+
+def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> MotionCell:
+    """Train a cell, compile it, and measure it in torch and in the emulator; Rejected for a cell
+    that does not fit the chip.
+
+    The cell is first trained with real weights, then with their signs and under the noise of its
+    compiled program. Every decoder is fitted to the shares of 1 bits of training films.
+    """
+    target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
+    cell = _start(settings, target)
+    films, directions = motion_films(settings, settings.films, _TRAINING)
+    test_films, test_directions = motion_films(settings, settings.test_films, _TEST)
+    # A cell of the same size has the same words: its program tells the noise before training.
+    noise = CellNoise.of(_program(cell, target)[0])
+    trained_noise = CellNoise(noise.exposure * settings.noise, noise.count * settings.noise)
+    accuracies: dict[str, float] = {}
+    fitted: dict[str, LinearDecoder] = {}
+
+    def measure(name: str, shares: Callable[[Tensor], Tensor], decoder: str = "") -> None:
+        fitted[name] = fitted.get(decoder) or fit_decoder(shares(films), directions)
+        accuracies[name] = fitted[name].accuracy(shares(test_films), test_directions)
+
+    cell.is_binary = False
+    _train(cell, settings, films, directions, settings.real_steps, None)
+    measure("real", lambda light: _shares(cell, light, None, settings.seed))
+    cell.is_binary = True
+    _train(cell, settings, films, directions, settings.binary_steps, trained_noise)
+    measure("binary", lambda light: _shares(cell, light, None, settings.seed))
+    measure("noisy", lambda light: _shares(cell, light, noise, settings.seed))
+    program, files = _program(cell, target)
+
+    emulated = partial(_emulated, cell, program, files, settings.seed, track)
+    exact = emulated(test_films, "none")
+    in_torch = torch.cat([cell.film(part).detach() > 0 for part in torch.split(test_films, _BLOCK)])
+    accuracies["exact"] = fitted["binary"].accuracy(_means(exact), test_directions)
+    with_effects = _means(emulated(test_films, "all"))
+    accuracies["effects"] = fitted["noisy"].accuracy(with_effects, test_directions)
+    count = settings.tuned_films
+    tuned = fit_decoder(_means(emulated(films[:count], "all")), directions[:count])
+    accuracies["tuned"] = tuned.accuracy(with_effects, test_directions)
+    return MotionCell(
+        cell, program, files, tuned, noise, accuracies, int((exact != in_torch).sum())
+    )
+
+
+def _start(settings: MotionSettings, target: Target) -> PixelCell:
+    """Return the cell before training."""
+    torch.manual_seed(settings.seed)
+    cell = PixelCell(
+        kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
+        pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
+    )  # fmt: skip
+    set_moving_edges(cell)
+    return cell
+
+
+def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
+    """Return the files of a trained cell, by name: the program, its kernels, the decoder (`weight`
+    and `bias`), and the state dict."""
+    from safetensors.numpy import save
+
+    state = io.BytesIO()
+    torch.save(trained.cell.state_dict(), state)
+    decoder = {"weight": trained.decoder.weight, "bias": trained.decoder.bias}
+    return {
+        PROGRAM: trained.files.text.encode(), KERNELS: trained.files.kernels,
+        DECODER: save(decoder), STATE: state.getvalue(),
+    }  # fmt: skip
+
+
+def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
+    """Return the cell of `examples/direction.nsl`, and a decoder of its frames with every effect.
+    Both come with nscc."""
+    from safetensors.numpy import load_file
+
+    from nscc_training.imported_networks import read_cell
+
+    folder = Path(__file__).with_name("shipped_cell")
+    return read_cell(folder / STATE), LinearDecoder(**load_file(folder / DECODER))
+
+
+def fit_decoder(shares: Tensor, directions: Tensor) -> LinearDecoder:
+    """Fit a linear decoder of shares (films, outputs) by logistic regression; `directions` are
+    numbers of `DIRECTIONS`."""
+    mean, spread = shares.mean(0), shares.std(0).clamp(min=1e-6)
+    inputs = (shares - mean) / spread
+    layer = nn.Linear(shares.shape[1], len(DIRECTIONS))
+    nn.init.zeros_(layer.weight)
+    nn.init.zeros_(layer.bias)
+    optimizer = torch.optim.LBFGS(layer.parameters(), max_iter=200, line_search_fn="strong_wolfe")
+
+    def loss() -> float:
+        optimizer.zero_grad()
+        value = cross_entropy(layer(inputs), directions) + 1e-4 * layer.weight.square().sum()
+        value.backward()  # type: ignore[no-untyped-call]
+        return float(value.detach())
+
+    optimizer.step(loss)  # type: ignore[no-untyped-call]
+    weight = (layer.weight / spread).detach()
+    bias = layer.bias.detach() - weight @ mean
+    return LinearDecoder(weight.numpy(), bias.numpy())
+
+
+def _program(cell: PixelCell, target: Target) -> tuple[ShutterProgram, CellFiles]:
+    remark = "The direction of motion: a recurrent cell of bits, trained by nscc."
+    files = cell_files(cell, KERNELS, remark=remark)
+    return compiled_cell(files, KERNELS, target), files
+
+
+def _emulated(
+    cell: PixelCell, program: ShutterProgram, files: CellFiles, seed: int, track: Progress,
+    light: Tensor, effects: str,
+) -> Tensor:  # fmt: skip
+    """Return the bits of emulated films (films, frames, outputs, rows, cols)."""
+    return torch.stack([
+        torch.from_numpy(cell_film(program, cell, film.numpy(), files.planes,
+                                   effects=effects, seed=seed + number))
+        for number, film in enumerate(track(light, f"films, effects: {effects}", len(light)))
+    ])  # fmt: skip
+
+
+def _means(bits: Tensor) -> Tensor:
+    """Return the share of 1 bits in each output: (films, outputs) of (films, frames, outputs, rows,
+    cols)."""
+    return bits.float().mean((1, 3, 4))
+
+
+def _shares(cell: PixelCell, light: Tensor, noise: CellNoise | None, seed: int) -> Tensor:
+    """Return the share of 1 bits of each output of films in torch."""
+    generator = generator_of(light.device, seed, _NOISE)
+    with torch.no_grad():
+        return torch.cat([
+            (cell.film(part, noise=noise, generator=generator).mean((1, 3, 4)) + 1) / 2
+            for part in torch.split(light, _BLOCK)
+        ])  # fmt: skip
+
+
+def _train(
+    cell: PixelCell, settings: MotionSettings, films: Tensor, directions: Tensor, steps: int,
+    noise: CellNoise | None,
+) -> None:  # fmt: skip
+    """Train a cell together with a decoder of normalised shares; the decoder is not kept."""
+    generator = generator_of(films.device, settings.seed, _BATCHES, steps)
+    decoder = nn.Sequential(
+        nn.BatchNorm1d(cell.outputs, affine=False), nn.Linear(cell.outputs, len(DIRECTIONS))
+    )
+    # Signs change in steps: smaller rates keep most of them from step to step.
+    rate = _RATE / 4 if cell.is_binary else _RATE
+    rates = [rate, 5 * rate, 0.05]
+    optimizer = torch.optim.Adam([
+        {"params": parameters, "lr": group_rate}
+        for parameters, group_rate in zip(
+            ([cell.weight], [cell.threshold], [*decoder.parameters()]), rates, strict=True)
+    ])  # fmt: skip
+    schedule = torch.optim.lr_scheduler.OneCycleLR(
+        optimizer, rates, total_steps=max(steps, 2), pct_start=0.1
+    )
+    for _ in range(steps):
+        chosen = torch.randint(len(films), (settings.batch,), generator=generator)
+        bits = cell.film(films[chosen], noise=noise, generator=generator)
+        loss = cross_entropy(decoder(bits.mean((1, 3, 4))), directions[chosen])
+        optimizer.zero_grad()
+        loss.backward()  # type: ignore[no-untyped-call]
+        optimizer.step()
+        schedule.step()
