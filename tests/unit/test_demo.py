@@ -23,7 +23,7 @@ from nscc_training.run_files import run_capture, shipped_runs
 
 pytest.importorskip("torch")
 
-from small_runs import trained  # noqa: E402
+from small_runs import trained
 
 EVALUATIONS = Path(__file__).parents[2] / "training/results/evaluations"
 
