@@ -22,7 +22,7 @@ CALLED_BY_LIBRARIES = [
     "_by_operators",  # a kernel of torch
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip
-DECLARED_AS_TEXT = ["unrolled", "fcnet"]
+DECLARED_AS_TEXT = ["unrolled", "fcnet", "classifier"]
 """Decoders, which a table names as MODULE:FUNCTION."""
 
 KEPT = [

@@ -42,3 +42,12 @@ def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rej
     """Return the error for a file that its reader could not read."""
     notes = (f"the reader says: {one_line(error)}",) if one_line(error) else ()
     return rejected(code, message, notes=notes, helps=(help_text,))
+
+
+def invalid_setting(key: str, reason: object) -> Exception:
+    """Return the refusal (NS0815) of a value of a training configuration."""
+    return rejected(
+        "NS0815",
+        f"invalid setting {key}: {' '.join(str(reason).split())}",
+        helps=("`nscc train --schema` prints the allowed values of every key",),
+    )

@@ -13,7 +13,6 @@ from torch import Tensor, nn
 
 from nscc.chips.load import load_target, parse_target, read_target
 from nscc.chips.target import Target
-from nscc.diagnostics.rejection import rejected
 from nscc.npy import check_size
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
@@ -30,9 +29,9 @@ from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
-from nscc_training.losses import CLASS, LOSSES, Loss
-from nscc_training.made_scenes import DIRECTIONS
-from nscc_training.problems import one_line
+from nscc_training.loop.class_settings import check_classes, classes_of
+from nscc_training.losses import LOSSES, Loss
+from nscc_training.problems import invalid_setting, one_line
 from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.run_files import WEIGHTS, run_path
@@ -124,10 +123,10 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
     encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
-        raise _invalid_setting("shutter.slots", f"{most}; a codebook has shutters of any length")
+        raise invalid_setting("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     _check_learning(settings)
-    _check_classes(settings, protocol)
+    check_classes(settings, protocol)
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
@@ -161,16 +160,16 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
             ):
                 decoder.begin_anew()
         except ValueError as error:
-            raise _invalid_setting("decoder.name", error) from error
+            raise invalid_setting("decoder.name", error) from error
     if decoder_settings.init:
         _begin_with(decoder, decoder_settings.init)
     decoder.requires_grad_(settings.decoder.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
-        raise _invalid_setting("shutter.learn", "neither the decoder nor the shutters can learn")
+        raise invalid_setting("shutter.learn", "neither the decoder nor the shutters can learn")
     device_name, has_cuda = settings.train.device, torch.cuda.is_available()
     if device_name == "cuda" and not has_cuda:
-        raise _invalid_setting("train.device", "CUDA is not available on this machine")
+        raise invalid_setting("train.device", "CUDA is not available on this machine")
     device = torch.device("cuda" if device_name != "cpu" and has_cuda else "cpu")
     _check_effects(settings, encoder)
     # Values of the sensor if a file or effects are named, else those of the protocol,
@@ -198,7 +197,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     if chosen.kind == LOOKS:
         tile = (1, chosen.exposures - 1)
     if tile != array and tile[0] * tile[1] > MOST_LISTED:
-        raise _invalid_setting(
+        raise invalid_setting(
             "shutter.tile",
             f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, which only `free`, "
             "a code for every pixel, allows",
@@ -215,11 +214,11 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     try:
         encoder = make_encoder(spec, start, seed, chosen.relaxation)
     except ValueError as error:
-        raise _invalid_setting("shutter", error) from error
+        raise invalid_setting("shutter", error) from error
     encoder.tried_share = chosen.tried_share
     if chip.require is not None:
         if not isinstance(encoder, Bump):
-            raise _invalid_setting("shutter.require", "it applies to the classes b, c and d")
+            raise invalid_setting("shutter.require", "it applies to the classes b, c and d")
         drawn = np.random.default_rng(seed) if start == "random" else None
         encoder.restrict(programs.legal_codes(spec, chip), drawn)
     if not named:
@@ -232,7 +231,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
                 encoder.load_codes(load_codes(path))
         except ValueError as error:
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
-            raise _invalid_setting("shutter.init", reason) from error
+            raise invalid_setting("shutter.init", reason) from error
     return encoder
 
 
@@ -263,7 +262,7 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
         decoder.load_state_dict(load_file(str(path)))
     except Exception as error:  # safetensors raises its own type and several others
         reason = f"the weights of '{run[:200]}' do not fit: {one_line(error, 150)}"
-        raise _invalid_setting("decoder.init", reason) from error
+        raise invalid_setting("decoder.init", reason) from error
 
 
 def _check_learning(settings: RunSettings) -> None:
@@ -271,15 +270,15 @@ def _check_learning(settings: RunSettings) -> None:
     chosen = settings.shutter
     if settings.decoder.lessons:
         if settings.decoder.name != "any":
-            raise _invalid_setting("decoder.lessons", "they need the decoder `any`")
+            raise invalid_setting("decoder.lessons", "they need the decoder `any`")
         if chosen.learn:
-            raise _invalid_setting(
+            raise invalid_setting(
                 "shutter.learn",
                 "lessons use codes of every kind, and the run's own codes do not learn: set "
                 "it to false",
             )
     if chosen.most_words and chosen.relaxation != "search":
-        raise _invalid_setting(
+        raise invalid_setting(
             "shutter.most_words",
             "only a search stays within a limit of words: use the relaxation `search`, or "
             "add words to the loss with `words_weight`",
@@ -287,42 +286,7 @@ def _check_learning(settings: RunSettings) -> None:
     if chosen.learn and chosen.warm_up + chosen.settle >= 1:
         reason = ("with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, "
                   "or set `shutter.learn` to false")  # fmt: skip
-        raise _invalid_setting("shutter.warm_up", reason)
-
-
-def classes_of(settings: RunSettings, protocol: Protocol) -> tuple[str, ...]:
-    """Return the classes of a configuration; empty if its protocol has no classes."""
-    return settings.data.classes or DIRECTIONS if protocol.classifies else ()
-
-
-def _check_classes(settings: RunSettings, protocol: Protocol) -> None:
-    """Raise Rejected (NS0815) for settings that do not go together with classes, or need them."""
-    classes, data = classes_of(settings, protocol), settings.data
-    if not classes:
-        if data.classes:
-            raise _invalid_setting("data.classes", "classes need [data] protocol class-v1")
-        if CLASS in settings.loss.name.split("+"):
-            raise _invalid_setting("loss.name", "`class` needs [data] protocol class-v1")
-        return
-    if settings.loss.name != CLASS and not is_import_path(settings.loss.name):
-        raise _invalid_setting("loss.name", "classes are learned with the loss `class`")
-    if len(set(classes)) < max(2, len(classes)):
-        raise _invalid_setting("data.classes", "name at least two classes, each once")
-    if unknown := [c for c in classes if c not in DIRECTIONS and data.train == "procedural"]:
-        raise _invalid_setting(
-            "data.classes", f"procedural scenes have the classes {', '.join(DIRECTIONS)}, not "
-            f"{unknown[0][:40]}",
-        )  # fmt: skip
-    if data.augment:
-        raise _invalid_setting(
-            "data.augment", "rotated, mirrored and reversed clips may change their class: set it "
-            "to false",
-        )  # fmt: skip
-    if settings.shutter.learn and settings.shutter.relaxation == "tried":
-        raise _invalid_setting(
-            "shutter.relaxation", "trials need the loss of each pixel, and a class has one loss: "
-            "use straight-through or search",
-        )  # fmt: skip
+        raise invalid_setting("shutter.warm_up", reason)
 
 
 def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
@@ -334,9 +298,9 @@ def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
         reason = (
             "a code for every pixel has no tile that can be exposed at all levels: leave out `free`"
         )
-        raise _invalid_setting("sensor.effects", reason)
+        raise invalid_setting("sensor.effects", reason)
     if not settings.sensor.noise:
-        raise _invalid_setting(
+        raise invalid_setting(
             "sensor.effects", "effects include noise, but `sensor.noise` is false"
         )
 
@@ -344,13 +308,13 @@ def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
 def _check_looks(settings: RunSettings, still: bool) -> None:
     """Raise Rejected (NS0815) for settings that are not supported for pixels that look."""
     if not still:
-        raise _invalid_setting(
+        raise invalid_setting(
             "shutter.class", "looks are learned from stills: set [data] protocol to hdr-v1"
         )
     if settings.sensor.effects:
-        raise _invalid_setting("sensor.effects", "pixels that look are trained with noise alone")
+        raise invalid_setting("sensor.effects", "pixels that look are trained with noise alone")
     if settings.shutter.words_weight:
-        raise _invalid_setting(
+        raise invalid_setting(
             "shutter.words_weight",
             "every look takes the same number of words, so words cannot be weighted",
         )
@@ -360,13 +324,13 @@ def _check_buckets(settings: RunSettings, still: bool) -> None:
     """Raise Rejected (NS0815) for settings that are not supported with two buckets."""
     if settings.shutter.kind in ("a", LOOKS):
         reason = f"class {settings.shutter.kind} leaves no light for a second bucket"
-        raise _invalid_setting("shutter.buckets", reason)
+        raise invalid_setting("shutter.buckets", reason)
     if still:
-        raise _invalid_setting(
+        raise invalid_setting(
             "shutter.buckets", "two buckets need clips: set [data] protocol to two-bucket-v1"
         )
     if settings.sensor.effects:
-        raise _invalid_setting(
+        raise invalid_setting(
             "sensor.effects", "two buckets are trained with noise, full well and converter alone"
         )
 
@@ -375,7 +339,7 @@ def _loss(names: str) -> Loss:
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:
-            raise _invalid_setting(
+            raise invalid_setting(
                 "loss.name", f"unknown loss '{name[:60]}': the losses are {', '.join(LOSSES)}"
             )
         losses.append(_own_loss(name) if is_import_path(name) else LOSSES[name])
@@ -398,11 +362,3 @@ def _own_loss(name: str) -> Loss:
         return value.reshape(())
 
     return loss
-
-
-def _invalid_setting(key: str, reason: object) -> Exception:
-    return rejected(
-        "NS0815",
-        f"invalid setting {key}: {' '.join(str(reason).split())}",
-        helps=("`nscc train --schema` prints the allowed values of every key",),
-    )

@@ -131,9 +131,11 @@ def start(
     """Return a run at step 0, or at the step of a checkpoint."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
+    classes, metrics = setup.classes, setup.protocol.metrics
     tell: Callable[[str], object] = report if ranks.first else str
-    scenes = load_scenes(data, setup.still, setup.slots, seed, pictures=bool(lessons),
-                         classes=setup.classes, tell=tell)  # fmt: skip
+    scenes = load_scenes(
+        data, setup.still, setup.slots, seed, pictures=bool(lessons), classes=classes, tell=tell
+    )
     dataset: Dataset[Any]
     if lessons:
         lights = [scene.light for scene in scenes.train]
@@ -141,9 +143,8 @@ def start(
         dataset = LessonSet(pictures, settings)
     else:
         dataset = ExposureSet(
-            scenes, data, slots=setup.slots, batch=settings.train.batch, seed=seed,
-            classes=setup.classes,
-        )  # fmt: skip
+            scenes, data, slots=setup.slots, batch=settings.train.batch, seed=seed, classes=classes
+        )
     if settings.train.compile:
         setup.decoder.compile()
     average = None
@@ -151,7 +152,6 @@ def start(
         decay = get_ema_multi_avg_fn(settings.train.average)  # type: ignore[no-untyped-call]
         average = AveragedModel(setup.decoder, multi_avg_fn=decay, use_buffers=True)
     state = TrainingState(setup, optimizers_of(setup), average)
-    metrics = setup.protocol.metrics
     progress, log = TrainingProgress(), Log(out, metrics)
     if checkpoint is not None:
         progress = unpacked(checkpoint, state, scenes)
@@ -253,8 +253,7 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
         take_best(run)
     if searches and learns:
         return torch.tensor(search(setup, batch_of(run, drawn), step))
-    names = drawn.names
-    losses = [_learn(run, loss, names, step) for loss in _losses(run, step, drawn)]
+    losses = [_learn(run, loss, drawn.names, step) for loss in _losses(run, step, drawn)]
     return torch.stack(losses).mean()
 
 
