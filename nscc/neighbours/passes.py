@@ -153,7 +153,7 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
 
 
 def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
-    """NS0602, for states that no word writes for longer than registers keep their bits."""
+    """Return NS0602 if a frame lasts longer than registers keep the bits of states, else None."""
     target = program.target
     keep_us = RETENTION_SHARE * target.digital_retention_us
     values_read = sum(name not in pictures.planes for name in pictures.reads)
@@ -166,8 +166,8 @@ def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
         f"its readouts; {target.name} keeps them for {time_text(target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "too long for a state that is kept"),
-        notes=(f"a state is written once a frame, after the last slot; {RETENTION_SHARE:.0%} of "
-               "the time may be used",),
+        notes=("a state is written once a frame, after the last slot; nscc uses "
+               f"{RETENTION_SHARE:.0%} of the retention time",),
         helps=("use shorter slots, or read fewer images",),
         data={"resource": "retention_us", "required": frame_us, "available": keep_us},
     )  # fmt: skip
@@ -193,7 +193,7 @@ def _refusal(
         f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",
         source=program.source,
         label=label,
-        notes=(f"the exposure is in registers, too: {holders}",)
+        notes=(f"exposures also occupy registers: {holders}",)
         if refused.kind == "registers" else (),
         helps=(
             "read out fewer images and planes, or use smaller convolution kernels",

@@ -99,7 +99,7 @@ class _Maker:
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
-        """Chooses the electrons of a count; NS0540 where the largest does not fit."""
+        """Set the steps of IN of a count; report NS0540 if the largest count does not fit."""
         unit = count_unit(pictures, self.target)
         if unit is None or self.problems.has_errors():
             return pictures
