@@ -1,4 +1,4 @@
-"""`nscc classify`: the class that a run's decoder names."""
+"""`nscc classify`: name the class of a frame with a run's decoder."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`nscc import-network`: a program of a network that was trained with torch."""
+"""`nscc import-network`: convert a network that was trained with torch to a program."""
 
 from __future__ import annotations
 
