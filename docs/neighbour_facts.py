@@ -83,7 +83,7 @@ class Ratio:
 
 
 def measured(frames: Sequence[Frame], full_well_e: float) -> dict[str, Ratio]:
-    """What the images are of the exposure of the same pixel, or of its east neighbour."""
+    """Return each image's mean ratio to the exposure of the pixel or of its east neighbour."""
     images = {
         name: np.mean([frame.told[f"image_{name}"] for frame in frames], axis=0)
         for name in REGISTERS

@@ -46,7 +46,7 @@ _CHUNK = 1 << 20
 
 
 def _layout(header: dict[str, Any]) -> tuple[StoredArray, ...]:
-    """The arrays that a header announces, in file order."""
+    """Return the arrays that a header describes, in file order."""
     counts, target = header["counts"], header["target"]
     registers = len(target["registers"]["digital"]) if "registers" in target else 0
     buckets, fields = len(header["buckets"]), len(header["fields"])
