@@ -3,8 +3,7 @@
 First, words halve the input until all weights are integers, and compute multiples of the halved
 input. Each following word adds the multiple of one neighbour and inverts the sum, so the signs of
 the weights alternate from word to word. NEWS holds a multiple while several neighbours read it. A
-beam search orders the neighbours so that few words write NEWS and few multiples are needed.
-"""
+beam search orders the neighbours so that few words write NEWS and few multiples are needed."""
 
 from __future__ import annotations
 
@@ -52,8 +51,7 @@ def additions(taps: Taps, news_keeps: bool = True, beam: int = BEAM) -> list[Pro
     """Return programs that add the neighbours of a kernel one by one, the shortest first.
 
     With `news_keeps`, NEWS keeps its value when a neighbour reads it. Otherwise each word that
-    reads NEWS follows a word that writes NEWS.
-    """
+    reads NEWS follows a word that writes NEWS."""
     halvings = halvings_of(taps)
     weights = {at: weight * (-2) ** halvings // UNIT for at, weight in taps.items()}
     orders = _orders(weights, halvings, news_keeps, beam)

@@ -138,8 +138,7 @@ class BitWords:
                 return self._near_bit(node), None
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit a word into a free register, free the bits that were `used`, and return the
-        register."""
+        """Emit a word into a free register, free the bits `used`, and return the register."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))
         self.give(*used)
@@ -251,8 +250,7 @@ class BitWords:
         return moved
 
     def _near_bit(self, node: p.Near) -> str:
-        """Emit `any` as the OR of the neighbours, and `all` as the inverse of `any` of the
-        inverse."""
+        """Emit `any` as an OR of neighbours, and `all` as the inverse of `any` of inverses."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
@@ -266,8 +264,7 @@ class BitWords:
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of the bits at these offsets: for a rectangle, first along rows, then along
-        columns."""
+        """Emit the OR of the bits at offsets; for a rectangle along rows, then along columns."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})

@@ -7,8 +7,7 @@ one word a place, and the gain of words reduces the counts of all pixels by the 
 
 Images that are counted in one walk share the shifts. Where two images have equal weights, only half
 the sum of their counts changes; where their weights have opposite signs, only half the difference.
-Accumulators of the two halves need two words a place for both images.
-"""
+Accumulators of the two halves need two words a place for both images."""
 
 from __future__ import annotations
 
@@ -222,8 +221,7 @@ class CountEmitter(Emitter):
         """Add a factor where a bit is 1, and subtract it where the bit is 0.
 
         Depending on the accumulator's sign, twice the factor is added where the bit is 1 or where
-        it is 0. The initial value corrects the constant difference.
-        """
+        it is 0. The initial value corrects the constant difference."""
         level = abs(int(2 * factor * self.pictures.count_steps))
         to_ones = factor * accumulator.sign > 0
         for is_flagged in (False, True):

@@ -2,8 +2,7 @@
 
 A register holds a value or its negative, because every word inverts. `nscc.neighbours.synthesis`
 finds the words of convolution kernels; this module emits sums, absolute values and choices. A value
-stays in its register until the last word that reads it.
-"""
+stays in its register until the last word that reads it."""
 
 from __future__ import annotations
 
@@ -207,9 +206,8 @@ class Lowering(CountEmitter):
     def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
         """Return programs of a kernel (with sign 1) or of its negative (-1) that fit the range.
 
-        The first programs emit the fewest words, after reuse; among equal numbers those with the
-        smallest values. The best programs are sorted by noise. Raise `PictureRefused` if no
-        program fits."""
+        They are sorted by the words that remain after reuse, then by their largest value; equally
+        good first programs by noise. Raise `PictureRefused` if no program fits."""
         least, ranked = float("inf"), []
         for sign in (1, -1):
             for candidate in self.synthesis.variants(added((sign, taps))):
@@ -385,8 +383,7 @@ class Lowering(CountEmitter):
         """Emit an absolute value.
 
         Two words write the negative to NEWS and to the result. Where the register of the value is
-        above 0, a third word inverts the result again.
-        """
+        above 0, a third word inverts the result again."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))
@@ -402,8 +399,7 @@ class Lowering(CountEmitter):
     def largest(self, value: Held, places: Sequence[tuple[int, int]]) -> Held:
         """Emit the largest of the values at these places, compared one after the other.
 
-        A register holds the negative of the largest value so far; a larger value replaces it.
-        """
+        A register holds the negative of the largest value so far; a larger value replaces it."""
         if value.sign < 0:
             value = self.negated(value)
         name, uses = value.name or f"largest {len(self.words)}", len(places)

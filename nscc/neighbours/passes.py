@@ -205,8 +205,7 @@ def _refusal(
 def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
-    """Return NS0540 for a value beyond the registers' range, with a change that makes it fit if
-    found."""
+    """Return NS0540, with changes that compile if they are found."""
     pictures, over = program.pictures, refused.needed
     assert pictures is not None
     target = container.target

@@ -1,8 +1,7 @@
 """Find short programs for a kernel: rotate, mirror, chain and add programs of a table.
 
 The search is deterministic and limited to a number of steps. For each part of a kernel it keeps the
-shortest programs; it keeps a longer program only if its intermediate values are smaller.
-"""
+shortest programs; it keeps a longer program only if its intermediate values are smaller."""
 
 from __future__ import annotations
 
@@ -201,8 +200,7 @@ class Factor:
     """A kernel of at least two weights that may divide other kernels, with its program.
 
     `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row.
-    """
+    rows, minus 1. `corner`: the smallest column and row."""
 
     taps: Taps
     program: Program

@@ -22,8 +22,7 @@ def kept_planes(
     """Return the states of a program with images or planes.
 
     Report a state that is not a kept bit (NS0543), a start that is not 0 or 1 (NS0311), and a
-    `next` of an unknown state (NS0214).
-    """
+    `next` of an unknown state (NS0214)."""
     if not declared.keeps_planes:
         return ()
     for name, step in declared.nexts.items():

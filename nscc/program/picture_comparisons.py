@@ -74,7 +74,6 @@ class PictureComparer(ABC):
     def _one_comparison(
         self, op: str, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """Return a comparison of an image with a level or with another image."""
         if self._is_level(first):
             if not self._is_level(second):
                 return self._one_comparison(_MIRRORED[op], second, first, span)
@@ -122,7 +121,6 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int:
-        """Return a level in steps of IN."""
         sign, inner = 1, expr
         while isinstance(inner, tree.Unary) and inner.op == "-":
             sign, inner = -sign, inner.operand

@@ -43,8 +43,7 @@ class PictureMeaning:
 
     Images are also defined outside the array, as forms in the light there: one convolution kernel
     may read across the border, and the next may read back. Bits outside the array are the text's
-    `outside`.
-    """
+    `outside`."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
         self.forms, self.weights = forms, pictures.weights_by_name

@@ -191,8 +191,7 @@ class PictureReplay:
         return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.places()}
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
-        """Return for each pixel the value of the pixel at an offset (columns to the right, rows
-        down)."""
+        """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
         return {
             (x, y): fields.get((x + right, y + down)) or self._edge(fields, x + right, y + down)
             for x, y in fields

@@ -16,8 +16,7 @@ def image_points(path: Path, level: int) -> list[Point]:
     """Return a point for each program that `level` of optimisation finds for a file's kernels.
 
     A point is the standard deviation of the result's error, as a multiple of the error of one word,
-    and the time of the words in milliseconds. Raises Rejected if the file does not compile.
-    """
+    and the time of the words in milliseconds. Raises Rejected if the file does not compile."""
     container = run_passes(read_source(path), path.parent, Options(level=level)).container
     assert container is not None
     pictures, target = container.pictures, container.target

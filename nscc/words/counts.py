@@ -120,8 +120,7 @@ class CountUnit:
 def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
     """Return the representation of a program's counts; None for a program without counts.
 
-    A count must fit the registers and IN, and levels and factors must be whole steps.
-    """
+    A count must fit the registers and IN, and levels and factors must be whole steps."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
     peak, name, least = Fraction(0), "", 1
     for item, expression in pictures.expressions.items():

@@ -240,8 +240,7 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
     """Return the container of a header and its arrays.
 
     If a value has another type than `_header` gives it, the container is written differently,
-    or this raises an exception.
-    """
+    or this raises an exception."""
     arrays = unpacked(_layout(header), data[:-_DIGEST], start)
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0

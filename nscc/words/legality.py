@@ -44,8 +44,7 @@ def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
 
 
 def refuse_picture_states(container: Container) -> None:
-    """Raise NS0542 (status 1) for a program with images or planes and states, before it is written
-    for a device."""
+    """Raise NS0542 (status 1) for a program with images and states, which devices refuse."""
     if container.pictures is not None and container.pictures.states:
         raise rejected(
             "NS0542",

@@ -9,8 +9,8 @@ from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, WordEffect
 
 
 def live_registers(words: Iterable[Op], target: Target) -> tuple[frozenset[str], frozenset[str]]:
-    """Return the registers that words read, including FLAG, before a word has written them in all
-    pixels, and the registers that words write."""
+    """Return the registers, including FLAG, that words read before they are written in all pixels,
+    and the registers that words write."""
     live: set[str] = set()
     written: set[str] = set()
     whole: set[str] = set()

@@ -183,7 +183,6 @@ class Picture:
 
     @property
     def is_plane(self) -> bool:
-        """Whether it is a plane."""
         return isinstance(self.node, Condition)
 
 
@@ -273,13 +272,11 @@ class Pictures:
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:
-        """Return the convolution kernels by name."""
         return {kernel.name: kernel for kernel in self.weights}
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """The names of all images, planes and buckets that are read or reported, without
-        repetition."""
+        """The names of all images, planes and buckets that are read or reported."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property

@@ -49,8 +49,7 @@ class RegisterReaches:
 
     `before`: the reach of registers before the first word. With `bits_known`, bits beyond the array
     are known constants and do not count. A bit read from a neighbour then extends the reach only in
-    directions in which the neighbour's bit itself depends on a bus.
-    """
+    directions in which the neighbour's bit itself depends on a bus."""
 
     def __init__(
         self, target: Target, words: Iterable[Op], *, bits_known: bool = False,

@@ -1,7 +1,6 @@
 """Arrays as bytes of container files and assembly texts: little endian, without gaps.
 
-Eight booleans are packed into a byte, lowest bit first.
-"""
+Eight booleans are packed into a byte, lowest bit first."""
 
 from __future__ import annotations
 

@@ -7,8 +7,7 @@ pictures lies its `copyright`, which says who took them. Nothing of this is ship
 | package | licences |
 |---|---|
 | lomiri-wallpapers-16.04, lomiri-wallpapers-20.04 | CC-BY-4.0, CC-BY-SA-4.0, CC0-1.0 |
-| mate-backgrounds, plasma-workspace-wallpapers | GPL-2+ |
-"""
+| mate-backgrounds, plasma-workspace-wallpapers | GPL-2+ |"""
 
 from __future__ import annotations
 

@@ -41,8 +41,7 @@ class CellNoise:
         """Return the noise that the emulator gives the compiled program of a cell.
 
         Words and comparators are independent. The fixed offsets of comparators are included as
-        noise, so that a cell is trained for every device. The gain of words is not included.
-        """
+        noise, so that a cell is trained for every device. The gain of words is not included."""
         from nscc_runtime.exposing import sensor_for
 
         values = sensor_for(program).values

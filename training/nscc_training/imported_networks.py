@@ -33,8 +33,7 @@ def import_network(
 
     `kernels_name` is the name of the kernel file in the program's text, `frame_us` the exposure
     time of a frame in microseconds. Raises Rejected: NS0851 for a file without such a cell, and the
-    compiler's errors for a cell that does not fit the chip.
-    """
+    compiler's errors for a cell that does not fit the chip."""
     cell = read_cell(path)
     table = load_target(target, Path())
     named = None if target.endswith(".toml") else target

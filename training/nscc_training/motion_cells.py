@@ -49,8 +49,7 @@ class MotionSettings:
     `noise` is a factor on the noise during training; 0 trains without noise. `films` are for
     training, `test_films` for the accuracies; the first `tuned_films` training films are emulated
     to fit the decoder `tuned`. `real_steps` are training steps with real weights, `binary_steps`
-    with binary weights, each with `batch` films.
-    """
+    with binary weights, each with `batch` films."""
 
     kernel: int = 3
     states: int = 1
@@ -146,8 +145,7 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
 
     The cell is first trained with real weights, then with their signs and the noise of its compiled
     program. Decoders are fitted to the fractions of 1 bits of training films. Raises Rejected if
-    the cell does not fit the chip.
-    """
+    the cell does not fit the chip."""
     target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
     cell = _start(settings, target)
     films, directions = motion_films(settings, settings.films, _TRAINING)
@@ -186,7 +184,6 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
 
 
 def _start(settings: MotionSettings, target: Target) -> PixelCell:
-    """Return the cell before training."""
     torch.manual_seed(settings.seed)
     cell = PixelCell(
         kernel=settings.kernel, states=settings.states, outputs=settings.outputs,

@@ -47,8 +47,7 @@ def folder_settings(
     Linear pictures are stills of high dynamic range. Films, and photographs of a display, become
     clips. Patches are as large as the smallest file allows, at most 128 x 128. `tell` is called
     with a text that describes the settings. Raises Rejected: NS0811 for a folder without pictures
-    and clips, and the errors of `settings_of`.
-    """
+    and clips, and the errors of `settings_of`."""
     stills = files_in(folder, LINEAR)
     files = stills or files_in(folder, (*CLIPS, *DISPLAY))
     if not files:

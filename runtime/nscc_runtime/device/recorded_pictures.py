@@ -27,8 +27,7 @@ def with_recorded_pictures(
 
     The exposures of the result are the contents of analog registers before these words. `readouts`
     are pairs of a register number, plus IMAGE for an image, and a gain. `states` are the numbers of
-    digital registers that are read. Outputs are named after their registers.
-    """
+    digital registers that are read. Outputs are named after their registers."""
     target, launches = container.target, container.launches
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     first = len(launches)

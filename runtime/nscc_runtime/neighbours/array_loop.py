@@ -218,8 +218,7 @@ def write_bits(
 def look(shape: ArrayShape, word: Any, operands: Ints, bits: Bytes, y: int, mark: Bytes) -> None:
     """Write the OR of the bits of those neighbours that the steering registers choose.
 
-    The first operand is the destination, the second the source. All further operands steer.
-    """
+    The first operand is the destination, the second the source. All further operands steer."""
     rows, cols, first = shape.rows, shape.cols, word.operands
     for x in range(cols):
         mark[x] = 0
@@ -252,8 +251,7 @@ def run_array_words(
 
     A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
     word: the neighbouring rows that it reads are then complete, and no earlier word still needs the
-    rows that it overwrites.
-    """
+    rows that it overwrites."""
     for step in range(shape.rows + words[shape.words - 1].lag):
         for w in range(shape.words):
             word = words[w]

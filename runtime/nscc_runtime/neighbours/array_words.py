@@ -38,7 +38,6 @@ class ArrayContents:
     bits: Mapping[str, NDArray[np.uint8]]
 
     def bit(self, name: str) -> NDArray[np.bool_]:
-        """Return the bits of a digital register."""
         return np.asarray(self.bits[name] == 1)
 
     def hold(self, seconds: float) -> None:

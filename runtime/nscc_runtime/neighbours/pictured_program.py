@@ -149,8 +149,7 @@ class PicturedProgram:
         self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
         seeds: tuple[int, int], number: int,
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
-        """Return codes and saturation marks (names, rows, cols) of images. Their converter is
-        symmetric around 0."""
+        """Return codes, symmetric around 0, and saturation marks (names, rows, cols) of images."""
         target = replace(self.container.target, readout="full")
         # The converter draws noise by index: images follow the buckets.
         buckets = len(self.container.buckets)
@@ -236,8 +235,7 @@ def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told
     """Return the arrays of a report about a plane (rows, cols), without pixels of the margin.
 
     Events are (x, y) in reading order, followed by rows of -1. The box is the smallest x and y and
-    the largest x and y, or four times -1 if no bit is 1.
-    """
+    the largest x and y, or four times -1 if no bit is 1."""
     name = f"report_{report.kind}_{report.plane}"
     bits = bits & ~reach.margin((bits.shape[0], bits.shape[1]))
     if report.kind == "any":

@@ -1,8 +1,7 @@
 """Simulate the words after an exposure on the whole array, with every effect.
 
 `nscc_runtime.reference.words` simulates words that use one pixel. This module adds NEWS and DNEWS,
-which access neighbours. It is not published what a bus beyond the array gives: here it gives 0.
-"""
+which access neighbours. It is not published what a bus beyond the array gives: here it gives 0."""
 
 from __future__ import annotations
 
@@ -33,8 +32,7 @@ class ArrayPixels(WordPixels):
 
     `exposed`: analog registers after the exposure, in electrons. `exposed_by`: their saturation
     marks. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
-    register.
-    """
+    register."""
 
     shape: tuple[int, int]
     exposed: Mapping[str, Values]
@@ -58,7 +56,6 @@ class ArrayPixels(WordPixels):
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
 
     def bit(self, name: str) -> Bits:
-        """Return the bits of a digital register."""
         return np.asarray(self.digital.read(name) == 1)
 
     def draw(self, name: str, number: int) -> Values:

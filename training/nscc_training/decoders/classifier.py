@@ -23,8 +23,7 @@ class Classifier(nn.Module):
     The second convolution of a pair halves the resolution. Input: the frames of one or two buckets;
     with `sees_code` also S^T E of each bucket, with one channel per slot. Inputs are divided by
     their means, so that the brightness of a scene has no influence. Output (batch, classes): the
-    logarithms of likelihoods, up to a constant that all classes share. Frames may have any size.
-    """
+    logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
 
     def __init__(self, widths: Sequence[int], task: DecoderTask) -> None:
         super().__init__()

@@ -39,7 +39,6 @@ class ClassWindow(ClipWindow):
 
 
 def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
-    """Return a window with its class."""
     return ClassWindow(**vars(window), label=label, classes=tuple(classes))
 
 
