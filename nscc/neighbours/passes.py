@@ -10,6 +10,7 @@ from math import ceil, log2
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.resources import time_text
 from nscc.lower.timeline import RETENTION_SHARE
+from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
@@ -59,7 +60,10 @@ def with_pictures(
 
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
-    """The words of images and planes after a container's exposure. Raises Refused."""
+    """The words of images and planes after a container's exposure; raises PictureRefused.
+
+    Images are counted together, or one by one where that takes too many registers.
+    """
     target = container.target
     buckets = {
         readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
@@ -72,9 +76,17 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     ]  # fmt: skip
     exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
     written = {name for word in exposing if word is not None for name in word.destinations}
-    synthesis = Synthesis(STEPS_OF_LEVEL[level])
-    lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
-    lowering.run()
+    for most_together in (MOST_IMAGES, 1):
+        synthesis = Synthesis(STEPS_OF_LEVEL[level])
+        lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
+        lowering.most_together = most_together
+        try:
+            lowering.run()
+        except PictureRefused as refused:
+            if refused.kind != "registers" or not pictures.count_steps or most_together == 1:
+                raise
+        else:
+            break
     return lowering
 
 
