@@ -62,7 +62,7 @@ def with_pictures(
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """The words of images and planes after a container's exposure; raises PictureRefused.
 
-    Images are counted together, or one by one where that takes too many registers.
+    As many images are counted together as the registers allow.
     """
     target = container.target
     buckets = {
@@ -76,7 +76,7 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     ]  # fmt: skip
     exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
     written = {name for word in exposing if word is not None for name in word.destinations}
-    for most_together in (MOST_IMAGES, 1):
+    for most_together in range(MOST_IMAGES, 0, -1):
         synthesis = Synthesis(STEPS_OF_LEVEL[level])
         lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
         lowering.most_together = most_together
