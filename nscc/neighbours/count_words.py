@@ -22,9 +22,8 @@ from nscc.neighbours.held import Emitter, Held
 from nscc.operations import op
 from nscc.words import pictures as p
 
-WALKS = ((4, True), (4, False), (3, False), (2, False), (1, False))
-"""Limits that are tried in turn, until everything fits the registers: the most images that are
-counted in one walk, and whether they may share accumulators, which takes registers later."""
+MOST_IMAGES = 4
+"""So many images are counted in one walk at most."""
 
 Place = tuple[p.Condition, Offset]
 Direction = tuple[Fraction, ...]
@@ -71,19 +70,21 @@ Result = TypeVar("Result")
 
 
 class CountEmitter(Emitter):
-    """The counts of a lowering; `ready` are images that were counted before their turn, by name: of
-    which accumulators they are made. `count_e` are the electrons of a count."""
+    """The counts of a lowering, `most_together` images in a walk.
+
+    `ready` are images that were counted before their turn, by name: of which accumulators they are
+    made. `count_e` are the electrons of a count.
+    """
 
     bits: BitWords
     held: dict[str, Held]
     uses: dict[str, int]
     count_e: float
 
-    def __init__(self, pictures: p.Pictures, walks: tuple[int, bool]) -> None:
+    def __init__(self, pictures: p.Pictures) -> None:
         super().__init__(pictures)
-        self.most_images, self.may_share = walks
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
-        self.walks, self.spare = 0, ""
+        self.walks, self.spare, self.most_together = 0, "", MOST_IMAGES
 
     @abstractmethod
     def take(self) -> str:
@@ -112,10 +113,10 @@ class CountEmitter(Emitter):
         sums = [(item.name, total) for item in items if (total := self._countable(item))]
         if not sums or sums[0][0] != items[0].name:
             return
-        numbers = range(1, min(len(sums), self.most_images) + 1)
+        numbers = range(1, min(len(sums), self.most_together) + 1)
         ways, shares = [], []
         for number in numbers:
-            for directions_of in (_separate, _shared)[: 1 + self.may_share]:
+            for directions_of in (_separate, _shared):
                 ways.append(partial(self._count, sums[:number], directions_of))
                 shares.append(number)
         self.do_shortest(ways, shares)
@@ -245,12 +246,24 @@ class CountEmitter(Emitter):
 
 def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:
     """An accumulator for each image."""
-    return [tuple(Fraction(i == j) for j in range(images)) for i in range(images)]
+    return [_unit(image, images) for image in range(images)]
 
 
 def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """An accumulator for each ratio of the images' weights at a place."""
-    return list(dict.fromkeys(_normal(vector)[1] for vector in vectors))
+    """An accumulator for each way in which the images' weights at a place agree and differ; where
+    their sizes differ, the images have accumulators of their own."""
+    directions: dict[Direction, None] = {}
+    for vector in vectors:
+        direction = _normal(vector)[1]
+        own = [_unit(image, images) for image, weight in enumerate(vector) if weight]
+        alike = all(abs(part) in (0, 1) for part in direction)
+        directions |= dict.fromkeys([direction] if alike else own)
+    return list(directions)
+
+
+def _unit(image: int, images: int) -> Direction:
+    """The direction of one image alone."""
+    return tuple(Fraction(number == image) for number in range(images))
 
 
 def _normal(vector: Direction) -> tuple[Fraction, Direction]:
@@ -264,4 +277,5 @@ def _steps_along(vector: Direction, directions: Sequence[Direction]) -> dict[int
     factor, direction = _normal(vector)
     if direction in directions:
         return {directions.index(direction): factor}
-    return {number: factor for number, factor in enumerate(vector) if factor}
+    own = ((_unit(image, len(vector)), weight) for image, weight in enumerate(vector) if weight)
+    return {directions.index(unit): weight for unit, weight in own}
