@@ -90,12 +90,10 @@ class Page:
             strict=True,
         )
         comparison = compare(list(pairs), metric)
-        between = (
-            ""
-            if comparison["ci95"] is None
-            else " ({:+.2f} to {:+.2f})".format(*comparison["ci95"])
-        )
-        return f"{comparison['gain_db']:+.2f}{between}"
+        digits = _decimals(metric)
+        low, high = comparison["ci95"] or (None, None)
+        between = "" if low is None else f" ({low:+.{digits}f} to {high:+.{digits}f})"
+        return f"{comparison['gain_db']:+.{digits}f}{between}"
 
     def value(self, name: str, key: str) -> str:
         """Return a property of a result's subject: moved, steps, words, stops,
@@ -243,4 +241,8 @@ def page_of(
 def _digits(value: float | None, metric: str) -> str:
     if value is None:
         raise ValueError(f"no item has a finite {metric}")
-    return f"{value:.{2 if metric.endswith('_db') else 3}f}"
+    return f"{value:.{_decimals(metric)}f}"
+
+
+def _decimals(metric: str) -> int:
+    return 2 if metric.endswith("_db") else 3
