@@ -134,8 +134,8 @@ class Page:
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def verdict(self, label: str, name: str, metric: str, *others: str) -> str:
-        """Return an item of a list that compares a learned code with the best hand-made code of
-        its table. `others` are the hand-made codes, each LABEL and NAME."""
+        """Return an item of a list that compares a learned code with the best code of its table
+        that was not learned. `others` are these codes, each LABEL and NAME."""
         unit = METRIC_LABELS[metric]
         means = {
             other: mean
@@ -154,8 +154,8 @@ class Page:
         outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
         if all(entry["settings"].get("moved") == 0 for entry in results):
             return f"* {label}, {unit}: **not learned**, since no place moved from the start."
-        return (f"* {label}, {unit}: **{outcome}** than the best hand-made code of the table, "
-                f"{best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
+        return (f"* {label}, {unit}: **{outcome}** than the best code of the table that was "
+                f"not learned, {best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
         """Return a row whose columns are results, each NAME[@SHARE], with the metrics
