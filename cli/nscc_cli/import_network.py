@@ -25,6 +25,7 @@ def command(model: Path, out: Path, frame_us: float, target: str) -> None:
     MODEL is the state dict of a `nscc_training.cells.PixelCell`, or the ONNX export of its forward
     pass. Other networks are refused, with the names of their layers. The program is compiled and
     proved before it is written."""
+    from nscc.program.problems import counted
     from nscc_training.imported_networks import import_network
 
     if out.suffix.lower() != ".nsl":
@@ -35,8 +36,8 @@ def command(model: Path, out: Path, frame_us: float, target: str) -> None:
     write_together({out: imported.text.encode(), kernels: imported.kernels})
     cell = imported.cell
     say_done("\n".join([
-        f"{cell.states} states, {cell.outputs} outputs, kernels {cell.kernel} x {cell.kernel}, "
-        f"{imported.words} words a frame",
+        f"{counted(cell.states, 'state')}, {counted(cell.outputs, 'output')}, "
+        f"kernels {cell.kernel} x {cell.kernel}, {imported.words} words a frame",
         f"exposures are compared with {100 * imported.level:.4g} % of a full well",
         *(f"wrote {path.as_posix()}" for path in (out, kernels)),
     ]))  # fmt: skip

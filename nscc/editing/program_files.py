@@ -18,6 +18,6 @@ def files_of(program: Path) -> set[Path]:
     except Rejected:
         return files
     for statement in statements:
-        if isinstance(statement, tree.TargetFromFile | tree.BookFromFile | tree.PixelsFromFile):
+        if isinstance(statement, tree.TargetFromFile | tree.FromFile | tree.PixelsFromFile):
             files.add(program.parent / statement.path.value)
     return files

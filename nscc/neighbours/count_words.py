@@ -23,9 +23,8 @@ from nscc.neighbours.held import Emitter, Held
 from nscc.operations import op
 from nscc.words import pictures as p
 
-WALKS = ((4, True), (4, False), (3, False), (2, False), (1, False))
-"""Limits that are tried in turn until all values fit the registers: the largest number of images in
-one walk, and whether these images may share accumulators, which occupy registers for longer."""
+MOST_IMAGES = 4
+"""Largest number of images that are counted in one walk."""
 
 Place = tuple[p.Condition, Offset]
 Direction = tuple[Fraction, ...]
@@ -74,7 +73,7 @@ Result = TypeVar("Result")
 
 
 class CountEmitter(Emitter):
-    """Emits the words of counts.
+    """Emits the words of counts, for at most `most_together` images in a walk.
 
     `ready`: for each image that an earlier walk has counted, its accumulators and their factors.
     `count_e`: electrons per count."""
@@ -84,11 +83,10 @@ class CountEmitter(Emitter):
     uses: dict[str, int]
     count_e: float
 
-    def __init__(self, pictures: p.Pictures, walks: tuple[int, bool]) -> None:
+    def __init__(self, pictures: p.Pictures) -> None:
         super().__init__(pictures)
-        self.most_images, self.may_share = walks
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
-        self.walks, self.spare = 0, ""
+        self.walks, self.spare, self.most_together = 0, "", MOST_IMAGES
 
     @abstractmethod
     def take(self) -> str:
@@ -118,10 +116,10 @@ class CountEmitter(Emitter):
         sums = [(item.name, total) for item in items if (total := self._countable(item))]
         if not sums or sums[0][0] != items[0].name:
             return
-        numbers = range(1, min(len(sums), self.most_images) + 1)
+        numbers = range(1, min(len(sums), self.most_together) + 1)
         ways, shares = [], []
         for number in numbers:
-            for directions_of in (_separate, _shared)[: 1 + self.may_share]:
+            for directions_of in (_separate, _shared):
                 ways.append(partial(self._count, sums[:number], directions_of))
                 shares.append(number)
         self.do_shortest(ways, shares)
@@ -250,12 +248,24 @@ class CountEmitter(Emitter):
 
 def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:
     """Return the directions of one accumulator for each image."""
-    return [tuple(Fraction(i == j) for j in range(images)) for i in range(images)]
+    return [_unit(image, images) for image in range(images)]
 
 
 def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """Return the direction of one accumulator for each ratio of the images' weights."""
-    return list(dict.fromkeys(_normal(vector)[1] for vector in vectors))
+    """Return the directions of shared accumulators: one for each ratio (1, 0 or -1) of the images'
+    weights. Images whose weights at a place have different sizes get separate accumulators."""
+    directions: dict[Direction, None] = {}
+    for vector in vectors:
+        direction = _normal(vector)[1]
+        own = [_unit(image, images) for image, weight in enumerate(vector) if weight]
+        alike = all(abs(part) in (0, 1) for part in direction)
+        directions |= dict.fromkeys([direction] if alike else own)
+    return list(directions)
+
+
+def _unit(image: int, images: int) -> Direction:
+    """Return the direction of an accumulator for one image."""
+    return tuple(Fraction(number == image) for number in range(images))
 
 
 def _normal(vector: Direction) -> tuple[Fraction, Direction]:
@@ -269,4 +279,5 @@ def _steps_along(vector: Direction, directions: Sequence[Direction]) -> dict[int
     factor, direction = _normal(vector)
     if direction in directions:
         return {directions.index(direction): factor}
-    return {number: factor for number, factor in enumerate(vector) if factor}
+    own = ((_unit(image, len(vector)), weight) for image, weight in enumerate(vector) if weight)
+    return {directions.index(unit): weight for unit, weight in own}

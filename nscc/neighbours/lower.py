@@ -38,9 +38,8 @@ class Lowering(CountEmitter):
         digital: Sequence[str],
         unwritten: Collection[str],
         synthesis: Synthesis,
-        walks: tuple[int, bool],
     ) -> None:
-        super().__init__(pictures, walks)
+        super().__init__(pictures)
         self.target, self.synthesis = target, synthesis
         bucket_registers = {register for register, _ in buckets.values()}
         self.free = [name for name in target.analog_available if name not in bucket_registers]

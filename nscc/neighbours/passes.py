@@ -10,7 +10,7 @@ from math import ceil, log2
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.resources import time_text
 from nscc.lower.timeline import RETENTION_SHARE
-from nscc.neighbours.count_words import WALKS
+from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
@@ -60,7 +60,7 @@ def with_pictures(
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
-    do not fit."""
+    do not fit. A walk counts as many images as the registers allow."""
     target = container.target
     buckets = {
         readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
@@ -73,22 +73,18 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     ]  # fmt: skip
     exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
     written = {name for word in exposing if word is not None for name in word.destinations}
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
-    refused: PictureRefused | None = None
-    for walks in WALKS:
-        lowering = Lowering(
-            pictures, target, buckets, digital, {*digital} - written, synthesis, walks
-        )
+    for most_together in range(MOST_IMAGES, 0, -1):
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
+        lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
+        lowering.most_together = most_together
         try:
             lowering.run()
-        except PictureRefused as error:
-            refused = refused or error
-            if not pictures.count_steps:
-                break
+        except PictureRefused as refused:
+            if refused.kind != "registers" or not pictures.count_steps or most_together == 1:
+                raise
         else:
-            return lowering
-    assert refused is not None
-    raise refused
+            break
+    return lowering
 
 
 def grouped(

@@ -34,7 +34,7 @@ LATCH_SERVES = {
 }
 REFUSALS = {"latch": "NS0414", "edges": "NS0502"}
 
-WORDS = ROOT / "tests" / "cases" / "words"
+WORDS = ROOT / "tests" / "data" / "words"
 """How many words each example takes at each level, and their digest."""
 
 examples = pytest.mark.parametrize("path", [pytest.param(p, id=p.stem) for p in EXAMPLES])
@@ -62,7 +62,7 @@ def test_an_example_begins_with_its_purpose(path: Path) -> None:
 @long_later
 @pytest.mark.parametrize("level", ["0", "1", "2"])
 def test_builds_and_proves(path: Path, level: str, tmp_path: Path, update_cases: bool) -> None:
-    """The words are those of tests/cases/words; with --update-cases they are written there."""
+    """The words are those of tests/data/words; with --update-cases they are written there."""
     fine(["build", path, "-O", level, "-o", "a.icw", "--emit", "report"], tmp_path)
     report = json.loads((tmp_path / "a.report.json").read_text())
     assert report["proof"]["holds"]

@@ -84,6 +84,8 @@ def test_the_files_of_a_program(tmp_path: Path) -> None:
     )
     named = ("own.toml", "../b.npz", "codes.npz")
     assert files_of(program) == {program, *(tmp_path / name for name in named)}
+    program.write_text('nsl 3\nframe 4 slots of 1ms\nkernel k from "k.npz"\nopen when true\n')
+    assert files_of(program) == {program, tmp_path / "k.npz"}
 
 
 def test_a_log_that_is_one_document_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

@@ -23,7 +23,7 @@ from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 ROWS, COLS, FRAMES = 40, 44, 4
-CHUNKS, CELLS = 34, 10
+CHUNKS, CELLS = 42, 10
 ALLOWED = {"NS0533", "NS0535", "NS0540", "NS0541"}
 """What a cell may be refused for: a comparison that is always true, or too little room."""
 MOST_REFUSED = 0.3

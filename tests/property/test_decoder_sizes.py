@@ -15,7 +15,11 @@ from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
 
 MOST = 600_000
-OURS = [name for name, decoder in DECODERS.items() if not decoder.fixed_channels]
+OURS = [
+    name
+    for name, decoder in DECODERS.items()
+    if not decoder.fixed_channels and not decoder.classifies
+]
 
 
 def numbers(module: torch.nn.Module) -> int:

@@ -33,7 +33,7 @@ def test_on_linear_light_they_rule() -> None:
     assert share_of_the_brightest("l1", 1) > 0.2
 
 
-@pytest.mark.parametrize("name", LOSSES)
+@pytest.mark.parametrize("name", [name for name in LOSSES if name != "class"])
 def test_gradients_are_finite_at_nothing_and_at_a_sun(name: str) -> None:
     prediction = torch.tensor([0.0, -1e-7, 1e-6, 1e8, -3.0], requires_grad=True)
     truth = torch.tensor([0.5, 0.0, 0.0, 1.0, 0.0])

@@ -38,7 +38,7 @@ def test_a_state_dict_becomes_a_proved_program(tmp_path: Path) -> None:
     torch.save(cell.state_dict(), model)
     done = invoke(["import-network", "cell.pt", "-o", "p.nsl"], tmp_path)
     assert done.status == 0, done.err
-    assert "1 states, 2 outputs, kernels 3 x 3" in done.out + done.err
+    assert "1 state, 2 outputs, kernels 3 x 3" in done.out + done.err
     files = cell_files(cell, "p.kernels.npz", target="scamp5", remark="Imported from cell.pt.")
     assert out.read_text() == files.text
     assert (tmp_path / "p.kernels.npz").read_bytes() == files.kernels

@@ -96,6 +96,22 @@ def test_images_that_are_counted_together_share_words(cell: Path) -> None:
     assert report["images"]["f"]["words"] <= alone_words + 10
 
 
+def test_four_images_are_counted_in_two_walks() -> None:
+    """Eight accumulators do not fit; two for each pair of images do."""
+    rng = np.random.default_rng(4)
+    lines = ["nsl 3 frame 1 slots of 1ms open when true outside 0 state h : bit = 0 kept"]
+    for name in "abcd":
+        for plane in "xh":
+            lines.append(f"kernel {name}{plane} = {rng.choice([-1, 1], (3, 3)).tolist()}")
+    lines.append("plane x = exposure > 50%")
+    lines += [f"image {name} = agree(x, {name}x) + agree(h, {name}h)" for name in "abcd"]
+    lines += [f"plane p{name} = {name} > 2" for name in "abcd"]
+    report = picture_report(small("\n".join(lines) + " next h = pa read pb, pc, pd"))
+    words = [report["images"][name]["words"] for name in "abcd"]
+    assert max(words[0], words[2]) <= 130
+    assert max(words[1], words[3]) <= 4
+
+
 def test_the_error_of_counts_is_what_the_report_says(cell: Path) -> None:
     container = small(CELL, side=64, folder=cell.parent)
     sensor = default_sensor(container.target).changed(analog_pattern_lsb=0.0, analog_gain=1.0)

@@ -93,12 +93,10 @@ class Page:
             strict=True,
         )
         comparison = compare(list(pairs), metric)
-        between = (
-            ""
-            if comparison["ci95"] is None
-            else " ({:+.2f} to {:+.2f})".format(*comparison["ci95"])
-        )
-        return f"{comparison['gain_db']:+.2f}{between}"
+        digits = _decimals(metric)
+        low, high = comparison["ci95"] or (None, None)
+        between = "" if low is None else f" ({low:+.{digits}f} to {high:+.{digits}f})"
+        return f"{comparison['gain_db']:+.{digits}f}{between}"
 
     def value(self, name: str, key: str) -> str:
         """Return a property of a result: moved, steps, words, stops, parameters or items."""
@@ -140,8 +138,8 @@ class Page:
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def verdict(self, label: str, name: str, metric: str, *others: str) -> str:
-        """Return an item of a list that compares a learned code with the best hand-made code of
-        its table. `others` are the hand-made codes, each LABEL and NAME."""
+        """Return an item of a list that compares a learned code with the best code of its table
+        that was not learned. `others` are these codes, each LABEL and NAME."""
         unit = METRIC_LABELS[metric]
         means = {
             other: mean
@@ -160,8 +158,8 @@ class Page:
         outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
         if all(entry["settings"].get("moved") == 0 for entry in results):
             return f"* {label}, {unit}: **not learned**, since no place moved from the start."
-        return (f"* {label}, {unit}: **{outcome}** than the best hand-made code of the table, "
-                f"{best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
+        return (f"* {label}, {unit}: **{outcome}** than the best code of the table that was "
+                f"not learned, {best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
         """Return a table row with one cell for each result, NAME[@SHARE].
@@ -249,4 +247,8 @@ def page_of(
 def _digits(value: float | None, metric: str) -> str:
     if value is None:
         raise ValueError(f"no item has a finite {metric}")
-    return f"{value:.{2 if metric.endswith('_db') else 3}f}"
+    return f"{value:.{_decimals(metric)}f}"
+
+
+def _decimals(metric: str) -> int:
+    return 2 if metric.endswith("_db") else 3
