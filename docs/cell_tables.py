@@ -1,6 +1,6 @@
 """Print the tables of docs/networks.md: `python docs/cell_tables.py [direction]`.
 
-The sweep of training/grids/cells.toml is continued in build/cells, and its rows are printed.
+Resume the sweep of training/grids/cells.toml in build/cells, and print its rows.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ COLUMNS = {
 
 
 def swept(parts: list[str]) -> list[Mapping[str, str]]:
-    """The rows of parts of the grid."""
+    """Run the named parts of the grid, or all parts, and return the rows of the sweep."""
     from nscc_training.sweep.grid import read_grid
     from nscc_training.sweep.run_sweep import TABLE, How, sweep
 
@@ -36,7 +36,7 @@ def swept(parts: list[str]) -> list[Mapping[str, str]]:
 
 
 def accuracies(row: Mapping[str, str]) -> str:
-    """The accuracies of one cell, and the bits that are read out."""
+    """Return the accuracies, words and bits of one cell as text."""
     lines = [f"{text:<44}{100 * float(row[f'{name}_accuracy']):6.1f} %"
              for name, text in ACCURACIES.items()]  # fmt: skip
     bits, full = int(row["bits_per_frame"]), int(row["full_frame_bits"])
@@ -49,7 +49,7 @@ def accuracies(row: Mapping[str, str]) -> str:
 
 
 def table(rows: list[Mapping[str, str]]) -> str:
-    """One line for each cell."""
+    """Return a table with a line for each cell."""
     lines = ["".join(f"{title:>9}" for title in COLUMNS.values())]
     for row in rows:
         texts = (f"{100 * float(row[name]):.1f} %" if name.endswith("accuracy")

@@ -1,10 +1,10 @@
-"""Figures that pages show, printed into them by the commands that find them.
+"""Fill pages with the output of the commands that compute their figures.
 
     make figures PAGES="docs/tradeoff.md docs/emulator.md"
 
-A page names the command in a comment before the fenced block that shows what it printed, and which
-of its lines these are: `from` the first that a pattern is found in, `until` the next that another
-is found in, of these `only` those with a third one:
+A page names the command in a comment before the fenced block that shows its output. Clauses with
+patterns choose lines: `from` the first matching line, `until` the next matching line, and `only`
+matching lines in between:
 
     <!-- printed by: nscc effects --cost | from ^effect | until ^$ | only ^(effect|shot) -->
 """
@@ -20,13 +20,14 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parent.parent
 PRINTED = re.compile(r"^(<!-- printed by: ([^\n]+) -->\n+(`{3,})text\n)(.*?)^\3$", re.M | re.S)
-"""The comment with the beginning of its block, the command with its clauses, the fence, lines."""
+"""Groups: the comment up to the block, the command with clauses, the fence, the lines."""
 _CLAUSES = ("from", "until", "only")
 
 
 def filled(page: str, output_of: Callable[[str], str]) -> str:
-    """A page with what its commands print now. Raises ValueError for a clause that there is not,
-    and where no line is left: a command prints something else than it did."""
+    """Return a page with the present output of its commands.
+
+    Raises ValueError for an unknown clause, and if the clauses choose no line."""
 
     def fill(block: re.Match[str]) -> str:
         begin, named, fence, _ = block.groups()
@@ -37,7 +38,7 @@ def filled(page: str, output_of: Callable[[str], str]) -> str:
 
 
 def chosen(output: str, clauses: list[str]) -> list[str]:
-    """The lines of an output that a page shows."""
+    """Return the lines of an output that clauses choose."""
     given = dict(clause.split(" ", 1) for clause in clauses)
     if not given.keys() <= set(_CLAUSES):
         raise ValueError(f"clauses are {', '.join(_CLAUSES)}, not {', '.join(given)}")
@@ -57,8 +58,9 @@ def chosen(output: str, clauses: list[str]) -> list[str]:
 
 
 def printed(command: str) -> str:
-    """What a command of nscc, or a file of Python, prints in the repository. Raises RuntimeError
-    with all of it where it does not end with status 0."""
+    """Return the output of an nscc command or a Python file, run in the repository.
+
+    Raises RuntimeError with the output if the exit status is not 0."""
     program, *arguments = shlex.split(command)
     started = {"nscc": ["-m", "nscc_cli"], "python": []}[program]
     ended = subprocess.run(
@@ -71,7 +73,7 @@ def printed(command: str) -> str:
 
 
 def main(pages: list[str]) -> None:
-    """Fill pages, each when its commands have ended; what these write is in `build`."""
+    """Fill pages; commands may write files into the folder `build`."""
     (REPOSITORY / "build").mkdir(exist_ok=True)
     for name in pages:
         page = REPOSITORY / name

@@ -3,11 +3,11 @@
     python docs/kernel_programs.py sobel laplace_4      prints their rows
     python docs/kernel_programs.py --words 7            prints all rows of up to seven words
 
-An exhaustive search, word by word. A register is a kernel, held as the value of its polynomial at a
-random point modulo a prime: a step to a neighbour is a product, a halving is one with 1/2. Equal
-values are not made twice, words that do not depend on each other come in one order, and no value
-reaches further, weighs more or is halved more often than the kernel. What it prints is replayed
-with exact numbers before it is believed.
+The search is exhaustive, word by word. A register contains a kernel, represented by the value of
+its polynomial at a random point modulo a prime. A step to a neighbour is a multiplication, and a
+halving is a multiplication by 1/2. The search skips equal values, other orders of independent
+words, and values with a larger reach, larger weights or more halvings than the kernel. Each result
+is checked with exact numbers before it is printed.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from nscc.neighbours.programs import UNIT, kernel_of, program_from_text
 PRIME = 2**31 - 1
 MOST_REGISTERS, MOST_SOURCES = 6, 4
 STEPS = ((0, 0), (0, -1), (1, 0), (0, 1), (-1, 0))
-"""Columns and rows to NEWS of: the pixel itself, north, east, south, west."""
+"""Offsets (columns, rows) of the pixel itself and of its north, east, south, west neighbour."""
 READ, WRITE = "nNESW", "nSWNE"
-"""What a word writes so that NEWS holds what the neighbour at a step had: the opposite side."""
+"""Sources that read NEWS at each step; destinations that bring the value from there to NEWS."""
 PLAIN, NEWS, HALVED = 0, 1, 2
 """Kinds of words: a register; NEWS; a register and NEWS, both halved."""
 
@@ -59,7 +59,7 @@ KERNELS: dict[str, tuple[list[list[int]], int]] = {
 
 @numba.njit(cache=True)
 def _search(depth: int, state: Any, limits: Any, tables: Any, words: Any) -> bool:
-    """Whether the kernel can be reached from here; `words` then has the program."""
+    """Return whether the kernel can be reached from `state`; write its program to `words`."""
     values, boxes, weights, count, news, unread = state
     goal, box, most_weight, most_halvings, length, budget = limits
     shift, steps, bits = tables
@@ -82,7 +82,7 @@ def _search(depth: int, state: Any, limits: Any, tables: Any, words: Any) -> boo
                 low_x, high_x = min(low_x, boxes[i, 0]), max(high_x, boxes[i, 1])
                 low_y, high_y = min(low_y, boxes[i, 2]), max(high_y, boxes[i, 3])
                 weight += weights[i]
-        for read in range(-1, 5):  # which NEWS a word reads beside registers; -1: none
+        for read in range(-1, 5):  # step of the NEWS that a word reads besides registers; -1: none
             if (read < 0 and chosen == 0) or (read >= 0 and not news[5]):
                 continue
             if chosen > (MOST_SOURCES if read < 0 else MOST_SOURCES - 1 if read == 0 else 1):
@@ -142,7 +142,7 @@ def _search(depth: int, state: Any, limits: Any, tables: Any, words: Any) -> boo
 
 
 def row_of(rows: list[list[int]], divisor: int, most_words: int, budget: int) -> str | None:
-    """The shortest program of a kernel as text; None where none is found within `budget` steps."""
+    """Return the shortest program of a kernel as text; None if not found in `budget` steps."""
     rng = np.random.default_rng(5)
     across, down = (int(number) for number in rng.integers(2, PRIME - 1, 2))
     back, up = (pow(number, PRIME - 2, PRIME) for number in (across, down))
@@ -178,7 +178,7 @@ def row_of(rows: list[list[int]], divisor: int, most_words: int, budget: int) ->
 
 
 def _text(words: Any) -> str:
-    """A program as the table has it."""
+    """Return a program in the form of the table."""
     names, count, found = "xabcdefgh", 1, []
     for kind, to, mask, read in words.tolist():
         sources = [names[i] for i in range(9) if mask >> i & 1] + [READ[read]] * (read >= 0)
@@ -189,7 +189,7 @@ def _text(words: Any) -> str:
 
 
 def main() -> None:
-    """Print the rows of the kernels that are named."""
+    """Print the rows of the named kernels."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("kernels", nargs="*", default=[*KERNELS], metavar="KERNEL")
     parser.add_argument("--words", type=int, default=8, help="most words of a program")

@@ -1,12 +1,12 @@
-"""Measure two facts about a chip that nothing public says and that programs with images rely on.
+"""Measure two unpublished properties of a chip on which programs with images rely.
 
     python docs/neighbour_facts.py --device /dev/ttyACM0     a chip with nscc's loader
     python docs/neighbour_facts.py --scene builtin:hdr       the emulator, without effects
 
-Halving: one `bus2` word divides an exposure by two, beside the five words of the library's `div`.
-Reads: NEWS is written once, and the pixels read it from the same side three times in a row; each
-read is one image. The light must not move; frames are averaged. Only pixels count whose exposures
-are between a tenth and nine tenths of a full well, and that are not at the border.
+Halving: compare an exposure that one `bus2` word has halved with the result of the library's `div`
+(five words). Reads: write NEWS once, read it from the same neighbour three times in a row, and
+compare the three images. The scene must not change, because frames are averaged. Pixels at the
+border, and exposures below 10 % or above 90 % of a full well, are left out.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from nscc.words.pictures import Source as Value
 from nscc_runtime.frame_file import Frame
 
 REGISTERS = {"half": "C", "divided": "D", "first": "E", "second": "F", "third": "B"}
-"""What each image is, and where its value is held; A holds the exposure."""
+"""The register of each image; A holds the exposure."""
 WORDS = (
     op("all"),
     op("bus2", ["B", "NEWS"], ["A"]),  # both are minus half of the exposure
@@ -47,7 +47,7 @@ WORDS = (
 
 
 def experiment(target: Target, slot_us: float) -> Container:
-    """The program: one exposure, and the five images of REGISTERS."""
+    """Return the program: one exposure, and the five images of REGISTERS."""
     text = (
         f"nsl 3\nframe 1 slots of {slot_us}us\nbucket all_light open when true\n"
         "image half = all_light / 2\nread all_light, half\n"
@@ -83,7 +83,7 @@ class Ratio:
 
 
 def measured(frames: Sequence[Frame], full_well_e: float) -> dict[str, Ratio]:
-    """What the images are of the exposure of the same pixel, or of its east neighbour."""
+    """Return each image's mean ratio to the exposure of the pixel or of its east neighbour."""
     images = {
         name: np.mean([frame.told[f"image_{name}"] for frame in frames], axis=0)
         for name in REGISTERS
@@ -106,7 +106,7 @@ def _ratio(image: NDArray[np.float64], exposure: NDArray[np.float64], full_well_
 
 
 def verdict(ratios: dict[str, Ratio]) -> list[str]:
-    """The lines that are printed: numbers, and the keys of the chip file that follow."""
+    """Return the lines to print: numbers, and the resulting keys of the chip file."""
     lines = [f"{name:8} {ratio}" for name, ratio in ratios.items()]
     first, third = ratios["first"], ratios["third"]
     keeps = abs(third.value - first.value) < 0.02 * abs(first.value)
@@ -142,7 +142,7 @@ def main() -> None:
 
 
 def emulated(container: Container, scene: str) -> list[Frame]:
-    """A frame of the emulator, without effects."""
+    """Return a frame of the emulator, without effects."""
     from nscc_runtime.effects import selected
     from nscc_runtime.neighbours.pictured_program import PicturedProgram
     from nscc_runtime.scenes import Scene

@@ -1,4 +1,4 @@
-"""`nscc classify`: the class that a run's decoder names."""
+"""`nscc classify`: name the class of a frame with a run's decoder."""
 
 from __future__ import annotations
 
@@ -27,8 +27,7 @@ def command(
 ) -> None:
     """Name the class of FRAME, which `nscc run` wrote, with the likelihood of each class.
 
-    RUN is the folder of a run that was trained with classes ([data] protocol = "class-v1").
-    """
+    RUN is the folder of a run that was trained with classes ([data] protocol = "class-v1")."""
     from nscc_training.frame_reading import refuse_missing
     from nscc_training.reconstruct import classify
 

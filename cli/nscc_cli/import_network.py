@@ -1,4 +1,4 @@
-"""`nscc import-network`: a program of a network that was trained with torch."""
+"""`nscc import-network`: convert a network that was trained with torch to a program."""
 
 from __future__ import annotations
 
@@ -24,8 +24,7 @@ def command(model: Path, out: Path, frame_us: float, target: str) -> None:
 
     MODEL is the state dict of a `nscc_training.cells.PixelCell`, or the ONNX export of its forward
     pass. Other networks are refused, with the names of their layers. The program is compiled and
-    proved before it is written.
-    """
+    proved before it is written."""
     from nscc.program.problems import counted
     from nscc_training.imported_networks import import_network
 

@@ -118,10 +118,9 @@ def synthesis(
 def images(file: Path, level: str, **places: Any) -> int:
     """Compare programs of words for the kernels of a program's images: noise against time.
 
-    Noise is the standard deviation of the error that a kernel's words add, in errors of one word.
+    Noise is the standard deviation of the error that a kernel's words add, relative to one word.
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
-    Ends with status 1 where no image has a kernel.
-    """
+    Exits with status 1 if no image has a kernel."""
     from nscc.tradeoff.images import image_points
 
     outputs = output_files(places)

@@ -1,6 +1,6 @@
-"""What the site makes of nscc itself: reference pages, gallery, pictures, and how programs look.
+"""Sphinx extension: generate reference pages, gallery and pictures, and highlight programs.
 
-Pages go into `docs/generated` before Sphinx reads its sources; none of them is kept.
+Pages are written to `docs/generated` before Sphinx reads its sources; they are not committed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ GENERATED = REPOSITORY / "docs" / "generated"
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """What Sphinx asks an extension for."""
+    """Connect the extension to Sphinx."""
     app.add_lexer("nsl", NslLexer)
     app.connect("builder-inited", generate)
     app.connect("builder-inited", write_notebooks)
@@ -36,12 +36,12 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 
 def notebooks() -> dict[str, bytes]:
-    """The notebook of each tutorial, by its name."""
+    """Return the notebook of each tutorial by file name."""
     return dict(contents(path) for path in examples().values() if path.suffix == ".md")
 
 
 def offer_notebook(_app: Sphinx, docname: str, source: list[str]) -> None:
-    """Say below a tutorial's title where its notebook is."""
+    """Insert a link to the notebook below a tutorial's title."""
     name = docname.removeprefix("docs/tutorials/")
     if name in (docname, "index"):
         return
@@ -53,16 +53,16 @@ def offer_notebook(_app: Sphinx, docname: str, source: list[str]) -> None:
 
 
 def write_notebooks(_app: Sphinx) -> None:
-    """Write the notebook of each tutorial, which is quick, whatever has changed."""
+    """Write the notebook of each tutorial."""
     (GENERATED / "notebooks").mkdir(parents=True, exist_ok=True)
     for name, data in notebooks().items():
         (GENERATED / "notebooks" / name).write_bytes(data)
 
 
 def generate(_app: Sphinx) -> None:
-    """Write every generated page and picture that is not as it should be, and remove the others.
+    """Write all generated pages and pictures, and remove other files of `docs/generated`.
 
-    Where nothing that they are made of has changed, they are as they should be.
+    Do nothing if the digest of their sources has not changed.
     """
     made_of, stamp = source_digest(), GENERATED / "made_of"
     if stamp.is_file() and stamp.read_text() == made_of:

@@ -1,4 +1,4 @@
-"""What generated pages, and the outputs of notebooks besides their cells, are made of."""
+"""The digest of the files that determine generated pages and the outputs of notebooks."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 
 
 def source_digest() -> str:
-    """The digest of all four packages, the examples, the results, and what makes the site."""
+    """Return the digest of the four packages, the examples, and the generator of the site."""
     running = sha256()
     for folder in ("nscc", "runtime", "training", "cli", "grammars", "examples", "docs/nscc_site"):
         for path in sorted((REPOSITORY / folder).rglob("*")):

@@ -1,4 +1,4 @@
-"""Docstrings are plain text: names in backticks, code indented. Sphinx reads reStructuredText."""
+"""Convert docstrings, in which names have backticks and code is indented, to reStructuredText."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _CODE = "    "
 
 
 def as_rst(_app: Any, _what: str, _name: str, _obj: Any, _options: Any, lines: list[str]) -> None:
-    """Make of the lines of a docstring, in place, what Sphinx shows as they read."""
+    """Convert the lines of a docstring in place."""
     shown: list[str] = []
     in_code = False
     for line in lines:
@@ -23,6 +23,6 @@ def as_rst(_app: Any, _what: str, _name: str, _obj: Any, _options: Any, lines: l
 
 
 def _escaped(line: str) -> str:
-    """The line with signs that mean something to reStructuredText escaped outside backticks."""
+    """Return a line with special characters of reStructuredText escaped outside backticks."""
     parts = re.split(r"(`[^`]*`)", line)
     return "".join(part if part[:1] == "`" else re.sub(r"([*|])", r"\\\1", part) for part in parts)

@@ -1,4 +1,4 @@
-"""A program as an editor shows it: laid out here, but every word of it from `nscc.editing`."""
+"""Draw a program as an editor shows it, with hints and messages from `nscc.editing`."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ _LETTER = 0.602 * _SIZE / 72
 """The width in inches of a letter of DejaVu Sans Mono."""
 _LINE, _AROUND = 0.2, 0.35
 _COLUMNS = 96
-"""Of the box; its type has no one width."""
+"""Characters per line of the box, whose font is proportional."""
 
 
 def editor_picture(repository: Path) -> bytes:
-    """The program as it should be, with a hover on a name; and with a slip of the pen."""
+    """Draw a correct program with a hover text, and the same program with a spelling mistake."""
     return png_of(_figure, repository / "examples")
 
 
@@ -80,7 +80,7 @@ def _wrapped(box: list[str]) -> list[str]:
 
 
 def _write(axes: Axes, document: Document, offset: int, box: list[str]) -> None:
-    """The text with its colours and remarks; the box below the line of `offset`."""
+    """Draw the text with colours and hints, and the box below the line of `offset`."""
     chosen, row = look(), 0
     below = document.text.count("\n", 0, offset)
     shift = [0.0 if k <= below else _height(box) for k in range(document.text.count("\n") + 1)]

@@ -14,15 +14,15 @@ from nscc_runtime.pictures.picture_colours import LOOKS, looking
 from nscc_site.tool import block, grid, said
 
 _THUMBNAIL = (440, 330)
-"""Pixels of a thumbnail, at most."""
+"""Largest width and height of a thumbnail in pixels."""
 
 
 @dataclass(frozen=True)
 class _Shown:
-    """A scene that suits a program, and how its frame is reconstructed.
+    """The scene and the reconstruction for an example.
 
-    `exposure` is in electrons over the frame; `how` are the arguments of `nscc reconstruct`, None
-    for a frame of images and planes, which is the result itself.
+    `exposure` is in electrons over the frame. `how` are the arguments of `nscc reconstruct`; None
+    for images and planes, which need no reconstruction.
     """
 
     scene: str
@@ -31,7 +31,7 @@ class _Shown:
 
     @property
     def kinds(self) -> dict[str, str]:
-        """What is drawn of a frame, by file, in words."""
+        """Return the titles of the pictures of a frame, by file name."""
         light = {} if self.how is None else {"light": "The reconstruction"}
         return {"frame": "A frame", **light}
 
@@ -83,16 +83,16 @@ _TASKS: dict[str, dict[str, _Shown]] = {
 
 
 def gallery_pages(examples: Path) -> dict[str, str | bytes]:
-    """The pages and their pictures, light and dark, by their path in `docs/generated`.
+    """Return the pages and their light and dark pictures, by their path in `docs/generated`.
 
     Raises KeyError for an example without a task.
     """
     pages: dict[str, str | bytes] = {}
     parts = [
         "# Gallery\n",
-        "Every program of [examples](../../examples/README.md) by its task: a frame of a scene "
-        "that suits it, and the light that was reconstructed from the frame. The pages behind the "
-        "pictures have the program, its shutters, its cost, and the commands.\n",
+        "All programs of [examples](../../examples/README.md), sorted by task, each with a frame "
+        "and the light that was reconstructed from the frame. A click on a picture opens a page "
+        "with the program, its shutters, its cost and the commands.\n",
     ]
     missing = {path.stem for path in examples.glob("*.nsl")}.difference(*_TASKS.values())
     if missing:
@@ -119,7 +119,7 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
 
 
 def _commands(program: str, shown: _Shown) -> list[str]:
-    """What a reader types for the pictures of a page."""
+    """Return the commands that draw the pictures of a page."""
     commands = [
         f"view {program} -o shutters.png",
         f"run {program} --scene {shown.scene} --exposure {shown.exposure} -o frame.npz "
@@ -131,7 +131,7 @@ def _commands(program: str, shown: _Shown) -> list[str]:
 
 
 def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | bytes]:
-    """The pictures of one example, drawn by these commands, and thumbnails."""
+    """Draw the pictures of one example with its commands; return them with thumbnails."""
     view, run, *reconstruct = _commands(program, shown)
     view, run = (command.replace(program, f"{program} -O1") for command in (view, run))
     pictures: dict[str, str | bytes] = {}
@@ -151,7 +151,7 @@ def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | byte
 
 
 def _thumbnail(data: bytes) -> bytes:
-    """The picture, small enough for a card."""
+    """Return a picture reduced to the size of a card."""
     picture = Image.open(io.BytesIO(data)).convert("RGB")
     picture.thumbnail(_THUMBNAIL)
     out = io.BytesIO()
@@ -160,7 +160,7 @@ def _thumbnail(data: bytes) -> bytes:
 
 
 def _remark(path: Path, sentences: int | None = None) -> str:
-    """The comment at the head of a program, or its first sentences."""
+    """Return the comment at the start of a program; with `sentences`, only its first one."""
     text = " ".join(
         line.lstrip("# ")
         for line in path.read_text().partition("\nnsl ")[0].splitlines()

@@ -1,4 +1,4 @@
-"""The pictures of pages: drawn for the site, light and dark, where the repository keeps one."""
+"""Draw the pictures of pages for the site, light and dark."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ GENERATED = "docs/generated/pictures"
 
 
 def _shown(command: str) -> Callable[[Path], bytes]:
-    """The picture `OUT` that a command writes."""
+    """Return a function that draws the picture `OUT` with a command."""
 
     def draw(repository: Path) -> bytes:
         with TemporaryDirectory() as made:
@@ -38,7 +38,7 @@ def _shown(command: str) -> Callable[[Path], bytes]:
 
 
 def _decoders(repository: Path) -> bytes:
-    """The diagram of the measurements that are kept beside it."""
+    """Draw the diagram of the stored measurements of decoders."""
     file = repository / "training/results/evaluations/decoders.csv"
     rows = [*csv.DictReader(file.read_text().splitlines())]
     points = [
@@ -50,11 +50,11 @@ def _decoders(repository: Path) -> bytes:
 
 
 _DEMO_PART = 0.672
-"""The part of the sheet of `nscc demo` above its last row."""
+"""Fraction of the height of the sheet of `nscc demo` above its last row."""
 
 
 def _demo(repository: Path) -> bytes:
-    """What `nscc demo` makes of the built-in still by learned shutters."""
+    """Draw the sheet of `nscc demo` for the built-in still, without its last row."""
     with TemporaryDirectory() as made:
         said(f"demo builtin:hdr -o {made}", repository)
         sheet = Image.open(Path(made) / "picture_sheet.png")
@@ -78,11 +78,11 @@ KEPT: dict[str, Callable[[Path], bytes]] = {
     "docs/images/gates.png": _shown("view examples/skip_one.nsl --gates -o OUT"),
     "training/results/figures/decoders.png": _decoders,
 }
-"""Pictures that are kept for those who read the pages as files, and what draws them."""
+"""The pictures in the repository, which pages show outside the site, and their functions."""
 
 
 def draw_pictures(repository: Path) -> dict[str, str | bytes]:
-    """Those of KEPT in both looks, by their path in `docs/generated`."""
+    """Draw the pictures of KEPT, light and dark, by their path in `docs/generated`."""
     pictures: dict[str, str | bytes] = {}
     for name, draw in KEPT.items():
         for look_name, look in LOOKS.items():
@@ -92,7 +92,7 @@ def draw_pictures(repository: Path) -> dict[str, str | bytes]:
 
 
 def pair_pictures(app: Sphinx, doctree: nodes.document) -> None:
-    """Show each picture that there is in both looks in that of the reader."""
+    """Show the light or the dark version of a picture, depending on the reader's theme."""
     for image in [*doctree.findall(nodes.image)]:
         name = image["uri"]
         if name in KEPT:

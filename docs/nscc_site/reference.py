@@ -1,4 +1,4 @@
-"""Reference pages, made of what the tool says and knows of itself."""
+"""Generate reference pages from the tool's own output and tables."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _PROTOCOLS = Path(__file__).resolve().parents[2] / "training" / "protocols"
 
 
 def reference_pages() -> dict[str, str]:
-    """All pages by their path in `docs/generated`."""
+    """Return all reference pages by their path in `docs/generated`."""
     return {
         "commands.md": _commands(),
         "effects.md": _effects(),
@@ -36,10 +36,10 @@ def reference_pages() -> dict[str, str]:
 
 
 def _commands() -> str:
-    """All commands, and for each of them its use and a table of its options."""
+    """Return the page of all commands, each with its usage and a table of its options."""
     names = [("command", "does")]
     names += [(f"[{name}](#nscc-{name})", text) for name, text in COMMANDS.items()]
-    parts = ["# Commands\n", "`nscc COMMAND --help` prints what stands here.\n", table(names)]
+    parts = ["# Commands\n", "`nscc COMMAND --help` prints the same texts.\n", table(names)]
     for name in COMMANDS:
         command = group.get_command(click.Context(group), name)
         assert command is not None  # it is in the table
@@ -50,7 +50,7 @@ def _commands() -> str:
 
 
 def _command(command: click.Command, path: str) -> str:
-    """The usage line, the text, and the options by sections; those of all commands are left out."""
+    """Return usage, text and options of a command, without the options of all commands."""
     context = click.Context(command, info_name=path)
     usage = " ".join([path, *command.collect_usage_pieces(context)])
     parts = [block(usage), f"{_plain(inspect.cleandoc(command.help or ''))}\n"]
@@ -64,29 +64,27 @@ def _command(command: click.Command, path: str) -> str:
 
 
 def _messages() -> dict[str, str]:
-    """A page for each message, as `nscc explain` prints it, and a list of them."""
+    """Return a page for each message, as `nscc explain` prints it, and a list of all messages."""
     pages = {f"messages/{code}.md": page(code) for code in names()}
     rows = [("code", "name", "")]
     for code, name in names().items():
         title = page(code).partition("\n")[0].partition(":")[2].strip()
         rows.append((f"[{code}](messages/{code}.md)", f"`{name}`", title))
     hidden = "```{toctree}\n:hidden:\n:glob:\n\nmessages/*\n```\n"
-    intro = (
-        "Every error, warning and note has a page of its own, which `nscc explain CODE` prints.\n"
-    )
+    intro = "`nscc explain CODE` prints the page of an error, a warning or a note.\n"
     pages["messages.md"] = "\n".join(("# Messages\n", intro, table(rows), hidden))
     return pages
 
 
 def _effects() -> str:
-    """Every effect of the sensor with its parameters and their defaults for the default target."""
+    """Return the page of all effects, with their parameters and the defaults for scamp5."""
     sensor = default_sensor(builtin_target("scamp5"))
     rows = [("effect", "kind", "")]
     rows += [(f"[{each.name}](#{each.name})", each.kind, each.title) for each in registered()]
     parts = [
         "# Effects of the sensor\n",
-        "What `nscc effects` lists. *Fixed* effects are the same in every frame, *random* ones new "
-        "in every frame, those *after* act in the readout.\n",
+        "`nscc effects` prints this list. *Fixed* effects are the same in every frame. *Random* "
+        "effects are new in every frame. Effects *after* act in the readout.\n",
         table(rows),
     ]
     for each in registered():
@@ -104,8 +102,8 @@ def _effects() -> str:
 
 
 def _targets() -> str:
-    """Every built-in chip, and the file that says all of it."""
-    parts = ["# Targets\n", "What `nscc targets` knows.\n", block(said("targets"))]
+    """Return the page of all built-in chips, with their target files."""
+    parts = ["# Targets\n", "`nscc targets` prints this list.\n", block(said("targets"))]
     for name in target_names():
         parts += [
             f"## {name}\n", block(said(f"targets {name}")),
@@ -117,13 +115,13 @@ def _targets() -> str:
 
 def _settings() -> str:
     return "\n".join((
-        "# Settings of a training\n", "What `nscc train --schema` prints.\n",
+        "# Training settings\n", "`nscc train --schema` prints this text.\n",
         block(said("train --schema"), "toml"),
     ))  # fmt: skip
 
 
 def _protocols() -> str:
-    parts = ["# Protocols\n", "A score belongs to a protocol: a frozen file, here as it stands.\n"]
+    parts = ["# Protocols\n", "Every evaluation follows a protocol. Its file never changes.\n"]
     for path in sorted(_PROTOCOLS.glob("*.toml")):
         text = path.read_text()
         tomllib.loads(text)
@@ -132,7 +130,7 @@ def _protocols() -> str:
 
 
 def _plain(text: str) -> str:
-    """Text that Markdown takes as it is."""
+    """Return text with the special characters of Markdown escaped."""
     for sign in "\\*_<>[]^~$":
         text = text.replace(sign, f"\\{sign}")
     return text

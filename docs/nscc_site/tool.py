@@ -1,4 +1,4 @@
-"""What `nscc` prints, for pages that show it."""
+"""Run `nscc` and format its output for pages."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from nscc_cli.main import main
 
 
 def said(command: str, folder: Path = Path()) -> str:
-    """What a command (without `nscc`) prints to standard output in `folder`.
+    """Run a command (without `nscc`) in `folder`, and return its standard output.
 
-    Raises RuntimeError with all that it said where it does not end with status 0.
+    Raises RuntimeError with the whole output if the exit status is not 0.
     """
     out, err = io.StringIO(), io.StringIO()
     with redirect_stdout(out), redirect_stderr(err), chdir(folder):
@@ -24,18 +24,18 @@ def said(command: str, folder: Path = Path()) -> str:
 
 
 def block(text: str, language: str = "text") -> str:
-    """A fenced block."""
+    """Return a fenced block."""
     return f"````{language}\n{text.rstrip()}\n````\n"
 
 
 def table(rows: list[tuple[str, ...]]) -> str:
-    """A table whose first row is its head."""
+    """Return a Markdown table; the first row is the header."""
     lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     lines.insert(1, "|---" * len(rows[0]) + "|")
     return "\n".join(lines) + "\n"
 
 
 def grid(cards: list[str]) -> str:
-    """Cards side by side, as many in a row as there is room for."""
+    """Return cards that are shown side by side."""
     parts = (f":::{{container}} card\n{card}\n:::" for card in cards)
     return "::::{container} cards\n" + "\n".join(parts) + "\n::::\n"

@@ -183,7 +183,7 @@ def _state(document: Document, name: str) -> str:
         else None
     )
     if document.declared.keeps_planes:
-        return "a plane that is kept: images and planes see its bits of the frame before"
+        return "a kept plane: images and planes read its bits of the previous frame"
     if state is None:
         return "a value that a pixel remembers"
     values = "a bit" if state.boolean else f"{state.low}..{state.high}"

@@ -64,7 +64,7 @@ def _moments_text(plan: LookingPlan) -> str:
 
 
 def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
-    """The gates of every searched plan, best first."""
+    """Return the gates of every searched plan as text, best plan first."""
     if not isinstance(gated, Gated):
         return "".join(map(looking_gates_text, gated))
     texts = [

@@ -1,10 +1,9 @@
 """Programs that add one neighbour after another, for any kernel.
 
-The input is halved as often as the weights need, so that they are integers, and multiples of it are
-computed. Each word then adds a multiple, seen from another pixel, to minus the sum so far. NEWS
-holds a multiple while several neighbours read it. A beam search orders the neighbours so that few
-words write NEWS, and few multiples are needed: signs alternate from word to word.
-"""
+First, words halve the input until all weights are integers, and compute multiples of the halved
+input. Each following word adds the multiple of one neighbour and inverts the sum, so the signs of
+the weights alternate from word to word. NEWS holds a multiple while several neighbours read it. A
+beam search orders the neighbours so that few words write NEWS and few multiples are needed."""
 
 from __future__ import annotations
 
@@ -17,23 +16,25 @@ from nscc.neighbours.programs import OF_STEP, UNIT, BusWord, Offset, Program, Ta
 from nscc.operations import STEPS
 
 BEAM = 60
-"""Unfinished orders that are kept, of each number of words."""
+"""Number of unfinished orders that the beam search keeps after each word."""
 _MOST_PROGRAMS = 12
 _MOST_SOURCES = 4
 _OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
 _WRITES: dict[Offset, str] = {(0, 0): "NEWS"} | {
     step: _OPPOSITE[name] for name, step in STEPS.items()
 }
-"""What a word writes so that NEWS holds what the pixel at an offset had."""
+"""Destination that moves the value of the pixel at an offset into NEWS, by offset."""
 
 Content = tuple[int, Offset, Offset]
-"""What NEWS holds minus of: a multiple, moved by an offset, and by one step more."""
+"""Content of NEWS up to the sign: a multiple, shifted by an offset and by one further step."""
 
 
 @dataclass(frozen=True)
 class Added:
-    """A word that adds: `content` is what NEWS then holds, None where it adds no neighbour; `step`
-    the neighbour whose NEWS it reads; `centre` the multiple of the pixel itself, 0 for none."""
+    """A word that adds the multiple of a neighbour, of the pixel itself, or of both.
+
+    `content`: what NEWS holds when the word runs, or None if the word adds no neighbour. `step`:
+    offset of the pixel whose NEWS it reads. `centre`: multiple of the pixel itself, or 0."""
 
     content: Content | None
     step: Offset
@@ -41,17 +42,16 @@ class Added:
 
 
 def halvings_of(taps: Taps) -> int:
-    """How often a kernel of whole weights is halved to give this one."""
+    """Return how often the input must be halved to make all weights integers."""
     lowest = min((weight & -weight).bit_length() for weight in taps.values())
     return max(0, UNIT.bit_length() - lowest)
 
 
 def additions(taps: Taps, news_keeps: bool = True, beam: int = BEAM) -> list[Program]:
-    """Programs that add the neighbours of a kernel, the ones of the fewest words first.
+    """Return programs that add the neighbours of a kernel one by one, the shortest first.
 
-    With `news_keeps` NEWS keeps its value when neighbours read it; otherwise each word that reads
-    it follows one that writes it.
-    """
+    With `news_keeps`, NEWS keeps its value when a neighbour reads it. Otherwise each word that
+    reads NEWS follows a word that writes NEWS."""
     halvings = halvings_of(taps)
     weights = {at: weight * (-2) ** halvings // UNIT for at, weight in taps.items()}
     orders = _orders(weights, halvings, news_keeps, beam)
@@ -62,14 +62,14 @@ def additions(taps: Taps, news_keeps: bool = True, beam: int = BEAM) -> list[Pro
 # --- orders ---------------------------------------------------------------------------------------
 
 _Node = tuple[int, frozenset[Offset], Content | None, frozenset[tuple[int, Offset]], int]
-"""An estimate of words, the places that are left, what NEWS holds, the multiples that are read, and
-how many words follow."""
+"""The estimated number of words, the places not yet added, the content of NEWS, the multiples that
+are read, and the number of words that follow."""
 
 
 def _orders(
     weights: dict[Offset, int], halvings: int, news_keeps: bool, width: int
 ) -> list[list[Added]]:
-    """Orders in which neighbours are added, found from the last word to the first."""
+    """Return orders in which to add neighbours, searched from the last word to the first."""
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
     beam: dict[_Node, list[Added]] = {(0, frozenset(weights), None, ready, 0): []}
     finished: dict[frozenset[tuple[int, Offset]], tuple[int, list[Added]]] = {}
@@ -97,7 +97,7 @@ def _rank(node: _Node) -> tuple[object, ...]:
 def _predecessors(
     node: _Node, weights: dict[Offset, int], news_keeps: bool
 ) -> list[tuple[_Node, Added]]:
-    """The words that may come before those of a node."""
+    """Return the nodes that put one more word before the words of `node`, with that word."""
     cost, left, content, used, follow = node
     sign = -1 if follow % 2 else 1
     found = []
@@ -131,7 +131,7 @@ def _predecessors(
 
 @cache
 def _base(place: Offset) -> Offset:
-    """How far a multiple is moved first, so that two steps remain."""
+    """Return the offset to which a multiple is copied first, at most two steps from `place`."""
     steps = _steps(place)
     moved = steps[: 2 * max(0, (len(steps) - 1) // 2)]
     return sum(x for x, _ in moved), sum(y for _, y in moved)
@@ -146,7 +146,6 @@ def _steps(place: Offset) -> list[Offset]:
 
 
 def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program:
-    """The words of an order."""
     words = [
         BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
@@ -171,8 +170,9 @@ def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program
 
 
 class _Multiples:
-    """Integer multiples of the halved input, computed when they are first asked for; `used_news`
-    tells whether that wrote NEWS."""
+    """Integer multiples of the halved input, computed when first requested.
+
+    `used_news` tells whether a computation wrote NEWS."""
 
     def __init__(self, halvings: int, words: list[BusWord]) -> None:
         self.words, self.used_news = words, False
@@ -183,7 +183,7 @@ class _Multiples:
         self.places: dict[tuple[int, Offset], str] = {}
 
     def of(self, factor: int) -> str:
-        """The register that holds so many times the halved input."""
+        """Return the register that holds `factor` times the halved input."""
         if factor not in self.held:
             self._emit(factor)
         return self.held[factor]
@@ -209,7 +209,7 @@ class _Multiples:
         held[factor] = name
 
     def moved(self, factor: int, base: Offset) -> str:
-        """The register that holds a multiple of the pixel at an offset."""
+        """Return the register that holds `factor` times the input of the pixel at offset `base`."""
         register = self.of(factor)
         steps = [OF_STEP[step] for step in _steps(base)]
         for number in range(0, len(steps), 2):

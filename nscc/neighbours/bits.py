@@ -17,8 +17,8 @@ Kept = tuple[str, str | None]
 class BitWords:
     """The digital registers of a lowering, and the words that fill them.
 
-    The registers that steer DNEWS are reserved where the program reads neighbours. States are in
-    registers that no word of the exposure writes (`unwritten`)."""
+    The registers that steer DNEWS are reserved until the last item that reads bits of neighbours.
+    States are in registers that no word of the exposure writes (`unwritten`)."""
 
     def __init__(
         self, lowering: Emitter, registers: Sequence[str], unwritten: Collection[str]
@@ -49,11 +49,11 @@ class BitWords:
                 raise PictureRefused("planes", state.name, len(pictures.states), len(self.planes))
             self.planes[state.name] = lasting.pop(0)
             self.free.remove(self.planes[state.name])
-            self.uses[state.name] = self.uses.get(state.name, 0) + 1  # it is never free
+            self.uses[state.name] = self.uses.get(state.name, 0) + 1  # never freed
 
     def begin(self, name: str) -> None:
-        """The next image, plane or state; behind the last one that reads the bits of neighbours,
-        the registers that steer are free."""
+        """Begin the words of an image, plane or state. If it and all later items read no bits of
+        neighbours, free the registers that steer DNEWS."""
         if name in self.steering:
             self.steering.remove(name)
         elif not self.steering:
@@ -71,7 +71,7 @@ class BitWords:
         self.give((register, name))
 
     def step(self, states: Sequence[p.KeptPlane]) -> None:
-        """All states take their next values at once; what stays the same is refreshed."""
+        """Give all states their next values at once, and refresh states that keep their bits."""
         names, nexts = {state.name for state in states}, []
         for state in states:
             self.lowering.now = state.name
@@ -138,8 +138,7 @@ class BitWords:
                 return self._near_bit(node), None
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit a word into a free register, free the bits that were `used`, and return the
-        register."""
+        """Emit a word into a free register, free the bits `used`, and return the register."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))
         self.give(*used)
@@ -207,9 +206,10 @@ class BitWords:
         return moved or self._emit_word("MOV", [register], [])
 
     def places(self, register: str, offsets: Collection[Offset]) -> Iterator[tuple[Offset, str]]:
-        """The registers that hold the bits at these offsets, one after the other: along the row,
-        and from there along each column. A step always leads away from the pixel, so that nothing
-        of the array is lost beyond its border."""
+        """Yield each offset with a register that holds the bit of the pixel at this offset.
+
+        The bits move along the row, and from there along each column. A step always leads away from
+        the pixel, so that no bit is lost beyond the border of the array."""
         for right in (1, -1):
             line = register
             for distance in range(right < 0, 1 + max(right * x for x, _ in offsets)):
@@ -235,7 +235,7 @@ class BitWords:
                 self.give((cell, None))
 
     def _stepped(self, register: str, first: str, step: Offset) -> str:
-        """The bit one step further; the one before is no longer needed, unless it is the first."""
+        """Shift the bit of `register` by one step, and free `register` unless it is `first`."""
         outside = self.lowering.pictures.outside or 0
         neighbour = self._look(register, outside, frozenset({step}))
         if register != first:
@@ -250,8 +250,7 @@ class BitWords:
         return moved
 
     def _near_bit(self, node: p.Near) -> str:
-        """Emit `any` as the OR of the neighbours, and `all` as the inverse of `any` of the
-        inverse."""
+        """Emit `any` as an OR of neighbours, and `all` as the inverse of `any` of inverses."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
@@ -265,8 +264,7 @@ class BitWords:
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of the bits at these offsets: for a rectangle, first along rows, then along
-        columns."""
+        """Emit the OR of the bits at offsets; for a rectangle along rows, then along columns."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})

@@ -1,12 +1,13 @@
-"""The words of counts: bits of neighbours, shifted one step at a time, add IN to accumulators.
+"""Emit the words of counts, which add IN to accumulators for the bits of neighbours.
 
-Several images can be counted in one walk over the neighbourhood: they share the shifts. A word
-inverts, so each place takes two words to another register, one of them with IN: one in all pixels,
-then one where the bit is 1. A pixel keeps the error of only one of them, and all pixels lose the
-same share of a count to the gain of words. Of two images whose weights agree at a place, half their
-sum changes there and half their difference does not; where the weights differ it is the other way
-round. Accumulators of such sums take two words a place for both images.
-"""
+A walk over the neighbourhood shifts the bits of a plane by one pixel at a time. At each place, two
+words copy the accumulator to another register, and one of them adds IN. The first word acts in all
+pixels, the second overwrites the result where the bit is 1. A pixel therefore keeps the error of
+one word a place, and the gain of words reduces the counts of all pixels by the same factor.
+
+Images that are counted in one walk share the shifts. Where two images have equal weights, only half
+the sum of their counts changes; where their weights have opposite signs, only half the difference.
+Accumulators of the two halves need two words a place for both images."""
 
 from __future__ import annotations
 
@@ -23,21 +24,21 @@ from nscc.operations import op
 from nscc.words import pictures as p
 
 MOST_IMAGES = 4
-"""So many images are counted in one walk at most."""
+"""Largest number of images that are counted in one walk."""
 
 Place = tuple[p.Condition, Offset]
 Direction = tuple[Fraction, ...]
-"""How much of an accumulator each image of a walk contains."""
+"""The factor of an accumulator in each image of a walk."""
 
 
 @dataclass(frozen=True)
 class CountSum:
-    """An image, or the part of one, that is a sum of agreements."""
+    """A sum of agreements, each with its factor: an image, or a part of an image."""
 
     terms: tuple[tuple[Fraction, p.Agreement], ...]
 
     def weights(self, kernels: dict[str, p.Weights]) -> dict[Place, Fraction]:
-        """By plane and place the factor of a bit that is +1 or -1; none that is 0."""
+        """Return the nonzero factors of bits (+1 or -1), keyed by plane and place."""
         total: dict[Place, Fraction] = {}
         for factor, agreement in self.terms:
             for at, weight in kernels[agreement.kernel].taps.items():
@@ -47,7 +48,7 @@ class CountSum:
 
 
 def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
-    """The agreements of an image, and the other terms of its sum."""
+    """Return the agreements of an image, and the other terms of its sum."""
     terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
     agreements = tuple((f, term) for f, term in terms if isinstance(term, p.Agreement))
     return CountSum(agreements), [t for t in terms if not isinstance(t[1], p.Agreement)]
@@ -55,8 +56,10 @@ def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
 
 @dataclass
 class Accumulator:
-    """A register that holds a count times `sign`. It starts with `start` counts, in the word number
-    `first_word`; the count lies within `span` of 0. `variance` is that of `Held`."""
+    """A register that holds a count times `sign`.
+
+    Word number `first_word` writes its initial value, `start` counts. The count is at most `span`
+    away from 0. `variance`: as in `Held`."""
 
     register: str
     first_word: int
@@ -70,11 +73,10 @@ Result = TypeVar("Result")
 
 
 class CountEmitter(Emitter):
-    """The counts of a lowering, `most_together` images in a walk.
+    """Emits the words of counts, for at most `most_together` images in a walk.
 
-    `ready` are images that were counted before their turn, by name: of which accumulators they are
-    made. `count_e` are the electrons of a count.
-    """
+    `ready`: for each image that an earlier walk has counted, its accumulators and their factors.
+    `count_e`: electrons per count."""
 
     bits: BitWords
     held: dict[str, Held]
@@ -88,27 +90,28 @@ class CountEmitter(Emitter):
 
     @abstractmethod
     def take(self) -> str:
-        """A register that is free."""
+        """Take a free register; raise `PictureRefused` if there is none."""
 
     @abstractmethod
     def checked(self, low: float, high: float) -> None:
-        """Refuses a value that a register does not hold."""
+        """Raise `PictureRefused` if a register cannot hold the values from `low` to `high`."""
 
     @abstractmethod
     def filtered(self, value: Held, weights: dict[Offset, Fraction]) -> Held:
-        """A value weighted by a kernel."""
+        """Emit the words that apply a convolution kernel to a value, and return the result."""
 
     @abstractmethod
     def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
-        """The sum of values that are held, each with its sign in the sum."""
+        """Emit the words that add values, each with its sign, and return the sum."""
 
     @abstractmethod
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
-        """What that way gives which takes the fewest words for its share of the work."""
+        """Follow the way with the fewest words per share, and return its result."""
 
     def count_ahead(self, position: int) -> None:
-        """Counts the image at a position of the text, if all of it is a sum of agreements, with
-        those behind it that can be counted in the same walk: as many as take the fewest words."""
+        """Count the item at `position` if it is a sum of agreements, together with later images.
+
+        The number of images in the walk is the one with the fewest words an image."""
         items = self.pictures.items[position:]
         sums = [(item.name, total) for item in items if (total := self._countable(item))]
         if not sums or sums[0][0] != items[0].name:
@@ -122,7 +125,7 @@ class CountEmitter(Emitter):
         self.do_shortest(ways, shares)
 
     def _countable(self, item: p.Picture) -> CountSum | None:
-        """An item that is a sum of agreements of planes that are known by now; None for others."""
+        """Return an item's sum of agreements; None for other items or if a plane is unknown yet."""
         if isinstance(item.node, p.Condition) or item.name in self.ready:
             return None
         agreements, others = split(item.node)
@@ -134,7 +137,7 @@ class CountEmitter(Emitter):
         return agreements if counts and names <= known else None
 
     def counted(self, agreements: CountSum) -> Held:
-        """The sum of agreements that stand in an expression, or that were counted before."""
+        """Return a sum of agreements: from `ready`, or from a walk of its own."""
         terms = self.ready.pop(self.now, None)
         if terms is None:
             self._count([("", agreements)], _separate)
@@ -154,7 +157,7 @@ class CountEmitter(Emitter):
         self, sums: Sequence[tuple[str, CountSum]],
         directions_of: Callable[[Sequence[Direction], int], list[Direction]],
     ) -> None:  # fmt: skip
-        """The walks that count some images, by accumulators of these directions."""
+        """Count images in one walk for each plane, and note their accumulators in `ready`."""
         weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(place for image in weights for place in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
@@ -183,13 +186,13 @@ class CountEmitter(Emitter):
                     self.ready[image].append((factor, held))
 
     def _begin(self) -> Accumulator:
-        """An accumulator; its start is known when all bits are added."""
+        """Take and clear an accumulator; `_finished` replaces the word that clears it."""
         register = self.take()
         self.word(op("bus", [register]))
         return Accumulator(register, len(self.words) - 1)
 
     def _finished(self, accumulator: Accumulator, name: str) -> Held:
-        """What an accumulator holds after the last bit, now that its start is known."""
+        """Make the first word write the accumulator's initial value, and return the count."""
         level = -int(accumulator.start * self.pictures.count_steps)
         if level:
             first = self.words[accumulator.first_word][0]
@@ -204,7 +207,7 @@ class CountEmitter(Emitter):
         self, condition: p.Condition, steps: dict[Place, dict[int, Fraction]],
         accumulators: Sequence[Accumulator],
     ) -> None:  # fmt: skip
-        """Adds the bits of one plane, place by place."""
+        """Add the bits of one plane to the accumulators, place by place."""
         bit = self.bits.bit(condition)
         offsets = {at for plane, at in steps if plane == condition}
         for at, register in self.bits.places(bit[0], offsets):
@@ -213,11 +216,10 @@ class CountEmitter(Emitter):
         self.bits.give(bit)
 
     def _add(self, accumulator: Accumulator, bit: str, factor: Fraction) -> None:
-        """Adds a factor where a bit is 1, and takes it away where it is 0.
+        """Add a factor where a bit is 1, and subtract it where the bit is 0.
 
-        IN comes to the pixels whose bit is 1 or to the others, as the sign requires that the
-        accumulator has by now; the start makes up for the rest.
-        """
+        Depending on the accumulator's sign, twice the factor is added where the bit is 1 or where
+        it is 0. The initial value corrects the constant difference."""
         level = abs(int(2 * factor * self.pictures.count_steps))
         to_ones = factor * accumulator.sign > 0
         for is_flagged in (False, True):
@@ -235,7 +237,7 @@ class CountEmitter(Emitter):
         accumulator.variance += 1
 
     def _skip(self, conditions: Iterable[p.Condition]) -> None:
-        """Planes that were walked over are not read again for the other agreements."""
+        """Note as read what further agreements of a plane would read: one walk serves them all."""
         nodes = (node for condition in conditions for node in p.subexpressions(condition))
         for node in nodes:
             if isinstance(node, p.Bit):
@@ -245,13 +247,13 @@ class CountEmitter(Emitter):
 
 
 def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """An accumulator for each image."""
+    """Return the directions of one accumulator for each image."""
     return [_unit(image, images) for image in range(images)]
 
 
 def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """An accumulator for each way in which the images' weights at a place agree and differ; where
-    their sizes differ, the images have accumulators of their own."""
+    """Return the directions of shared accumulators: one for each ratio (1, 0 or -1) of the images'
+    weights. Images whose weights at a place have different sizes get separate accumulators."""
     directions: dict[Direction, None] = {}
     for vector in vectors:
         direction = _normal(vector)[1]
@@ -262,18 +264,18 @@ def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
 
 
 def _unit(image: int, images: int) -> Direction:
-    """The direction of one image alone."""
+    """Return the direction of an accumulator for one image."""
     return tuple(Fraction(number == image) for number in range(images))
 
 
 def _normal(vector: Direction) -> tuple[Fraction, Direction]:
-    """A vector as a factor times one whose first number that is not 0 is 1."""
+    """Return a factor and the vector divided by it; the first nonzero number of the result is 1."""
     first = next(number for number in vector if number)
     return first, tuple(number / first for number in vector)
 
 
 def _steps_along(vector: Direction, directions: Sequence[Direction]) -> dict[int, Fraction]:
-    """How much of each accumulator, of these directions, adds up to a vector."""
+    """Return the factor of each accumulator such that the accumulators add up to `vector`."""
     factor, direction = _normal(vector)
     if direction in directions:
         return {directions.index(direction): factor}

@@ -48,8 +48,7 @@ class Held:
 
 
 class Emitter(ABC):
-    """A sequence of words under construction; `now` is the image or plane that the words
-    compute."""
+    """Words under construction; `now` is the image or plane that they compute."""
 
     def __init__(self, pictures: p.Pictures) -> None:
         self.pictures = pictures
@@ -59,7 +58,6 @@ class Emitter(ABC):
         self.now = ""
 
     def word(self, op: Op, level: int | None = None) -> None:
-        """Emit the next word."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True

@@ -1,9 +1,8 @@
-"""From images and planes to words: which register holds what, item by item in the text's order.
+"""Lower images and planes to words, and assign registers, in the order of the program text.
 
-An analog value is known up to its sign, for every word inverts. Kernels become programs of one
-input (`nscc.neighbours.synthesis`); sums, absolute values and choices are written out here. A value
-stays in its register while something still reads it.
-"""
+A register holds a value or its negative, because every word inverts. `nscc.neighbours.synthesis`
+finds the words of convolution kernels; this module emits sums, absolute values and choices. A value
+stays in its register until the last word that reads it."""
 
 from __future__ import annotations
 
@@ -25,11 +24,11 @@ from nscc.words import pictures as p
 
 Weights = dict[tuple[int, int], Fraction]
 _MOST_TRIED = 8
-"""So many programs of a kernel are tried, until the registers suffice for one."""
+"""Largest number of programs of a kernel that are tried until one fits the free registers."""
 
 
 class Lowering(CountEmitter):
-    """The words of all items; `registers` then says where what leaves the chip is held."""
+    """Emits the words of all items. After `run`, `registers` maps each output to its register."""
 
     def __init__(
         self,
@@ -60,7 +59,7 @@ class Lowering(CountEmitter):
             self.give(value)
 
     def _uses(self) -> dict[str, int]:
-        """How often each image and bucket is still read; what leaves the chip once more."""
+        """Return how often each image and bucket is read; an output counts once more."""
         uses: dict[str, int] = dict.fromkeys(self.held, 0)
         for name, expression in self.pictures.expressions.items():
             uses[name] = 0
@@ -72,7 +71,7 @@ class Lowering(CountEmitter):
         return uses
 
     def run(self) -> None:
-        """Computes every item; `registers` then holds what leaves the chip, by name."""
+        """Emit the words of every item, then those of the states."""
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
             self.is_output = item.name in self.pictures.outputs
@@ -85,7 +84,7 @@ class Lowering(CountEmitter):
                 value = self.value(item.node)
                 if self.is_output and value.sign < 0:
                     value = self.negated(value)
-                if value.name is not None:  # another name of a value that is held already
+                if value.name is not None:  # a second name for a named value
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
                 self.uses[item.name] += 1
@@ -108,11 +107,10 @@ class Lowering(CountEmitter):
     # --- registers
 
     def take(self) -> str:
-        """A register that is free."""
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
-        # What has the most weights is the least likely to be read again.
+        # Contents with the most weights are the least likely to be read again.
         sizes = {name: len(taps) for name, (_, taps) in self.contents.items()}
         register = min(self.free, key=lambda name: (name in sizes, -sizes.get(name, 0)))
         self.free.remove(register)
@@ -124,7 +122,7 @@ class Lowering(CountEmitter):
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
 
     def give(self, *values: Held) -> None:
-        """Values have been read; their registers are free where nothing else reads them."""
+        """Note that values have been read, and free each register that no later word reads."""
         for value in values:
             if value.name is not None:
                 self.uses[value.name] -= 1
@@ -135,7 +133,6 @@ class Lowering(CountEmitter):
             self.free.sort(key=self.target.analog_available.index)
 
     def checked(self, low: float, high: float) -> None:
-        """Refuses a value that a register does not hold."""
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
@@ -144,7 +141,7 @@ class Lowering(CountEmitter):
     # --- values
 
     def value(self, node: p.Value) -> Held:
-        """The words that compute a value, and where it then is."""
+        """Emit the words that compute a value, and return its register."""
         match node:
             case p.Source():
                 return self.held[node.name]
@@ -163,7 +160,7 @@ class Lowering(CountEmitter):
                 return self.largest(self.value(node.value), list(self.weights[node.kernel].taps))
 
     def _merged(self, node: p.Value) -> tuple[Weights, p.Value]:
-        """Kernels of kernels, and factors of one value, as one kernel."""
+        """Combine nested kernels and factors; return one kernel and the value it applies to."""
         if isinstance(node, p.Filtered):
             taps, inner = self._merged(node.value)
             return _after(self.weights[node.kernel].taps, taps), inner
@@ -174,7 +171,6 @@ class Lowering(CountEmitter):
         return {(0, 0): Fraction(1)}, node
 
     def filtered(self, value: Held, weights: Weights) -> Held:
-        """A value weighted by a kernel."""
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -200,15 +196,17 @@ class Lowering(CountEmitter):
                 continue
             variance = value.variance * squares + noise_gain(program) ** 2
             return Held(register, value.sign * sign, low, high, variance=variance)
-        if self.contents:  # values that are kept for later take registers
+        if self.contents:  # retry without values kept for reuse
             self.contents = {}
             return self.filtered(value, weights)
         assert refused is not None
         raise refused
 
     def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
-        """The programs of a kernel, or of minus the kernel, whose values fit the registers: first
-        those of which the fewest words are left to do, then those of small values and noise."""
+        """Return programs of a kernel (with sign 1) or of its negative (-1) that fit the range.
+
+        They are sorted by the words that remain after reuse, then by their largest value; equally
+        good first programs by noise. Raise `PictureRefused` if no program fits."""
         least, ranked = float("inf"), []
         for sign in (1, -1):
             for candidate in self.synthesis.variants(added((sign, taps))):
@@ -228,7 +226,7 @@ class Lowering(CountEmitter):
         return [(program, sign) for *_, program, sign in ranked[:_MOST_TRIED]]
 
     def _excess(self, value: Held, taps: Taps) -> float:
-        """How many times the registers' range what a kernel makes of a value may be."""
+        """Return the largest result of a kernel, as a multiple of the registers' range."""
         low, high = value.scaled(*gains(taps))
         ends = (low, high) if value.sign > 0 else (-high, -low)
         return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
@@ -238,7 +236,7 @@ class Lowering(CountEmitter):
         return reuse(program, _base(value), self.contents, self.free, keeps)
 
     def run_program(self, program: Program, value: Held) -> str:
-        """The words of a program; returns the register of its result. The value has been read."""
+        """Emit the words of a program, and return the register of its result."""
         self.everywhere()
         left = self._reuse(program, value)
         last: dict[str, int] = {}
@@ -272,7 +270,7 @@ class Lowering(CountEmitter):
         return places[result]
 
     def negated(self, value: Held) -> Held:
-        """A value with the other sign, in a register of its own."""
+        """Emit the word that inverts the sign in which a value is held."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [value.register]))
@@ -281,7 +279,7 @@ class Lowering(CountEmitter):
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def sum(self, node: p.Sum) -> Held:
-        """A sum of values: agreements are counted together, terms of one value are one kernel."""
+        """Emit a sum: agreements are counted together, terms of one value become one kernel."""
         agreements, others = split(node)
         if agreements.terms:
             count = self.counted(agreements)
@@ -296,12 +294,13 @@ class Lowering(CountEmitter):
         return self._term_by_term(node)
 
     def _shortest(self, *ways: Callable[[], Held]) -> Held:
-        """The value by that way which takes the fewest words, of those that fit."""
+        """Return the value computed by the way with the fewest words."""
         return self.do_shortest(ways, [1] * len(ways))
 
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
-        """What that way gives which takes the fewest words, of those that fit; a way that does the
-        work of `shares` others counts by its share."""
+        """Follow the way with the fewest words per share, and return its result.
+
+        Raise the first `PictureRefused` if no way fits the registers."""
         best: tuple[float, int] | None = None
         refused: PictureRefused | None = None
         before = len(self.words)
@@ -337,7 +336,7 @@ class Lowering(CountEmitter):
         self.ready, self.walks = of_counting
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """A sum whose terms are computed one after the other."""
+        """Emit a sum whose terms are computed one after the other."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
@@ -351,20 +350,19 @@ class Lowering(CountEmitter):
         return self.added(signed_terms)
 
     def _nothing(self) -> Held:
-        """A value that is 0."""
+        """Emit a value of 0."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register]))
         return Held(register, 1, 0.0, 0.0)
 
     def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
-        """The sum of values that are held, each with its sign in the sum."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         self.checked(low, high)
         plus = [v for sign, v in signed_terms if sign * v.sign > 0]
         minus = [v for sign, v in signed_terms if sign * v.sign < 0]
-        # The fewer ones are inverted, all together; a word adds at most four sources.
+        # One word inverts the smaller group of values. A word adds at most four sources.
         total, inverted = (1, minus) if len(plus) >= len(minus) else (-1, plus)
         direct = plus if total > 0 else minus
         if inverted:
@@ -381,10 +379,10 @@ class Lowering(CountEmitter):
         return Held(register, -total, low, high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
-        """A value without its sign.
+        """Emit an absolute value.
 
-        NEWS and the result are minus the value; where that is below 0 it is inverted again.
-        """
+        Two words write the negative to NEWS and to the result. Where the register of the value is
+        above 0, a third word inverts the result again."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))
@@ -398,10 +396,9 @@ class Lowering(CountEmitter):
         return Held(register, 1, least, most, variance=value.variance + 2)
 
     def largest(self, value: Held, places: Sequence[tuple[int, int]]) -> Held:
-        """The largest of the values at these places, compared one after the other.
+        """Emit the largest of the values at these places, compared one after the other.
 
-        A register holds minus the largest one so far; a larger one replaces it.
-        """
+        A register holds the negative of the largest value so far; a larger value replaces it."""
         if value.sign < 0:
             value = self.negated(value)
         name, uses = value.name or f"largest {len(self.words)}", len(places)
@@ -422,7 +419,7 @@ class Lowering(CountEmitter):
         return Held(register, -1, value.low, value.high, variance=variance)
 
     def chosen(self, node: p.Chosen) -> Held:
-        """One value where a condition is 1, another one where it is 0."""
+        """Emit a choice: one value where a condition is 1, another value where it is 0."""
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
             then = self.negated(then)
@@ -439,10 +436,10 @@ class Lowering(CountEmitter):
 
 
 def _base(value: Held) -> str:
-    """The name of what a register holds: the same for the same value, while it is held."""
+    """Return a name for the contents of a value's register, valid until the register is freed."""
     return f"{value.name or value.register} {value.sign}"
 
 
 def _after(outer: Weights, inner: Weights) -> Weights:
-    """The kernel of one kernel after another."""
+    """Return the kernel that applies `inner`, then `outer`."""
     return added(*((weight, moved(inner, x, y)) for (x, y), weight in outer.items()))

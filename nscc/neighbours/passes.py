@@ -60,7 +60,7 @@ def with_pictures(
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
-    do not fit. As many images are counted together as the registers allow."""
+    do not fit. A walk counts as many images as the registers allow."""
     target = container.target
     buckets = {
         readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
@@ -149,7 +149,7 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
 
 
 def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
-    """NS0602, for states that no word writes for longer than registers keep their bits."""
+    """Return NS0602 if a frame lasts longer than registers keep the bits of states, else None."""
     target = program.target
     keep_us = RETENTION_SHARE * target.digital_retention_us
     values_read = sum(name not in pictures.planes for name in pictures.reads)
@@ -162,8 +162,8 @@ def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
         f"its readouts; {target.name} keeps them for {time_text(target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "too long for a state that is kept"),
-        notes=(f"a state is written once a frame, after the last slot; {RETENTION_SHARE:.0%} of "
-               "the time may be used",),
+        notes=("a state is written once a frame, after the last slot; nscc uses "
+               f"{RETENTION_SHARE:.0%} of the retention time",),
         helps=("use shorter slots, or read fewer images",),
         data={"resource": "retention_us", "required": frame_us, "available": keep_us},
     )  # fmt: skip
@@ -189,7 +189,7 @@ def _refusal(
         f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",
         source=program.source,
         label=label,
-        notes=(f"the exposure is in registers, too: {holders}",)
+        notes=(f"exposures also occupy registers: {holders}",)
         if refused.kind == "registers" else (),
         helps=(
             "read out fewer images and planes, or use smaller convolution kernels",
@@ -201,8 +201,7 @@ def _refusal(
 def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
-    """Return NS0540 for a value beyond the registers' range, with a change that makes it fit if
-    found."""
+    """Return NS0540, with changes that compile if they are found."""
     pictures, over = program.pictures, refused.needed
     assert pictures is not None
     target = container.target

@@ -15,8 +15,7 @@ from nscc.operations import NEIGHBOURS, STEPS
 
 Offset = tuple[int, int]
 UNIT = 1 << 40
-"""Weights are integer multiples of 1 / UNIT, which is exact because all divisors are powers
-of two."""
+"""Weights are multiples of 1 / UNIT, which is exact because all divisors are powers of two."""
 Taps = Mapping[Offset, int]
 """A convolution kernel: offset (columns right, rows down) to weight; a missing offset weighs 0."""
 Polynomial = dict[Offset, int]
@@ -25,8 +24,7 @@ Weight = TypeVar("Weight", int, Fraction)
 
 @dataclass(frozen=True)
 class BusWord:
-    """A bus word: it writes minus the sum of its sources, or half of that to each of two
-    destinations."""
+    """A word that writes minus the sum of its sources, or half of it to two destinations."""
 
     destinations: tuple[str, ...]
     sources: tuple[str, ...]
@@ -66,8 +64,7 @@ def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, 
 
 
 def halved(taps: Taps) -> Polynomial:
-    """Return half a convolution kernel; raise `ValueError` if a weight would be finer than 1 /
-    UNIT."""
+    """Return half a convolution kernel; raise `ValueError` for weights finer than 1 / UNIT."""
     if any(weight % 2 for weight in taps.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
     return {at: weight // 2 for at, weight in taps.items()}

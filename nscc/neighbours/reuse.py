@@ -1,5 +1,4 @@
-"""Values that registers still hold of programs that have run, which later programs need not
-compute again."""
+"""Reuse of values that earlier programs have left in registers."""
 
 from __future__ import annotations
 
@@ -10,13 +9,15 @@ from nscc.neighbours.programs import Offset, Program, Taps, moved, values_of
 from nscc.operations import NEIGHBOURS, STEPS
 
 Contents = tuple[str, frozenset[tuple[Offset, int]]]
-"""A value, by its name, weighed by a kernel."""
+"""The name of a value, and the convolution kernel that was applied to the value."""
 
 
 @dataclass(frozen=True)
 class Reuse:
-    """What of a program is left to do: the numbers of its `words` that run, and the registers that
-    hold what others of its names would. `contents` are what its words write, by name."""
+    """The words of a program that must run.
+
+    `words`: their indices. `held`: registers that already hold values of the program, by the
+    program's names. `contents`: what each word of the program writes, by name."""
 
     words: tuple[int, ...]
     held: Mapping[str, str]
@@ -24,7 +25,6 @@ class Reuse:
 
 
 def contents_of(base: str, taps: Taps) -> Contents:
-    """What a register holds that weighs the value `base` by a kernel."""
     return base, frozenset(taps.items())
 
 
@@ -32,9 +32,10 @@ def reuse(
     program: Program, base: str, contents: Mapping[str, Contents], free: Collection[str],
     news_keeps: bool,
 ) -> Reuse:  # fmt: skip
-    """What is left to do of a program of the value `base`, where registers have `contents`. The
-    result is only taken from a register that is `free`, and what NEWS holds only with
-    `news_keeps`."""
+    """Return the words of a program that must run on the value `base`.
+
+    `contents`: what registers hold. The result is reused only from a `free` register, because the
+    caller owns it; NEWS is reused only with `news_keeps`."""
     written = []
     for word, taps in zip(program, values_of(program), strict=True):
         places = {
@@ -75,7 +76,7 @@ def _without_repeated_news(
     program: Program, numbers: tuple[int, ...], written: list[dict[str, Contents]],
     contents: Mapping[str, Contents],
 ) -> tuple[int, ...]:  # fmt: skip
-    """The words that run, without those that write to NEWS what it holds."""
+    """Return `numbers` without the words that would write to NEWS what NEWS already holds."""
     news, left = contents.get("NEWS"), []
     for number in numbers:
         values = {v for name, v in written[number].items() if _is_news(name)}

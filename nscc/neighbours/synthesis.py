@@ -1,8 +1,7 @@
-"""Short programs for a kernel: rows of a table, turned, chained and added.
+"""Find short programs for a kernel: rotate, mirror, chain and add programs of a table.
 
-The search is deterministic and counts its steps. Of a part of a kernel it keeps the shortest
-programs, and longer ones only where their intermediate values are smaller.
-"""
+The search is deterministic and limited to a number of steps. For each part of a kernel it keeps the
+shortest programs; it keeps a longer program only if its intermediate values are smaller."""
 
 from __future__ import annotations
 
@@ -37,7 +36,7 @@ from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS, STEPS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
-"""Kernels that a search may take apart, by the level of optimisation."""
+"""Number of kernels that a search may decompose, by level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
 _MOST_ADDED = 12
@@ -52,7 +51,7 @@ _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 @cache
 def rows() -> dict[_Key, Program]:
-    """The programs of the table and their turns, by what they compute."""
+    """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
     shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
@@ -67,15 +66,16 @@ def rows() -> dict[_Key, Program]:
 
 @dataclass(frozen=True)
 class Ranged:
-    """A program with the largest factors that its values have: of exposures that are added, and of
-    those that are subtracted."""
+    """A program and the largest gain of its values.
+
+    `peak`: the largest sum of the positive, or of the negated negative weights of any value."""
 
     program: Program
     peak: Fraction
 
 
 class Synthesis:
-    """Programs for kernels, found within so many steps."""
+    """Finds programs for kernels; decomposes at most `steps` kernels in all."""
 
     def __init__(self, steps: int, news_keeps: bool = True) -> None:
         self.steps, self.news_keeps = steps, news_keeps
@@ -83,7 +83,7 @@ class Synthesis:
         self._variants: dict[_Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
-        """Programs for a kernel, the shortest first; each is proved to compute the kernel."""
+        """Return programs for a kernel, the shortest first; each is proved to compute it."""
         key = frozenset(taps.items())
         if key not in self._variants:
             programs = self._proved(taps)
@@ -139,13 +139,13 @@ class Synthesis:
         yield from self._with_centre(added((-1, taps)), depth)
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
-        """Programs for a part of a kernel."""
         found = [ranged.program for ranged in self._programs(taps, depth)]
         return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
-        """Programs whose last word adds a multiple of the pixel itself; `inverse` is what the word
-        adds up."""
+        """Yield programs whose last word adds a multiple of the pixel itself.
+
+        `inverse`: the negated kernel, which the sources of the last word add up to."""
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
@@ -165,7 +165,7 @@ class Synthesis:
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
-    """A row and a column whose product is a kernel, with its halvings in either or in both."""
+    """Yield rows and columns whose product is a kernel: halvings in either, or split evenly."""
     (left, top), size = _box(taps)
     if 0 in size:
         return
@@ -189,7 +189,7 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
 
 
 def _summed(first: Program, second: Program) -> Program:
-    """Both programs, and a word that adds their results."""
+    """Return both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
@@ -197,11 +197,10 @@ def _summed(first: Program, second: Program) -> Program:
 
 @dataclass(frozen=True)
 class Factor:
-    """A kernel of at least two weights that others may be multiples of, with a program for it.
+    """A kernel of at least two weights that may divide other kernels, with its program.
 
-    `lead` is the place of its last weight in reading order by columns; `size` is how many columns
-    and rows it has, less one; `corner` is the least column and row.
-    """
+    `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
+    rows, minus 1. `corner`: the smallest column and row."""
 
     taps: Taps
     program: Program
@@ -216,7 +215,7 @@ class Factor:
 
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
-    """The least column and row of a kernel, and how many it has, less one."""
+    """Return the smallest column and row of a kernel, and its columns and rows minus 1."""
     columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
     corner = min(columns), min(rows_)
     return corner, (max(columns) - corner[0], max(rows_) - corner[1])
@@ -224,12 +223,12 @@ def _box(taps: Taps) -> tuple[Offset, Offset]:
 
 @cache
 def factors() -> tuple[Factor, ...]:
-    """The rows of the table that have at least two weights."""
+    """Return the kernels of the table that have at least two weights."""
     return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
 
 
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """The kernel that gives `taps` together with `factor`; None where there is none."""
+    """Return the kernel whose product with `factor` is `taps`, or None."""
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     if width < 0 or height < 0:
@@ -267,14 +266,14 @@ def _ranged(program: Program) -> Ranged:
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
-    """How much of the largest exposure a kernel gives at most, and how much it takes away."""
+    """Return the sum of the positive weights of a kernel, and of its negated negative weights."""
     added_weight = sum(weight for weight in taps.values() if weight > 0)
     subtracted = sum(-weight for weight in taps.values() if weight < 0)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
 
 
 def _best(candidates: list[Ranged]) -> list[Ranged]:
-    """The shortest programs, and longer ones of smaller values."""
+    """Return the shortest program, and longer programs that each have a smaller peak."""
     best: list[Ranged] = []
     for candidate in sorted(
         candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
@@ -285,7 +284,7 @@ def _best(candidates: list[Ranged]) -> list[Ranged]:
 
 
 def reads_news_once(program: Program) -> bool:
-    """Whether no word reads NEWS after a neighbour has read it."""
+    """Return whether NEWS is always written again between a neighbour's read and the next read."""
     is_read = False
     for word in program:
         reads = NEIGHBOURS.keys() & word.sources
@@ -298,8 +297,9 @@ def reads_news_once(program: Program) -> bool:
 
 
 def noise_gain(program: Program) -> float:
-    """How large the error of a program's result is, where each word has one of standard deviation
-    1 for every destination, and all are independent."""
+    """Return the standard deviation of the error of a program's result.
+
+    Each word makes an independent error of standard deviation 1 in every destination."""
     last = program[-1].destinations[0] if program else ""
     total = 0.0
     for number in range(len(program)):
@@ -310,7 +310,7 @@ def noise_gain(program: Program) -> float:
 
 
 def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
-    """What registers hold at the end of a unit error that one word makes in one destination."""
+    """Return, by register, the final effect of a unit error of one word in one destination."""
     registers: dict[str, Polynomial] = {}
     for index, word in enumerate(program[number:], number):
         error: Polynomial = {}

@@ -1,4 +1,4 @@
-"""States of version 3 that step on images and planes, once a frame, after all of them."""
+"""Kept states of version 3: they step once a frame, after all images and planes."""
 
 from __future__ import annotations
 
@@ -19,11 +19,10 @@ def kept_planes(
     reader: Reader,
     problems: Problems,
 ) -> tuple[KeptPlane, ...]:
-    """The states of a program with images or planes.
+    """Return the states of a program with images or planes.
 
-    Reports states that are no kept bits (NS0543), starts that are no bits (NS0311), and a `next` of
-    what is no state (NS0214).
-    """
+    Report a state that is not a kept bit (NS0543), a start that is not 0 or 1 (NS0311), and a
+    `next` of an unknown state (NS0214)."""
     if not declared.keeps_planes:
         return ()
     for name, step in declared.nexts.items():
@@ -43,10 +42,10 @@ def _start(
 ) -> int | None:
     if isinstance(state, tree.StateRange) or not state.kept:
         problems.error(
-            "NS0543", f"`{name}` steps on images and planes, and is no bit that is kept",
+            "NS0543", f"`{name}` is not a kept bit, but the program has images or planes",
             state.span, "this state",
-            notes=("images and planes are computed after the last slot: what follows from them is "
-                   "for the next frame",),
+            notes=("images and planes are computed after the last slot, so the new value of the "
+                   "state is used in the next frame",),
             helps=(f"write `state {name} : bit = 0 kept`",),
         )  # fmt: skip
         return None
@@ -61,7 +60,7 @@ def _start(
 
 
 def _next(name: str, step: tree.Next | None, reader: Reader) -> Condition | None:
-    """The state after a frame: without `next`, or where its condition is 0, what it was."""
+    """Return the state after a frame: unchanged without `next`, or where its condition is 0."""
     if step is None:
         return Bit(name)
     value = reader.condition(step.value)

@@ -1,5 +1,4 @@
-"""Comparisons of images: with levels of charge, with integers where they are counts, or with each
-other."""
+"""Comparisons of images with levels, of counts with integers, and of two images."""
 
 from __future__ import annotations
 
@@ -23,11 +22,11 @@ _MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
 
 
 class WrongPicture(Exception):
-    """An expression has an error, which is reported."""
+    """Raised for an invalid expression after reporting its error."""
 
 
 class PictureComparer(ABC):
-    """What comparisons need to know: `counts` are the images so far that are counts."""
+    """Converts comparisons to nodes. `counts`: value ranges of the counts declared so far."""
 
     def __init__(
         self,
@@ -43,14 +42,14 @@ class PictureComparer(ABC):
 
     @abstractmethod
     def _image(self, expr: tree.Expr) -> p.Value:
-        """The image that an expression is; raises WrongPicture after reporting why it is none."""
+        """Return the image of an expression; raise WrongPicture after reporting an error."""
 
     @abstractmethod
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
-        """Reports an image of counts beside one of electrons, and raises WrongPicture."""
+        """Raise WrongPicture after reporting if one image is a count and the other is not."""
 
     def _counts(self, value: p.Value) -> CountRange | None:
-        """The values of a count; None for electrons."""
+        """Return the values of a count; None for an image in electrons."""
         return counts_of(value, self.counts, self.kernels)
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
@@ -75,7 +74,6 @@ class PictureComparer(ABC):
     def _one_comparison(
         self, op: str, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """A comparison of an image with a level or with another image."""
         if self._is_level(first):
             if not self._is_level(second):
                 return self._one_comparison(_MIRRORED[op], second, first, span)
@@ -95,7 +93,7 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _is_level(self, expr: tree.Expr) -> bool:
-        """Whether one side of a comparison is a level: with a unit, or a number."""
+        """Return whether a side of a comparison is a level: an amount with a unit, or a number."""
         while isinstance(expr, tree.Unary) and expr.op == "-":
             expr = expr.operand
         return isinstance(expr, tree.Amount) or self._is_number(expr)
@@ -103,7 +101,7 @@ class PictureComparer(ABC):
     def _count_comparison(
         self, value: p.Value, counts: CountRange, op: str, level: tree.Expr
     ) -> p.Condition:
-        """A comparison of counts, half-way between two that are attainable."""
+        """Return a comparison of a count with a level half-way between attainable counts."""
         if not self._is_number(level):
             raise self._report(
                 "NS0533", "a level of counts is an integer", level.span, "with a unit",
@@ -123,7 +121,6 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int:
-        """A level in steps of IN."""
         sign, inner = 1, expr
         while isinstance(inner, tree.Unary) and inner.op == "-":
             sign, inner = -sign, inner.operand
@@ -151,7 +148,7 @@ class PictureComparer(ABC):
         return steps
 
     def _is_number(self, expr: tree.Expr) -> bool:
-        """Whether an expression has neither images nor levels in it."""
+        """Return whether an expression contains only integers and constants."""
         match expr:
             case tree.Int():
                 return True
@@ -177,7 +174,7 @@ class PictureComparer(ABC):
 
 
 def picture_sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """A sum without sums in it, and without terms that add nothing."""
+    """Return a sum with nested sums flattened, equal terms merged, and zero terms removed."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
         terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)

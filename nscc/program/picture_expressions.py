@@ -22,8 +22,10 @@ _FUNCTIONS = ("abs", "agree", "max", "min")
 
 
 class Reader(PictureComparer):
-    """A reader of expressions in the order of the text; `kinds` are the names declared so far.
-    States are planes."""
+    """Converts expressions to nodes, in the order of the text.
+
+    `kinds`: the kinds of the names declared so far; a state is a plane. `failed`: names whose
+    expressions are invalid."""
 
     def __init__(
         self,
@@ -231,7 +233,7 @@ class Reader(PictureComparer):
         return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel)
 
     def _kernel_of(self, call: tree.Call, first: str) -> str:
-        """The kernel that is the second argument of a call."""
+        """Return the name of the kernel that is the second argument of a call."""
         name, arguments = call.function.text, call.arguments
         if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
             what = "a plane" if first == "PLANE" else "an image"

@@ -99,7 +99,7 @@ class _Maker:
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
-        """Chooses the electrons of a count; NS0540 where the largest does not fit."""
+        """Set the steps of IN of a count; report NS0540 if the largest count does not fit."""
         unit = count_unit(pictures, self.target)
         if unit is None or self.problems.has_errors():
             return pictures
@@ -124,8 +124,7 @@ class _Maker:
         return first.span if first else declared.assumes[0].span
 
     def _possible(self) -> bool:
-        """Return whether the chip and the other statements of the program allow images; report if
-        not."""
+        """Return whether the chip and the other statements allow images; report if not."""
         target = self.target
         lacks = None
         if target.streamed:
@@ -269,8 +268,7 @@ class _Maker:
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 
     def _limits(self) -> dict[str, float]:
-        """Return the largest assumed exposure of each bucket, in electrons; by default a
-        full well."""
+        """Return the largest assumed exposure of each bucket in electrons."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -295,8 +293,7 @@ class _Maker:
 
 
 def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
-    """Return the error in the weights of a convolution kernel, as half a sentence; None if
-    valid."""
+    """Return the error in a convolution kernel as half a sentence; None if it is valid."""
     widths = {len(row) for row in rows}
     if len(widths) != 1:
         return "its rows have different lengths"

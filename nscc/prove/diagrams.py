@@ -35,7 +35,7 @@ class Diagrams:
 
     def leaf(self, value: Fraction) -> int:
         """Return the diagram of a constant number."""
-        key = value.as_integer_ratio()  # a fraction itself takes long to look up
+        key = value.as_integer_ratio()  # hashing a Fraction is slow
         number = self._number.get(key)
         if number is None:
             number = self._add(key, (_LEAF, 0, 0))
@@ -125,7 +125,7 @@ class Diagrams:
         return product
 
     def multiples(self, factor: Fraction) -> dict[int, int]:
-        """The products with a fraction that are known so far."""
+        """Return the products with a fraction computed so far, by node."""
         return self._multiples.setdefault(factor.as_integer_ratio(), {})
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:

@@ -2,9 +2,9 @@
 
 A form maps unknowns to factors, which may depend on answers of comparisons (`Diagrams`). Unknowns
 are the exposures of pixels, steps of IN, light outside the array, and the content of registers that
-were never written. A step of IN that is added only if a bit is 1 is an unknown of its own: counts
-stay linear forms, however many bits they add. An answer is the sign of a form: forms that differ by
-a factor have the same answer."""
+were never written. A step of IN that is added only where a bit is 1 is a separate unknown for each
+bit: a count of many bits is then a linear form, without a large diagram. An answer is the sign of a
+form: forms that differ by a factor have the same answer."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ Form = Mapping[Unknown, int]
 
 IN: Unknown = ("IN", 0, 0)
 COUNTED = "IN where"
-"""The kind of unknowns that are a step of IN where a bit is 1; their number is the bit's."""
+"""Kind of unknowns for a step of IN where a bit is 1, else 0; the bit is their first number."""
 BEYOND = "beyond the array"
-"""The kind of unknowns for light or a bus outside the array."""
+"""Kind of unknowns for light or a bus outside the array."""
 
 
 @dataclass
@@ -43,11 +43,9 @@ class Forms:
         return [(x, y) for y in range(self.rows) for x in range(self.cols)]
 
     def inside(self, x: int, y: int) -> bool:
-        """Return whether a place is on the array."""
         return 0 <= x < self.cols and 0 <= y < self.rows
 
     def exposure(self, bucket: str, x: int, y: int) -> Form:
-        """Return the form of a pixel's exposure."""
         return {(bucket, x, y): self.diagrams.one}
 
     def beyond(self) -> Form:
@@ -56,14 +54,14 @@ class Forms:
         return {(BEYOND, self._fresh, 0): self.diagrams.one}
 
     def kept_bit(self, state: str, at: tuple[int, int]) -> int:
-        """The bit with which a state begins the frame."""
+        """Return the unknown bit of a state at the start of the frame."""
         key = (state, *at)
         if key not in self._kept:
             self._kept[key] = self.diagrams.new_variable(at)
         return self._kept[key]
 
     def counted(self, bit: int, steps: Fraction) -> Form:
-        """So many steps of IN where a bit is 1. Of a bit and its inverse one is an unknown."""
+        """Return `steps` of IN where a bit is 1, else 0. A bit and its inverse share an unknown."""
         diagrams = self.diagrams
         if bit == diagrams.zero:
             return {}
@@ -107,7 +105,7 @@ class Forms:
         return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def _steps_between(self, first: Form, second: Form) -> Fraction | None:
-        """How many steps of IN one form has more than another; None where they differ in more."""
+        """Return the difference in steps of IN; None if the forms differ in other unknowns."""
         if {**first, IN: 0} != {**second, IN: 0}:
             return None
         zero = self.diagrams.zero

@@ -1,4 +1,4 @@
-"""What the text of a program says of its images and planes, as forms on a small array."""
+"""Evaluate the images and planes of a program text as forms on a small array."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Bits = dict[Place, int]
 
 
 def reaches(pictures: p.Pictures) -> dict[str, Reach]:
-    """The reach of every image, plane and state by the text, in one frame."""
+    """Return the reach in one frame of every image, plane and state of the program text."""
     reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
     states = {state.name for state in pictures.states}
@@ -41,9 +41,9 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
 class PictureMeaning:
     """The images and planes of a text on the array of `forms`.
 
-    Images are also defined beyond the array, where they depend on light there: a kernel may reach
-    over the border and another one back. Bits beyond it are the text's `outside`.
-    """
+    Images are also defined outside the array, as forms in the light there: one convolution kernel
+    may read across the border, and the next may read back. Bits outside the array are the text's
+    `outside`."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
         self.forms, self.weights = forms, pictures.weights_by_name
@@ -56,15 +56,14 @@ class PictureMeaning:
         self._bits: dict[tuple[int, Place], int] = {}
 
     def value(self, name: str, at: Place) -> Form | int:
-        """What an image, a plane, a bucket or the next value of a state is at a pixel of the
-        array."""
+        """Return an image, a plane, a bucket or the next value of a state at a pixel."""
         node = self.nodes.get(name)
         if node is None:
             return self.forms.exposure(name, *at)
         return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
 
     def image(self, value: p.Value, at: Place) -> Form:
-        """An image at a place."""
+        """Return an image at a place, which may be outside the array."""
         form = self._images.get((id(value), at))
         if form is None:
             form = self._images[id(value), at] = self._image(value, at)
@@ -111,7 +110,7 @@ class PictureMeaning:
         assert_never(value)
 
     def _agreeing(self, value: p.Agreement, at: Place) -> Iterator[tuple[Fraction, Form]]:
-        """A count as a sum: twice the bits that are 1, each with the sign of its weight, less 1."""
+        """Yield the terms of a count: 2 * bit - 1 with the sign of the weight, for each pixel."""
         forms, (x, y) = self.forms, at
         for (dx, dy), weight in self.weights[value.kernel].taps.items():
             steps = self.count_steps if weight > 0 else -self.count_steps
@@ -120,7 +119,7 @@ class PictureMeaning:
             yield Fraction(-1), forms.counted(forms.diagrams.one, steps)
 
     def bit(self, condition: p.Condition, at: Place) -> int:
-        """A plane at a place."""
+        """Return a plane at a place, which may be outside the array."""
         if not self.forms.inside(*at):
             return self.outside
         diagram = self._bits.get((id(condition), at))

@@ -1,4 +1,4 @@
-"""The proof of images and planes: the words after the exposure, replayed on a small array.
+"""Prove images and planes: replay the words after the exposure on a small array.
 
 Registers contain exact forms in the exposures of pixels (`nscc.prove.forms`); bits are decision
 diagrams over answers of comparisons. The array is just large enough that its pixels are affected by
@@ -60,7 +60,7 @@ def _difference(
     kept = [pictures.registers.get(state.name, "") for state in pictures.states]
     exposing = {r for words in decoded(container) for op in words for r in op.destinations}
     if len(set(kept)) < len(kept) or exposing & {*kept}:
-        return "the register of a state holds something else as well"
+        return "the register of a state is also used for other bits"
     for name in dict.fromkeys((*pictures.outputs, *(state.name for state in pictures.states))):
         register = pictures.registers.get(name, "")
         contents: Fields | Bits | None = None
@@ -83,8 +83,9 @@ def _difference(
 
 @dataclass
 class Masked:
-    """What a register holds after a word that wrote it where FLAG was 1: worked out only where
-    somebody reads it elsewhere."""
+    """The content of a register after a word that wrote it where FLAG was 1.
+
+    `PictureReplay.fields` merges `written` and `before` only when a word needs the merged value."""
 
     flag: Bits
     written: Fields
@@ -126,7 +127,7 @@ class PictureReplay:
         return {(f"what {name} held", x, y): self.forms.diagrams.one}
 
     def fields(self, name: str, flag: Bits | None = None) -> Fields:
-        """What an analog register holds; with `flag`, what it holds where that is 1."""
+        """Return the content of an analog register; with `flag`, correct only where `flag` is 1."""
         held, masked = self.analog[name], []
         if isinstance(held, Masked) and flag is not None and held.flag == flag:
             return held.written
@@ -170,7 +171,7 @@ class PictureReplay:
         self, op: Op, level: int | None, factor: Fraction, flag: Bits | None = None
     ) -> Fields:
         """Return the sum of a word's analog sources in every pixel, times a factor; with `flag`,
-        only where it is 1."""
+        correct only where `flag` is 1."""
         forms = self.forms
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
@@ -190,15 +191,14 @@ class PictureReplay:
         return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.places()}
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
-        """Return for each pixel the value of the pixel at an offset (columns to the right, rows
-        down)."""
+        """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
         return {
             (x, y): fields.get((x + right, y + down)) or self._edge(fields, x + right, y + down)
             for x, y in fields
         }
 
     def _edge(self, fields: Fields, x: int, y: int) -> Form:
-        """Return a zero form for a pixel of the array, else a new unknown value."""
+        """Return the zero form of a pixel of the array, else a new unknown value."""
         return fields[x, y] if (x, y) in fields else self.forms.beyond()
 
     def _bus(self, op: Op, level: int | None) -> None:

@@ -1,4 +1,4 @@
-"""The tradeoff of an image: the words of its kernels against the noise that these words add."""
+"""The tradeoff of an image: the time of its words against the noise that they add."""
 
 from __future__ import annotations
 
@@ -13,11 +13,10 @@ from nscc.words.pictures import Filtered, subexpressions
 
 
 def image_points(path: Path, level: int) -> list[Point]:
-    """Every program that a level of optimisation finds for the kernels of a file's images: the
-    standard deviation of its error, in errors of one word, against the time of its words.
+    """Return a point for each program that `level` of optimisation finds for a file's kernels.
 
-    Raises Rejected for a program that does not compile.
-    """
+    A point is the standard deviation of the result's error, as a multiple of the error of one word,
+    and the time of the words in milliseconds. Raises Rejected if the file does not compile."""
     container = run_passes(read_source(path), path.parent, Options(level=level)).container
     assert container is not None
     pictures, target = container.pictures, container.target

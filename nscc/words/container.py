@@ -172,8 +172,10 @@ class Container:
 
 
 def with_picture_words(container: Container) -> Container:
-    """The container as a chip runs it: its kernels and launches are also those of images and
-    planes, and its readouts the registers that are converted, buckets first."""
+    """Return the container as a chip executes it.
+
+    Its kernels and launches include the words of images and planes. Its readouts are the registers
+    that the chip converts: first buckets, then images."""
     pictures = container.pictures
     if pictures is None:
         return container

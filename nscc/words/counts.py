@@ -1,4 +1,4 @@
-"""Counts: the values of images that are made of bits, and the electrons that a count takes."""
+"""Value ranges of counts, and the steps of IN that represent one count."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.words import pictures as p
 
 @dataclass(frozen=True)
 class CountRange:
-    """Attainable values lie from `low` to `high`; all are `low` and a multiple of `stride`."""
+    """The values of a count: all attainable ones are among `low`, `low` + `stride`, .., `high`."""
 
     low: Fraction
     high: Fraction
@@ -21,12 +21,14 @@ class CountRange:
 
     @property
     def peak(self) -> Fraction:
-        """The largest one without its sign."""
+        """Return the largest absolute value."""
         return max(-self.low, self.high)
 
     def half_way(self, level: Fraction, *, or_equal: bool) -> Fraction | None:
-        """The level half-way between the counts that are above `level` (or equal to it) and those
-        that are not; None where all are, or none."""
+        """Return the level half-way between the counts above `level` and all lower counts.
+
+        With `or_equal`, a count equal to `level` belongs to the upper counts. Return None if all
+        counts are on the same side."""
         places = (level - self.low) / self.stride if self.stride else Fraction(0)
         below = floor(places)
         if or_equal and places == below:
@@ -38,7 +40,7 @@ class CountRange:
 def counts_of(
     node: p.Value, known: Mapping[str, CountRange], weights: Mapping[str, p.Weights]
 ) -> CountRange | None:
-    """The values that a count may have; `known` are those of images by name. None for electrons."""
+    """Return the attainable values of a node; None for electrons. `known`: counts by image."""
     match node:
         case p.Source():
             return known.get(node.name)
@@ -85,13 +87,13 @@ def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None
 
 
 def _common(*numbers: Fraction) -> Fraction:
-    """The largest number of which all are multiples; 0 of zeros."""
+    """Return the greatest common divisor of fractions; 0 if all are 0."""
     divisor = lcm(*(number.denominator for number in numbers))
     return Fraction(gcd(*(int(number * divisor) for number in numbers)), divisor)
 
 
 def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
-    """The counts among the images of a program."""
+    """Return the attainable values of the images that are counts, by name."""
     known: dict[str, CountRange] = {}
     for item in pictures.items:
         if not isinstance(item.node, p.Condition):
@@ -103,8 +105,10 @@ def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
 
 @dataclass(frozen=True)
 class CountUnit:
-    """How many `steps` of IN a count takes: as many as fit `steps_available`, a multiple of `least`
-    (0 where that is too much). `peak` is the largest count, of the image or plane `name`."""
+    """The representation of one count: `steps` of IN.
+
+    `steps` is the largest multiple of `least` with which the largest count, `peak`, fits into
+    `steps_available`; 0 if even `least` is too large. `name`: the image or plane of `peak`."""
 
     steps: int
     steps_available: int
@@ -114,10 +118,9 @@ class CountUnit:
 
 
 def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
-    """The steps of IN for the counts of a program; None where nothing is counted.
+    """Return the representation of a program's counts; None for a program without counts.
 
-    A count must fit the registers and IN, and levels and factors must be whole steps.
-    """
+    A count must fit the registers and IN, and levels and factors must be whole steps."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
     peak, name, least = Fraction(0), "", 1
     for item, expression in pictures.expressions.items():
@@ -126,7 +129,7 @@ def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
                 least = lcm(least, node.level.denominator)
             terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
             factors = [factor for factor, term in terms if isinstance(term, p.Agreement)]
-            if factors:  # where all bits are 1, IN adds two counts for each of them at once
+            if factors:  # one word adds twice all factors of a bit
                 least = lcm(least, *(factor.denominator for factor in factors))
                 peak, name = max((peak, name), (2 * sum(map(abs, factors), Fraction(0)), item))
             if not isinstance(node, p.Condition):

@@ -42,7 +42,7 @@ def disassemble(container: Container) -> str:
 
 
 def sections(container: Container) -> dict[str, list[str]]:
-    """The lines of the text, in their order, under a title for each part."""
+    """Return the lines of each part of the text by its title, in the order of the text."""
     kernels = enumerate(container.kernels)
     parts = {
         "target": _head(container),

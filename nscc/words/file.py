@@ -46,7 +46,7 @@ _CHUNK = 1 << 20
 
 
 def _layout(header: dict[str, Any]) -> tuple[StoredArray, ...]:
-    """The arrays that a header announces, in file order."""
+    """Return the arrays that a header describes, in file order."""
     counts, target = header["counts"], header["target"]
     registers = len(target["registers"]["digital"]) if "registers" in target else 0
     buckets, fields = len(header["buckets"]), len(header["fields"])
@@ -240,8 +240,7 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
     """Return the container of a header and its arrays.
 
     If a value has another type than `_header` gives it, the container is written differently,
-    or this raises an exception.
-    """
+    or this raises an exception."""
     arrays = unpacked(_layout(header), data[:-_DIGEST], start)
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0

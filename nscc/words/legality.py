@@ -44,13 +44,11 @@ def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
 
 
 def refuse_picture_states(container: Container) -> None:
-    """Raise NS0542 (status 1) for a program whose states step on images or planes, before it is
-    written for a device."""
+    """Raise NS0542 (status 1) for a program with images and states, which devices refuse."""
     if container.pictures is not None and container.pictures.states:
         raise rejected(
             "NS0542",
-            "a program for a device: states that step on images and planes are not supported there "
-            "yet",
+            "devices do not support states in programs with images and planes yet",
             helps=("expose it on the emulator, with `nscc run` or `nscc_runtime.film`",),
             status=1,
         )

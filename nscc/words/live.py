@@ -1,4 +1,4 @@
-"""Which registers words read before they write them."""
+"""Find the registers that words read before they write them."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, WordEffect
 
 
 def live_registers(words: Iterable[Op], target: Target) -> tuple[frozenset[str], frozenset[str]]:
-    """The registers that words read before they write them in all pixels, FLAG among them, and
-    those that they write."""
+    """Return the registers, including FLAG, that words read before they are written in all pixels,
+    and the registers that words write."""
     live: set[str] = set()
     written: set[str] = set()
     whole: set[str] = set()

@@ -46,7 +46,7 @@ def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[
 
 
 def layout_of(header: Mapping[str, Any], buckets: int, slots: int) -> list[StoredArray]:
-    """The machine's arrays in order."""
+    """Return the names, types and shapes of the machine's arrays, in file order."""
     nodes, states = header["first"][-1], len(header["states"])
     return [
         StoredArray("behaviour", "<i4", (nodes,)),
@@ -62,8 +62,9 @@ def layout_of(header: Mapping[str, Any], buckets: int, slots: int) -> list[Store
 def machine_from(
     header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
 ) -> tuple[StateMachine, dict[str, StatePlanes]]:
-    """The machine and the encodings of its states, from a header and its arrays: values have the
-    types that `header_of` gives them, or this raises."""
+    """Return the machine and the encodings of its states, from a header and its arrays.
+
+    Raises an exception if a value does not have the type that `header_of` writes."""
     machine = StateMachine(
         states=tuple(
             State(

@@ -91,9 +91,10 @@ class Largest:
 
 @dataclass(frozen=True)
 class Agreement:
-    """A count: of each neighbour that has a weight other than 0, +1 where its bit is 1 and the
-    weight above 0, or its bit 0 and the weight below 0; else -1. Bits beyond the array are the
-    program's `outside`."""
+    """A count: the sum of +1 or -1 for each pixel with a weight other than 0.
+
+    A pixel adds +1 if its bit is 1 and its weight positive, or its bit 0 and its weight negative;
+    else -1. Bits beyond the array are the program's `outside`."""
 
     condition: Condition
     kernel: str
@@ -111,7 +112,7 @@ class Bit:
 
 @dataclass(frozen=True)
 class Constant:
-    """The same bit in every pixel."""
+    """A constant bit, equal in all pixels."""
 
     bit: bool
 
@@ -126,7 +127,7 @@ class Above:
 
 @dataclass(frozen=True)
 class Exceeds:
-    """Whether a count is above a level, which lies half-way between two that are attainable."""
+    """A condition: a count is above `level`, half-way between two attainable counts."""
 
     value: Value
     level: Fraction
@@ -182,14 +183,15 @@ class Picture:
 
     @property
     def is_plane(self) -> bool:
-        """Whether it is a plane."""
         return isinstance(self.node, Condition)
 
 
 @dataclass(frozen=True)
 class KeptPlane:
-    """A state: a plane that outlasts the frame. It starts with `start` in all pixels. Images and
-    planes see its value of the frame before; `next` is evaluated after all of them."""
+    """A state: a plane that is kept from frame to frame.
+
+    `start`: its bit in all pixels before the first frame. Images and planes read the bit that the
+    previous frame left. `next` is evaluated after all images and planes."""
 
     name: str
     start: bool
@@ -258,30 +260,28 @@ class Pictures:
 
     @property
     def expressions(self) -> dict[str, Node]:
-        """Images, planes and the next values of states, by name in the order of evaluation."""
+        """Return images, planes and next values of states by name, in evaluation order."""
         items: dict[str, Node] = {item.name: item.node for item in self.items}
         return items | {state.name: state.next for state in self.states}
 
     @property
     def planes(self) -> frozenset[str]:
-        """The names of planes and states."""
+        """Return the names of planes and states."""
         items = self.expressions.items()
         return frozenset(name for name, node in items if isinstance(node, Condition))
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:
-        """The convolution kernels by name."""
         return {kernel.name: kernel for kernel in self.weights}
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """The names of all images, planes and buckets that are read or reported, without
-        repetition."""
+        """The names of all images, planes and buckets that are read or reported."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property
     def images_read(self) -> tuple[str, ...]:
-        """The images that come with the frame."""
+        """Return the names of the images that are read out."""
         images = {item.name for item in self.items if not item.is_plane}
         return tuple(name for name in self.reads if name in images)
 

@@ -32,7 +32,7 @@ def header_of(pictures: Pictures) -> dict[str, Any]:
     counting = {
         "states": [[s.name, int(s.start), to_plain(s.next)] for s in pictures.states],
         "count_steps": pictures.count_steps,
-    }  # only where there are some
+    }  # keys of older files stay the same
     return {name: value for name, value in counting.items() if value} | {
         "kernels": [[k.name, [list(row) for row in k.rows], k.divisor] for k in pictures.weights],
         "items": [[item.name, to_plain(item.node)] for item in pictures.items],
@@ -82,7 +82,7 @@ def pictures_from(header: Any) -> Pictures:
 def _condition(plain: Any) -> Condition:
     node = from_plain(plain)
     if not isinstance(node, Condition):
-        raise ValueError("the next value of a state is no plane")
+        raise ValueError("the next value of a state is not a plane")
     return node
 
 
@@ -114,14 +114,14 @@ def faults(container: Container) -> Iterator[str]:
         for node in subexpressions(expression):
             name = getattr(node, "name", None)
             if name is not None and name not in known:
-                yield f"`{expression_name[:40]!a}` reads what is not computed before it"
+                yield f"`{expression_name[:40]!a}` reads a name that is not computed before it"
                 return
             if getattr(node, "kernel", None) not in (None, *weights):
                 yield f"`{expression_name[:40]!a}` names a kernel that does not exist"
                 return
         known.add(expression_name)
     if pictures.count_steps < 0 or states - pictures.registers.keys():
-        yield "its pictures do not say where states or counts are held"
+        yield "its pictures lack the register of a state, or have a negative count step"
     if pictures.outside not in (None, 0, 1) or pictures.limits_e.keys() != {*container.buckets}:
         yield "its pictures are malformed"
     if not known.issuperset(pictures.outputs) or not pictures.outputs:

@@ -18,7 +18,7 @@ _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 
 
 class Reach(NamedTuple):
-    """How many columns and rows around a pixel what is computed for it depends on."""
+    """Columns and rows around a pixel on which a value of this pixel depends."""
 
     left: int = 0
     right: int = 0
@@ -26,18 +26,18 @@ class Reach(NamedTuple):
     down: int = 0
 
     def joined(self, *reaches: Reach) -> Reach:
-        """What one of several values depends on."""
+        """Return the reach of a value that depends on several values."""
         return Reach(*map(max, self, self, *reaches))
 
     def moved(self, right: int, down: int) -> Reach:
-        """The reach of a value of the pixel so far away."""
+        """Return the reach of the same value of the pixel `right` columns and `down` rows away."""
         return Reach(
             max(0, self.left - right), max(0, self.right + right),
             max(0, self.up - down), max(0, self.down + down),
         )  # fmt: skip
 
     def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
-        """The pixels of an array whose reach ends beyond the array."""
+        """Return the pixels of an array (rows, cols) that depend on pixels beyond the array."""
         rows, cols = shape
         margin = np.ones(shape, np.bool_)
         margin[self.up : max(0, rows - self.down), self.left : max(0, cols - self.right)] = False
@@ -45,11 +45,11 @@ class Reach(NamedTuple):
 
 
 class RegisterReaches:
-    """The reach of every register while words run one after the other.
+    """The reach of every register after words that run one after the other.
 
-    With `bits_known` the bits beyond the array are known, and only a bus beyond it counts: a bit of
-    a neighbour reaches no further than the array where the neighbour's own bit does not.
-    """
+    `before`: the reach of registers before the first word. With `bits_known`, bits beyond the array
+    are known constants and do not count. A bit read from a neighbour then extends the reach only in
+    directions in which the neighbour's bit itself depends on a bus."""
 
     def __init__(
         self, target: Target, words: Iterable[Op], *, bits_known: bool = False,
@@ -63,7 +63,7 @@ class RegisterReaches:
             self._run(word)
 
     def of(self, name: str) -> Reach:
-        """The reach of a register, or of a neighbour's NEWS."""
+        """Return the reach of a register, or of a neighbour's NEWS."""
         if name in NEIGHBOURS:
             return self.of("NEWS").moved(*STEPS[name])
         return self.reach.get(name, Reach())
@@ -94,7 +94,7 @@ class RegisterReaches:
             self.reach[name] = written
 
     def _of_neighbours(self, source: str) -> Reach:
-        """The reach of a bit that DNEWS takes from the neighbours that R1 to R4 may choose."""
+        """Return the reach of a bit that DNEWS reads from neighbours that R1 to R4 may choose."""
         own, reach = self.of(source), Reach().joined(*map(self.of, STEERING))
         for name, step in STEERING.items():
             if self._constant.get(name, True):

@@ -1,7 +1,6 @@
-"""Arrays in bytes, as container files and assembly texts store them: little endian, without gaps.
+"""Arrays as bytes of container files and assembly texts: little endian, without gaps.
 
-Booleans are packed, eight a byte, lowest bit first.
-"""
+Eight booleans are packed into a byte, lowest bit first."""
 
 from __future__ import annotations
 
@@ -27,7 +26,7 @@ class StoredArray(NamedTuple):
 
 
 def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:
-    """The bytes of each array."""
+    """Return the bytes of each array of `layout`."""
     return [
         np.packbits(arrays[name], axis=None, bitorder="little").tobytes()
         if dtype == "?"
@@ -37,7 +36,7 @@ def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) ->
 
 
 def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str, NDArray[Any]]:
-    """The arrays by name, from byte `start` on. ValueError unless they take all of `data`."""
+    """Return the arrays from byte `start` on; raise ValueError unless they fill `data`."""
     need = start + sum(array.nbytes for array in layout)
     if need != len(data):
         raise ValueError(f"its arrays need {need} bytes and it has {len(data)}")

@@ -1,4 +1,4 @@
-"""Consecutive frames in Python: each of its own light, while states go on from frame to frame."""
+"""Capture consecutive frames in Python: each has its own light, and kept states go on."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def film(
     device_seed: int = Request.device_seed,
     threads: int | None = Request.threads,
 ) -> Capture:
-    """Capture consecutive frames of a program with images or planes, each of its own light.
+    """Capture consecutive frames of a program with images or planes, each with its own light.
 
     Kept states go on from frame to frame. `capture` with `repeat` does the same with one light.
 
@@ -53,17 +53,17 @@ def film(
     device_seed : int
         Seed of the fixed pattern, which stands for one device.
     threads : int, optional
-        Number of threads, by default that of the processors. The result does not depend on it.
+        Number of threads, by default all processors. The result does not depend on it.
 
     Returns
     -------
     Capture
-        All arrays have a leading axis of frames. Its `light` is that of the first frame.
+        All arrays have a leading axis of frames. `light` is the light of the first frame.
 
     Raises
     ------
     Rejected
-        NS0789 for a program without images or planes, or without lights; others as `capture`.
+        NS0789 for a program without images or planes, or for no lights; otherwise as `capture`.
     """
     call = "nscc_runtime.film"
     container = container_of(call, program)

@@ -283,7 +283,7 @@ def meta(
 
 
 def image_unit(container: Container) -> dict[str, float]:
-    """The electrons of a count, for each image of counts that is read."""
+    """Return the electrons of one count, for each image of counts that is read."""
     from nscc.words.counts import counts_by_name
 
     pictures = container.pictures

@@ -46,7 +46,7 @@ class BucketReadout:
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
     """Return the buckets of a frame of pixels. Raises Rejected for images and planes."""
-    refuse_pictures(container, "this frame tells no light by itself", "read its images and planes")
+    refuse_pictures(container, "this frame cannot be merged", "read its images and planes")
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
     most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))

@@ -1,5 +1,4 @@
-"""Texts on a run: its frames in a few lines, light that lowered reset levels, and plans that exceed
-their tolerance."""
+"""Texts about a run: summaries of frames, warnings of black suns and of broken plans."""
 
 from __future__ import annotations
 
@@ -99,7 +98,7 @@ def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
-    """Return a summary of a frame, one line per bucket; of the first frame of repeats."""
+    """Return a summary, one line per bucket, of a frame or of the first of several frames."""
     width = max((len(name) for name in container.buckets_read), default=0)
     lines, first = [], frame.first
     for b, name in enumerate(container.buckets_read):

@@ -64,7 +64,7 @@ class Request:
     torch_device: str | None = None
     turn: Turn | None = None
     next_lights: tuple[Light, ...] = ()
-    """Of images and planes: the light of each frame behind the first, where it is another one."""
+    """Lights of all frames after the first, for images and planes; empty for equal lights."""
 
     @classmethod
     def of(
@@ -186,12 +186,12 @@ def _simulated(
     noiseless, reason = request.effects.noiseless, ""
     absent: Mapping[str, str] = {}
     if container.pictures is not None:
-        reason = "images and planes are computed of every pixel and its neighbours"
+        reason = "images and planes depend on the neighbours of every pixel"
         _refuse_plans_of_pictures(container, request, listener)
     elif container.target.streamed and not noiseless:
         from nscc_runtime.reference.stream import absent_effects
 
-        reason = "light is sorted slot by slot, as planes of bits say"
+        reason = "bit planes assign the light to buckets slot by slot"
         absent = absent_effects(container, request.effects)
     effects = request.effects.without(*absent) if absent else request.effects
     expose = _exposing(container, light, sensor, effects, request, listener)
@@ -226,8 +226,10 @@ def _exposing(
     request: Request,
     listener: Listener,
 ) -> Callable[[], Iterable[Frame] | Frame]:
-    """What exposes slot by slot, without effects or by the reference: frames one after the other,
-    or all repeats of a frame without effects. `effects` are those that the chip has."""
+    """Return a function that exposes slot by slot, without effects or with the reference.
+
+    The function returns frames one after the other, or one frame with all repeats without effects.
+    `effects`: the requested effects that the chip has."""
     from nscc_runtime.noise.noise_loops import fill_normals
 
     noiseless, count, threads = request.effects.noiseless, request.repeat or 1, request.threads

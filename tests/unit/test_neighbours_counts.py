@@ -279,7 +279,7 @@ def test_editors_know_states_of_planes(cell: Path) -> None:
     document = Document("cell.nsl", CELL, cell.parent)
     found = hover(document, CELL.index("h xor"))
     assert found is not None
-    assert "a plane that is kept" in found.text
+    assert "a kept plane" in found.text
     found = hover(document, CELL.index("o = agree"))
     assert found is not None
     assert "counts to 50" in found.text

@@ -197,5 +197,5 @@ def test_a_state_stays_where_it_was() -> None:
     )
     writing = StoredKernel("writes", (encode(op("SET", [pictures.registers["h"]])),))
     spoilt = replace(container, kernels=(*container.kernels, writing))
-    reason = "the register of a state holds something else as well"
+    reason = "the register of a state is also used for other bits"
     assert pictures_fault(spoilt) == reason

@@ -7,8 +7,7 @@ pictures lies its `copyright`, which says who took them. Nothing of this is ship
 | package | licences |
 |---|---|
 | lomiri-wallpapers-16.04, lomiri-wallpapers-20.04 | CC-BY-4.0, CC-BY-SA-4.0, CC0-1.0 |
-| mate-backgrounds, plasma-workspace-wallpapers | GPL-2+ |
-"""
+| mate-backgrounds, plasma-workspace-wallpapers | GPL-2+ |"""
 
 from __future__ import annotations
 
@@ -91,7 +90,7 @@ def main() -> int:
 
 
 def held(package: Package, folder: Path | None) -> bytes | None:
-    """The package in a folder, under its own name or apt's, which has the version's epoch."""
+    """Return the package from a folder, under its pool name or apt's name; None without it."""
     if folder is None:
         return None
     stem, version, rest = package.name.split("_")
@@ -100,14 +99,14 @@ def held(package: Package, folder: Path | None) -> bytes | None:
 
 
 def fetched(package: Package) -> bytes:
-    """The package from Debian's pool."""
+    """Download the package from Debian's pool."""
     with urlopen(f"{POOL}/{package.place}") as answer:
         data: bytes = answer.read()
     return data
 
 
 def files_of(data: bytes) -> Iterator[tuple[str, bytes]]:
-    """The files in a .deb, an `ar` archive that holds a `tar`: path and content."""
+    """Yield path and content of the files in a .deb, an `ar` archive that contains a `tar`."""
     place = 8
     while place < len(data):
         header = data[place : place + 60]
@@ -122,7 +121,7 @@ def files_of(data: bytes) -> Iterator[tuple[str, bytes]]:
 
 
 def named(path: str) -> str:
-    """What a picture is called: pictures whose names are sizes, as the folder of their theme."""
+    """Return the name of a picture; if its file name is a size, the name of its theme's folder."""
     parts = PurePosixPath(path)
     return f"{parts.parts[-4]}.jpg" if parts.name[0].isdigit() else parts.name
 

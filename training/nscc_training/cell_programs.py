@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CellFiles:
-    """A cell's program: its `text`, and `kernels`, the bytes of the .npz file that the text names.
-    `planes` are the names of the planes that are read, one for each output."""
+    """The program of a cell.
+
+    `text`: the program. `kernels`: the bytes of the .npz file that the text names. `planes`: the
+    names of the planes that are read, one for each output."""
 
     text: str
     kernels: bytes
@@ -34,15 +36,15 @@ def cell_files(
 ) -> CellFiles:  # fmt: skip
     """Return the program of a cell.
 
-    A maximum of counts is above a threshold where one of the counts is, so pooling is a dilation of
-    the outputs' bits (`any`), in steps of 3 x 3. Of a pooled plane, the host uses the pixels in the
-    middle of the squares (`cell_film`).
+    The maximum of several counts exceeds a threshold if one of the counts does. The program
+    therefore pools by dilating the bits of outputs (`any`), in steps of 3 x 3 pixels. The host uses
+    only the pixels in the middle of the squares (`cell_film`).
 
     Parameters
     ----------
     cell : PixelCell
     kernels_name : str or None
-        Name of the file of kernels, in the folder of the program; None writes them into the text.
+        Name of the kernel file in the program's folder; None writes kernels into the text.
     frame_us : float
         Exposure time of a frame in microseconds.
     target : str, optional
@@ -102,8 +104,9 @@ def cell_files(
 def compiled_cell(
     files: CellFiles, kernels_name: str | None = None, target: Target | str | None = None
 ) -> ShutterProgram:
-    """Compile and prove the program of a cell; Rejected with the compiler's errors. `kernels_name`
-    is that of `cell_files`."""
+    """Compile and prove the program of a cell.
+
+    `kernels_name` is the argument of `cell_files`. Raises Rejected with the compiler's errors."""
     from nscc.shutter_program import compile
 
     with tempfile.TemporaryDirectory() as folder:
@@ -113,8 +116,10 @@ def compiled_cell(
 
 
 def level_on_chip(level: float, target: Target) -> float:
-    """Return the level, in full wells, that a chip compares exposures with: comparisons have the
-    resolution of IN. A cell is bit-exact on the chip if its `level` is such a level."""
+    """Return `level`, in full wells, rounded to a step of IN, with which chips compare exposures.
+
+    A cell gives the same bits in torch and on the chip if its `level` is a result of this function.
+    """
     step_e = target.electrons_per_step
     return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 
@@ -132,7 +137,7 @@ def cell_film(
     exposure : array of float32
         (frames, rows, cols), in full wells.
     planes : tuple of str
-        Those of `CellFiles`.
+        The `planes` of `CellFiles`.
     effects : str
         As for `nscc_runtime.film`.
     seed, device_seed : int
@@ -160,7 +165,7 @@ def _numbered(name: str, count: int) -> list[str]:
 
 
 def _kernel_name(gate: str, plane: str, states: list[str]) -> str:
-    """`wf` and `uf` are the kernels of gate f over x and h; of two states, `uf_h1` and `uf_h2`."""
+    """Return `wf` for gate f over x, and `uf` over h; with two states `uf_h1` and `uf_h2`."""
     if plane == "x":
         return f"w{gate}"
     return f"u{gate}" if len(states) == 1 else f"u{gate}_{plane}"

@@ -1,4 +1,4 @@
-"""Cells in state dicts of torch, read from untrusted files."""
+"""Read cells from state dicts of torch in untrusted files."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from nscc_training.cells import MOST_KERNEL, MOST_OUTPUTS, MOST_STATES, PixelCel
 from nscc_training.problems import listed, one_line
 
 MOST_BYTES = 1 << 24
-"""Most bytes of a file, and of what it unpacks to."""
+"""Largest size in bytes of a file, packed and unpacked."""
 _SHAPES = "(gates, 1 + states, kernel, kernel) and (gates,)"
 _SETTINGS = {"level": 0.5, "outside": 0, "pool_size": 1, "flips": 1}
-"""Settings of a state dict, and their defaults."""
+"""Optional settings in a state dict, and their defaults."""
 
 
 def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
-    """Return the cell of a state dict; Rejected (NS0851) for another layout. `path` is named in
-    messages."""
+    """Return the cell of a state dict; raise Rejected (NS0851) for another layout. `path` is the
+    file that messages name."""
     known = {"weight", "threshold", *_SETTINGS}
     unknown = sorted(name for name in state if name not in known)
     if unknown:
@@ -72,7 +72,7 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
 
 
 def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
-    """Return the tensors of a file of `torch.save`."""
+    """Return the tensors of a file of `torch.save`; raise Rejected (NS0851) for another file."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             unpacked = sum(entry.file_size for entry in archive.infolist())

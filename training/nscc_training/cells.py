@@ -41,8 +41,7 @@ class CellNoise:
         """Return the noise that the emulator gives the compiled program of a cell.
 
         Words and comparators are independent. The fixed offsets of comparators are included as
-        noise, so that a cell is trained for every device. The gain of words is not included.
-        """
+        noise, so that a cell is trained for every device. The gain of words is not included."""
         from nscc_runtime.exposing import sensor_for
 
         values = sensor_for(program).values
@@ -65,8 +64,8 @@ class PixelCell(nn.Module):
     its count is the sum of weight * bit over the neighbourhood, with weights of +1 and -1 (a weight
     of 0 leaves its place out). The gate is +1 where its count exceeds its threshold, else -1. All
     gates see the old states. The first gates update the states: `flip` multiplies a state by its
-    gate, as PixelRNN does, and `replace` replaces it. The other gates are outputs. An output is
-    pooled by the maximum over squares of `pool` x `pool` pixels.
+    gate, as PixelRNN does, and `replace` sets it to its gate. The other gates are outputs. An
+    output is pooled by the maximum over squares of `pool` x `pool` pixels.
 
     The parameter `weight` (gates, 1 + states, kernel, kernel) has the weights' signs; `threshold`
     is (gates,), in counts. The state dict also has the settings, so that it describes the cell.
@@ -87,7 +86,7 @@ class PixelCell(nn.Module):
     """
 
     is_binary: bool = True
-    """False: real weights, and tanh instead of comparisons."""
+    """If False, the cell has real weights, and tanh instead of comparisons."""
     level: Tensor
     outside: Tensor
     pool_size: Tensor
@@ -97,7 +96,7 @@ class PixelCell(nn.Module):
         self, *, kernel: int = 3, states: int = 1, outputs: int = 1, pool: int = 1,
         update: Update = "flip", level: float = 0.5, outside: int = 0,
     ) -> None:  # fmt: skip
-        """Raise ValueError for settings that no program has."""
+        """Raise ValueError for settings that a program cannot have."""
         super().__init__()
         for name, value, low, high, step in (
             ("kernel", kernel, 3, MOST_KERNEL, 2), ("pool", pool, 1, MOST_KERNEL, 2),
@@ -131,12 +130,13 @@ class PixelCell(nn.Module):
         Attainable counts are -places, -places + 2, .., places; the result is int64."""
         places = self.kernels().abs().sum((1, 2, 3))
         steps = torch.floor((self.threshold.detach() + places) / 2).long()
-        # At least one count is above it, and at least one is not.
+        # At least one attainable count is above the result, and at least one is not.
         return 2 * torch.minimum(steps.clamp(min=0), (places - 1).clamp(min=0)) - places
 
     def counts(self, bits: Tensor) -> Tensor:
         """Return the counts of all gates (batch, gates, rows, cols) for the bits of exposure and
-        states (batch, 1 + states, rows, cols). Real weights give the same unit."""
+        states (batch, 1 + states, rows, cols). Real weights are divided by their mean size, so that
+        counts have the same unit as with binary weights."""
         size = self.weight.detach().abs().mean((1, 2, 3), keepdim=True)
         weights = self.weight / size
         if self.is_binary:
@@ -223,17 +223,19 @@ class PixelCell(nn.Module):
 
 
 def _read_settings(cell: PixelCell, _keys: object) -> None:
-    """Set the attributes of a cell from its loaded buffers: numbers instead of tensors can be
-    exported to ONNX."""
+    """Set the attributes of a cell from its loaded buffers. Attributes are numbers, not tensors,
+    because the ONNX export needs constants."""
     cell.pool = int(cell.pool_size)
     cell.update = "flip" if cell.flips else "replace"
     cell.beyond = 2.0 * float(cell.outside) - 1.0
 
 
 def set_moving_edges(cell: PixelCell) -> None:
-    """Set the weights of a cell to edges that move, one direction for each output: the exposure's
-    weights have the edge where it is, the states' where it was a frame before. States become
-    majorities of the exposure. Training starts better from these weights than from random ones."""
+    """Set the weights of a cell to detectors of moving edges, one direction for each output.
+
+    The weights of the exposure detect an edge at its present position, those of the states detect
+    the same edge one frame earlier. The gate of a state becomes a majority of the exposure's bits.
+    Training from these weights gives better results than training from random weights."""
     places = torch.arange(cell.kernel) - cell.kernel // 2
     with torch.no_grad():
         cell.weight[: cell.states, 0] = cell.weight[: cell.states, 0].abs()

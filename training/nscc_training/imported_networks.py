@@ -14,8 +14,10 @@ from nscc_training.cells import PixelCell
 
 @dataclass(frozen=True)
 class ImportedNetwork:
-    """A cell's program: its text, the bytes of its kernels, and its words in a frame after the
-    exposure. `level` is the exposure in full wells that the chip compares with."""
+    """The program of an imported cell.
+
+    `kernels`: the bytes of the kernel file. `words`: number of words per frame after the exposure.
+    `level`: the level in full wells with which the chip compares exposures."""
 
     text: str
     kernels: bytes
@@ -27,12 +29,11 @@ class ImportedNetwork:
 def import_network(
     path: Path, kernels_name: str, *, frame_us: float = 33_000.0, target: str = "scamp5"
 ) -> ImportedNetwork:
-    """Return the program of a trained cell: a state dict (.pt) or a forward pass (.onnx), with
-    `kernels_name` for the file of kernels in the text.
+    """Return the program of a trained cell, from a state dict (.pt) or a forward pass (.onnx).
 
-    Raises Rejected: NS0851 for a file that does not contain such a cell, and the compiler's errors
-    for a cell that does not fit the chip.
-    """
+    `kernels_name` is the name of the kernel file in the program's text, `frame_us` the exposure
+    time of a frame in microseconds. Raises Rejected: NS0851 for a file without such a cell, and the
+    compiler's errors for a cell that does not fit the chip."""
     cell = read_cell(path)
     table = load_target(target, Path())
     named = None if target.endswith(".toml") else target
@@ -46,8 +47,8 @@ def import_network(
 
 
 def read_cell(path: Path) -> PixelCell:
-    """Read a cell from a state dict (.pt, .pth) or an .onnx file; Rejected (NS0851) with the name
-    of the layer for another file."""
+    """Read a cell from a state dict (.pt, .pth) or an .onnx file; raise Rejected (NS0851) for
+    another file."""
     suffix = path.suffix.lower()
     if suffix not in (".pt", ".pth", ".onnx"):
         raise refused(path, "its name does not end in .pt, .pth or .onnx")

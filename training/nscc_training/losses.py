@@ -45,8 +45,8 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def classification(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Cross-entropy of the logarithms of likelihoods (batch, classes); the truth is 1 for the right
-    class and 0 for the others."""
+    """Return the cross-entropy of logarithms of likelihoods (batch, classes); the truth is 1 for
+    the correct class, else 0."""
     return functional.cross_entropy(prediction, truth)
 
 

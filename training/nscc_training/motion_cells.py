@@ -32,22 +32,24 @@ from nscc_training.made_scenes import DIRECTIONS, moving_texture
 PROGRAM, KERNELS, DECODER, STATE = (
     "direction.nsl", "direction.kernels.npz", "direction.decoder.safetensors", "direction.pt"
 )  # fmt: skip
-"""Files of a trained cell."""
+"""Names of the files of a trained cell."""
 _TRAINING, _TEST, _BATCHES, _NOISE = range(4)
-"""Streams of random numbers."""
+"""Random-stream indices."""
 _RATE = 0.02
 _BLOCK = 32
-"""Films that are computed at a time."""
+"""Number of films that torch computes at once."""
 
 
 @dataclass(frozen=True)
 class MotionSettings:
-    """A cell, its films, and its training.
+    """The settings of a cell, its films and its training.
 
-    Films show textures that move by `speed` pixels per frame in one of eight directions. `noise`
-    multiplies the noise during training; 0 trains without noise. The first `tuned_films` films of
-    the training are emulated to fit the last decoder.
-    """
+    `kernel` to `update` are arguments of `PixelCell`. Films have `frames` frames of `size` x `size`
+    pixels, and show textures that move by `speed` pixels per frame in one of eight directions.
+    `noise` is a factor on the noise during training; 0 trains without noise. `films` are for
+    training, `test_films` for the accuracies; the first `tuned_films` training films are emulated
+    to fit the decoder `tuned`. `real_steps` are training steps with real weights, `binary_steps`
+    with binary weights, each with `batch` films."""
 
     kernel: int = 3
     states: int = 1
@@ -70,8 +72,10 @@ class MotionSettings:
 
 @dataclass(frozen=True)
 class LinearDecoder:
-    """Scores of the directions: `weight` (directions, outputs) times the share of bits that are 1
-    in each output of a film, plus `bias` (directions,)."""
+    """A linear function from the bits of a film to a score for each direction.
+
+    The scores are `weight` (directions, outputs) times the fraction of 1 bits in each output, plus
+    `bias` (directions,)."""
 
     weight: NDArray[np.float32]
     bias: NDArray[np.float32]
@@ -81,24 +85,25 @@ class LinearDecoder:
         return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
 
     def accuracy(self, shares: Tensor, directions: Tensor) -> float:
-        """Return the part of films (films, outputs) whose direction has the highest score."""
+        """Return the fraction of films whose direction has the highest score, given the fractions
+        of 1 bits `shares` (films, outputs) and direction numbers (films,)."""
         scores = shares @ torch.from_numpy(self.weight).T + torch.from_numpy(self.bias)
         return float((scores.argmax(1) == directions).float().mean())
 
 
 @dataclass(frozen=True)
 class MotionCell:
-    """A trained cell with its program, its decoder for the emulated chip, and accuracies on films
-    that were not used for training.
+    """A trained cell, its program, its decoder `tuned`, and accuracies on test films.
 
     Attributes
     ----------
     accuracies : dict
-        `real`: real weights and tanh. `binary`: the cell in torch without noise. `noisy`: with the
-        noise of training. `exact`: emulated without effects. `effects`: emulated with every effect,
-        with the decoder of `noisy`. `tuned`: the same with a decoder of emulated films.
+        Fractions of correct directions. `real`: real weights and tanh. `binary`: the cell in torch
+        without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects, with the
+        decoder of `binary`. `effects`: emulated with every effect, with the decoder of `noisy`.
+        `tuned`: as `effects`, but with a decoder that was fitted to emulated films.
     different_bits : int
-        Bits in which `exact` differs from `binary`.
+        Number of bits of the test films in which `exact` differs from `binary`.
     """
 
     cell: PixelCell
@@ -111,14 +116,14 @@ class MotionCell:
 
     @property
     def bits_per_frame(self) -> int:
-        """Bits that the decoder uses of each frame."""
+        """The number of bits of a frame that the decoder uses."""
         target = self.program.container.target
         pool = self.cell.pool
         return self.cell.outputs * (target.rows // pool) * (target.cols // pool)
 
     @property
     def full_frame_bits(self) -> int:
-        """Bits of a frame from the converter."""
+        """The number of bits of a full frame of converter codes."""
         target = self.program.container.target
         return target.rows * target.cols * target.code_bits
 
@@ -136,17 +141,16 @@ def motion_films(settings: MotionSettings, count: int, stream: int) -> tuple[Ten
 
 
 def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> MotionCell:
-    """Train a cell, compile it, and measure it in torch and in the emulator; Rejected for a cell
-    that does not fit the chip.
+    """Train a cell, compile it, and measure it in torch and in the emulator.
 
-    The cell is first trained with real weights, then with their signs and under the noise of its
-    compiled program. Every decoder is fitted to the shares of 1 bits of training films.
-    """
+    The cell is first trained with real weights, then with their signs and the noise of its compiled
+    program. Decoders are fitted to the fractions of 1 bits of training films. Raises Rejected if
+    the cell does not fit the chip."""
     target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
     cell = _start(settings, target)
     films, directions = motion_films(settings, settings.films, _TRAINING)
     test_films, test_directions = motion_films(settings, settings.test_films, _TEST)
-    # A cell of the same size has the same words: its program tells the noise before training.
+    # The noise follows from the size of a cell: the program of the untrained cell gives it.
     noise = CellNoise.of(_program(cell, target)[0])
     trained_noise = CellNoise(noise.exposure * settings.noise, noise.count * settings.noise)
     accuracies: dict[str, float] = {}
@@ -180,7 +184,6 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
 
 
 def _start(settings: MotionSettings, target: Target) -> PixelCell:
-    """Return the cell before training."""
     torch.manual_seed(settings.seed)
     cell = PixelCell(
         kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
@@ -205,8 +208,8 @@ def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
 
 
 def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
-    """Return the cell of `examples/direction.nsl`, and a decoder of its frames with every effect.
-    Both come with nscc."""
+    """Return the cell of `examples/direction.nsl`, and a decoder fitted to its frames with every
+    effect. Both are files of this package."""
     from safetensors.numpy import load_file
 
     from nscc_training.imported_networks import read_cell
@@ -216,8 +219,10 @@ def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
 
 
 def fit_decoder(shares: Tensor, directions: Tensor) -> LinearDecoder:
-    """Fit a linear decoder of shares (films, outputs) by logistic regression; `directions` are
-    numbers of `DIRECTIONS`."""
+    """Fit a linear decoder by logistic regression.
+
+    `shares` (films, outputs): fractions of 1 bits. `directions` (films,): indices of `DIRECTIONS`.
+    """
     mean, spread = shares.mean(0), shares.std(0).clamp(min=1e-6)
     inputs = (shares - mean) / spread
     layer = nn.Linear(shares.shape[1], len(DIRECTIONS))
@@ -256,13 +261,13 @@ def _emulated(
 
 
 def _means(bits: Tensor) -> Tensor:
-    """Return the share of 1 bits in each output: (films, outputs) of (films, frames, outputs, rows,
-    cols)."""
+    """Return the fraction of 1 bits in each output: (films, outputs) of (films, frames, outputs,
+    rows, cols)."""
     return bits.float().mean((1, 3, 4))
 
 
 def _shares(cell: PixelCell, light: Tensor, noise: CellNoise | None, seed: int) -> Tensor:
-    """Return the share of 1 bits of each output of films in torch."""
+    """Return the fraction of 1 bits (films, outputs) of films computed in torch."""
     generator = generator_of(light.device, seed, _NOISE)
     with torch.no_grad():
         return torch.cat([
@@ -275,12 +280,12 @@ def _train(
     cell: PixelCell, settings: MotionSettings, films: Tensor, directions: Tensor, steps: int,
     noise: CellNoise | None,
 ) -> None:  # fmt: skip
-    """Train a cell together with a decoder of normalised shares; the decoder is not kept."""
+    """Train a cell together with a linear decoder, which is then discarded."""
     generator = generator_of(films.device, settings.seed, _BATCHES, steps)
     decoder = nn.Sequential(
         nn.BatchNorm1d(cell.outputs, affine=False), nn.Linear(cell.outputs, len(DIRECTIONS))
     )
-    # Signs change in steps: smaller rates keep most of them from step to step.
+    # A small rate limits the number of signs that change in one step.
     rate = _RATE / 4 if cell.is_binary else _RATE
     rates = [rate, 5 * rate, 0.05]
     optimizer = torch.optim.Adam([

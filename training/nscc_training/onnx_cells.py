@@ -1,4 +1,4 @@
-"""Cells in ONNX files: the layers of a cell's forward pass, checked by evaluating the graph."""
+"""Read cells from ONNX files, and check them by evaluating the graph."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
     """Return the cell whose forward pass an ONNX file contains.
 
     The graph computes one frame: its inputs are the bits (1, 1, rows, cols) and the states (1,
-    states, rows, cols) as +1 and -1, its outputs are the outputs and the new states. A graph that
-    does not give the bits of the cell for random frames is refused.
+    states, rows, cols) as +1 and -1, and its results are the outputs and the new states. The graph
+    must give the same bits as the cell for random frames.
 
     Parameters
     ----------
     path : Path
-        Named in messages.
+        The file that messages name.
     data : bytes
         Content of the file.
 
@@ -43,7 +43,7 @@ def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
     Raises
     ------
     Rejected
-        NS0851 for another graph, with the name of the layer.
+        NS0851 for another graph, with the name of the layer that is not part of a cell.
     """
     import onnx
 
@@ -83,7 +83,7 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     conv, pools = the("Conv"), [node for node in graph.node if node.op_type == "MaxPool"]
     after = [n for n in graph.node if n.op_type == "Sub" and n.input[0] == conv.output[0]]
     if len(after) != 1 or len(graph.input) != 2:
-        raise refused(path, "it does not have two inputs, and one threshold behind its layer Conv")
+        raise refused(path, "it does not have two inputs, and one threshold after its layer Conv")
     sides = [a.ints[0] for n in pools for a in n.attribute if a.name == "kernel_shape"]
     state_name = graph.input[1].name
     flips = any(n.op_type == "Mul" and state_name in n.input for n in graph.node)

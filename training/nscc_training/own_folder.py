@@ -1,4 +1,4 @@
-"""Settings for a folder of one's own pictures or clips: what the documentation advises."""
+"""Choose training settings for a folder of pictures or clips, as the documentation advises."""
 
 from __future__ import annotations
 
@@ -46,9 +46,8 @@ def folder_settings(
 
     Linear pictures are stills of high dynamic range. Films, and photographs of a display, become
     clips. Patches are as large as the smallest file allows, at most 128 x 128. `tell` is called
-    with what was chosen. Raises Rejected: NS0811 for a folder without pictures and clips, otherwise
-    as `settings_of`.
-    """
+    with a text that describes the settings. Raises Rejected: NS0811 for a folder without pictures
+    and clips, and the errors of `settings_of`."""
     stills = files_in(folder, LINEAR)
     files = stills or files_in(folder, (*CLIPS, *DISPLAY))
     if not files:

@@ -57,12 +57,14 @@ def reconstruct(
 def classify(
     run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
 ) -> tuple[dict[str, float], tuple[Diagnostic, ...]]:
-    """Return the likelihoods of the classes of a frame, most likely first, and warnings. Arguments
-    and errors are those of `reconstruct`; Rejected (NS0821) for a run without classes."""
+    """Return the likelihoods of a frame's classes, most likely first, and warnings.
+
+    Arguments and errors are as for `reconstruct`. Raises Rejected (NS0821) for a run without
+    classes."""
     folder = load_run(run, trust_code=trust_code)
     if not folder.setup.classes:
         raise rejected(
-            "NS0821", f"'{run}' was trained to reconstruct light, and knows no classes",
+            "NS0821", f"'{run}' was trained to reconstruct light, not to name classes",
             helps=(f"use `nscc reconstruct {run} {frame} -o OUT`, or train with the protocol "
                    "class-v1",),
         )  # fmt: skip
@@ -71,8 +73,10 @@ def classify(
 
 
 def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str, float]:
-    """Return the likelihoods of classes, most likely first, given their logarithms up to a
-    constant. Those of several colours are averaged."""
+    """Return the likelihoods of classes, most likely first, with a sum of 1.
+
+    `scores` (classes,) or (classes, colours): logarithms of likelihoods up to a constant; the mean
+    over colours is used."""
     scores = scores if scores.ndim == 1 else scores.mean(axis=-1)
     shares = np.exp(scores - scores.max(), dtype=np.float64)
     shares /= shares.sum()

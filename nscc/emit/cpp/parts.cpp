@@ -248,9 +248,9 @@ void load_image(const char *file, const Plane &plane) {
 #endif
 
 //: report
-// Tells the host where the bits of a plane are, but for pixels that depend on what is beyond the
-// array: the first `most` places, then how many there are and the box around them. (The simulator's
-// displays show the planes.)
+// Sends the bits of a plane to the host as text: the first `most` coordinates, then the number of
+// bits and the box around them. Pixels that depend on values beyond the array are left out. (In the
+// simulator, the displays show the planes.)
 #ifdef __LPC43XX__
 template <class Plane>
 void report(const char *name, const Plane &plane, int left, int right, int up, int down, int most) {

@@ -193,7 +193,7 @@ def _header(
         yield from entry("state", text)
     if container.pictures is not None:
         held = ", ".join(f"{name} in {r}" for name, r in container.pictures.registers.items())
-        yield from entry("images", f"{held}; images as they are, 128 is 0")
+        yield from entry("images", f"{held}; codes of images are signed, 128 is 0")
     yield from entry("array", _array_text(target))
     for load in loading.images:
         data = hashlib.sha256(bitmap(container.planes()[load.register])).hexdigest()

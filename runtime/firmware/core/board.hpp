@@ -8,7 +8,7 @@ namespace nscc {
 
 struct Readout {
     uint8_t reg;                    // place among the target's analog registers
-    bool direct;                    // converted as it is: an image, of which values are signed
+    bool direct;                    // an image: values are signed, and not spread
     uint64_t gain;                  // the bits of a double
 };
 

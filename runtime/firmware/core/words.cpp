@@ -28,7 +28,7 @@ bool same(const Word &a, const Word &b) {
 
 bool empty(const Word &a) { return same(a, Word{}); }
 
-// Whether a word raises all of these lines, which are some.
+// Whether a word raises all of these control lines; false for no lines.
 bool raised(const Word &word, const Word &lines) {
     return !empty(lines) && same(both(word, lines), lines);
 }
@@ -87,7 +87,7 @@ struct Attempt {
             (row.phase == WHOLE && overlap) || !same(made, word)) {
             return false;
         }
-        // NEWS is joined to one bus; a word that reaches a neighbour is simpler than others.
+        // NEWS connects to one bus at a time, so a word with a neighbour has further limits.
         if (directed && (joined > 1 || row.effect != BUS || (sends && destinations > 1))) {
             return false;
         }

@@ -23,8 +23,8 @@ struct Operation {
     uint8_t fewest_destinations, most_destinations, fewest_sources, most_sources;
 };
 
-// What a register's control lines are; a word of zeros: it cannot be read, or written. `directed`:
-// NEWS, joined to the bus of a neighbour. `bit`: its own among the target's digital registers.
+// A register: its control lines as words (zeros if it cannot be read, or written). `directed`: NEWS
+// connected to the bus of a neighbour. `bit`: the register's bit among the digital registers.
 struct Register {
     Word read, written;
     bool analog, known, flag, directed, news;

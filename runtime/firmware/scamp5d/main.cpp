@@ -118,9 +118,9 @@ private:
     static constexpr uint32_t piece_rows = target::rows / row_bytes;
     static_assert(target::cols % 8 == 0 && target::rows % row_bytes == 0, "pieces are whole rows");
 
-    // Makes every exposure 2 x exposure - full well: a converter that is symmetric around 0 has all
-    // of its codes for that. Images stay as they are. Where all registers are read out they stay as they are: the host
-    // knows (nscc/words/readout.py).
+    // Replaces every exposure by 2 x exposure - full well, which uses all codes of a converter that
+    // is symmetric around 0. Images are not changed. If all registers are read out, exposures are
+    // not changed either, which the host takes into account (nscc/words/readout.py).
     void spread() {
         uint32_t copy = target::analog_count;
         for (uint32_t reg = 0; reg < target::analog_count; ++reg) {

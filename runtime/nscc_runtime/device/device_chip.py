@@ -212,8 +212,7 @@ def frame_of(
 def _pictured(
     frame: Frame, data: bytes, channels: int, container: Container, sensor: Sensor
 ) -> Frame:
-    """Return the frame of the buckets that are read, with the images behind them in `frame`, and
-    the planes."""
+    """Move the images behind the buckets of `frame`, and the planes of `data`, to `told`."""
     from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
 
     assert container.pictures is not None

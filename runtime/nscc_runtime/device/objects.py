@@ -206,7 +206,7 @@ def grace_ns(target: Target) -> int:
 
 
 def _readouts(container: Container) -> list[tuple[int, bool, float]]:
-    """The registers that a device converts, whether each is an image, and their gains."""
+    """Return for each register that a device converts: number, whether it is an image, gain."""
     registers, by_bucket = container.target.analog_registers, container.readouts
     if container.pictures is None:
         by_name = {readout.bucket: readout for readout in container.readouts}

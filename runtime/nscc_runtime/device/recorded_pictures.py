@@ -1,4 +1,4 @@
-"""The images and planes of a recorded frame, whose words follow the exposure."""
+"""Find the words of images and planes in a recorded frame."""
 
 from __future__ import annotations
 
@@ -14,18 +14,20 @@ from nscc.words.live import live_registers
 from nscc.words.pictures import Constant, Picture, Pictures, Source, TailLaunch
 
 IMAGE = 256
-"""Added to the register of a readout that is an image."""
+"""Added to the register number of a readout that is an image, not a bucket."""
 
 
 def with_recorded_pictures(
     container: Container, readouts: Sequence[tuple[int, float]], states: Sequence[int]
 ) -> Container | None:
-    """Return `container` with those of its last launches as images and planes that no longer read
-    the light; None if their words depend on what earlier words left in digital registers.
+    """Return `container` with its last launches that do not read PIX as images and planes.
 
-    The exposures are then what these words find in analog registers. A readout gets the name of its
-    register, which is an image's where IMAGE is added to it.
-    """
+    Return None if there are no such launches, if their words overwrite a code bit, or if they read
+    a digital register that is not a code bit or that earlier words wrote.
+
+    The exposures of the result are the contents of analog registers before these words. `readouts`
+    are pairs of a register number, plus IMAGE for an image, and a gain. `states` are the numbers of
+    digital registers that are read. Outputs are named after their registers."""
     target, launches = container.target, container.launches
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     first = len(launches)

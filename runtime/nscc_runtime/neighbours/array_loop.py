@@ -1,9 +1,9 @@
-"""The words of images and planes on a whole array without effects, in one compiled loop.
+"""Run the words of images and planes on a whole array without effects, in one compiled loop.
 
-Register r of pixel i is at index r * pixels + i. A row of 0, and one 0 more, follow all analog
-registers. An operand is three integers: a register, and the columns to the right and the rows down
-to the pixel that is read or written. `marks` contains of every analog register what cut its value
-off."""
+Register r of pixel i is at index r * pixels + i. After the analog registers follow cols + 1 zeros,
+which stand for values beyond the array. An operand is three integers: a register, and the columns
+to the right and the rows down to the pixel that is read or written. `marks` contains the saturation
+marks of all analog registers."""
 
 from __future__ import annotations
 
@@ -16,14 +16,15 @@ from nscc_runtime.loop import Bytes, Floats, Ints, Written, inlined, loop, recor
 
 BUS, COMPARE, BITS, NEIGHBOURS = range(4)
 LEVEL = -1
-"""The register of an operand that is IN."""
+"""The register number that stands for IN in an operand."""
 
 
 @record
 class ArrayShape:
-    """`registers` counts the analog ones. `flag`, `mask` and `masked` are registers of bits; `mask`
-    is -1 if there is none. Analog registers hold `lowest` to `highest`, and `range_bit` marks what
-    left that range."""
+    """The array: its numbers of `words`, analog `registers`, `rows` and `cols`.
+
+    `flag`, `mask` and `masked` are numbers of digital registers; `mask` is -1 on a chip without a
+    masked register. Values outside `lowest` to `highest` (electrons) get the mark `range_bit`."""
 
     words: int
     registers: int
@@ -40,8 +41,10 @@ class ArrayShape:
 
 @record
 class ArrayWord:
-    """A word: its operands begin at `operands`, sources first; it runs `lag` rows behind the first
-    word, and `everywhere` if FLAG is 1 in all pixels."""
+    """A word. Its operands begin at index `operands`, sources first.
+
+    It runs `lag` rows behind the first word. `everywhere` is 1 if FLAG is 1 in all pixels. `in_e`
+    is IN in electrons."""
 
     kind: int
     operands: int
@@ -56,8 +59,9 @@ class ArrayWord:
 
 @inlined
 def source_row(shape: ArrayShape, word: Any, operands: Ints, y: int, s: int) -> int:
-    """Where the row begins that row `y` reads of source number `s`: of 0 beyond the array, and
-    where there is no such source."""
+    """Return the index where the row begins that row `y` reads from source number `s`.
+
+    Return the index of zeros for a row beyond the array, for IN, and for a missing source."""
     zeros = shape.registers * shape.rows * shape.cols
     if s >= word.sources:
         return zeros
@@ -73,7 +77,7 @@ def add_row(
     shape: ArrayShape, word: Any, operands: Ints, values: Floats, y: int, factor: float,
     total: Floats,
 ) -> int:  # fmt: skip
-    """Set a row of sums of a word's sources, times `factor`; return how many no register holds."""
+    """Set `total` to `factor` times the sums of a row; return how many leave the range."""
     cols, initial_e, right = shape.cols, 0.0, 0
     for s in range(word.sources):
         right += operands[word.operands + 3 * s + 1]
@@ -109,7 +113,7 @@ def add_row(
 def mark_row(
     shape: ArrayShape, word: Any, operands: Ints, marks: Bytes, y: int, total: Floats, mark: Bytes
 ) -> None:
-    """Set a row of what cut a word's sources off, or leaves the range of registers."""
+    """Set `mark` to the marks of a word's sources, with `range_bit` for sums beyond the range."""
     cols = shape.cols
     for x in range(cols):
         beyond = total[x] < shape.lowest or total[x] > shape.highest
@@ -125,7 +129,7 @@ def store_row(
     shape: ArrayShape, word: Any, bits: Bytes, values: Floats, marks: Bytes, start: int, right: int,
     total: Floats, mark: Bytes, marked: Ints,
 ) -> None:  # fmt: skip
-    """Write a row, `right` columns further, to index `start` on; a column that it leaves is 0."""
+    """Write a row where FLAG is 1, shifted by `right` columns; a column without a value gets 0."""
     cols = shape.cols
     flag = shape.flag * shape.rows * cols + start % (shape.rows * cols)
     begin, end = max(0, right), cols + min(0, right)
@@ -153,7 +157,7 @@ def bus(
     shape: ArrayShape, word: Any, operands: Ints, values: Floats, marks: Bytes, bits: Bytes, y: int,
     total: Floats, mark: Bytes, marked: Ints,
 ) -> None:  # fmt: skip
-    """The destinations get minus the sum of the sources."""
+    """Write minus the sum of the sources, over the divisor, to the destinations."""
     rows, cols = shape.rows, shape.cols
     if add_row(shape, word, operands, values, y, -1.0 / word.divisor, total):
         marked[0] = 1
@@ -179,7 +183,7 @@ def bus(
 
 @inlined
 def compare(shape: ArrayShape, bits: Bytes, y: int, total: Floats) -> None:
-    """FLAG tells where a sum is above 0."""
+    """Set FLAG to 1 where a sum is above 0; with `obeys_flag`, only where FLAG was 1."""
     flag = (shape.flag * shape.rows + y) * shape.cols
     for x in range(shape.cols):
         kept = bits[flag + x] if shape.obeys_flag else np.uint8(1)
@@ -190,7 +194,7 @@ def compare(shape: ArrayShape, bits: Bytes, y: int, total: Floats) -> None:
 def write_bits(
     shape: ArrayShape, word: Any, operands: Ints, bits: Bytes, y: int, mark: Bytes
 ) -> None:
-    """The destinations get the OR of the sources, or its inverse."""
+    """Write the OR of the sources, or its inverse, to the destinations."""
     rows, cols = shape.rows, shape.cols
     for x in range(cols):
         mark[x] = 0
@@ -200,7 +204,7 @@ def write_bits(
             mark[x] |= bits[start + x]
     for x in range(cols):
         mark[x] ^= word.inverted
-    # A destination that the mask guards comes first: the mask is as it was before.
+    # The masked destination comes first, so that the mask still has its old value.
     for d in range(word.destinations):
         register = operands[word.operands + 3 * (word.sources + d)]
         start, guard = (register * rows + y) * cols, (shape.mask * rows + y) * cols
@@ -212,10 +216,9 @@ def write_bits(
 
 @inlined
 def look(shape: ArrayShape, word: Any, operands: Ints, bits: Bytes, y: int, mark: Bytes) -> None:
-    """The destination gets the OR of a bit of those neighbours that steering registers choose.
+    """Write the OR of the bits of those neighbours that the steering registers choose.
 
-    The first operand is the destination, the second the source; the others steer.
-    """
+    The first operand is the destination, the second the source. All further operands steer."""
     rows, cols, first = shape.rows, shape.cols, word.operands
     for x in range(cols):
         mark[x] = 0
@@ -243,12 +246,12 @@ def run_array_words(
     values: Written[Floats], marks: Written[Bytes], bits: Written[Bytes], total: Written[Floats],
     mark: Written[Bytes], marked: Written[Ints],
 ) -> None:  # fmt: skip
-    """Run words in their order; `total` and `mark` are a row each, and marked[0] tells whether any
-    value is marked.
+    """Run words in their order. `total` and `mark` are buffers of one row; marked[0] is 1 once any
+    value has a saturation mark.
 
-    A row goes through all words while it is in the cache, each word `lag` rows behind the first: so
-    far that the rows which it reads of neighbours are ready, and no word needs what it overwrites.
-    """
+    A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
+    word: the neighbouring rows that it reads are then complete, and no earlier word still needs the
+    rows that it overwrites."""
     for step in range(shape.rows + words[shape.words - 1].lag):
         for w in range(shape.words):
             word = words[w]

@@ -1,4 +1,4 @@
-"""The words of images and planes as a table for the compiled loop."""
+"""Convert the words of images and planes to tables for the compiled loop."""
 
 from __future__ import annotations
 
@@ -28,23 +28,24 @@ Operand = tuple[int, int, int]
 
 @dataclass(frozen=True, eq=False)
 class ArrayContents:
-    """What registers hold after the words, by name, all arrays (pixels,): `register` values,
-    `cut_by` what cut them off."""
+    """The contents of registers after the words, by name; all arrays are (pixels,).
+
+    `register`: analog registers in electrons. `cut_by`: their saturation marks. `bits`: digital
+    registers."""
 
     register: Mapping[str, NDArray[np.float64]]
     cut_by: Mapping[str, NDArray[np.uint8]]
     bits: Mapping[str, NDArray[np.uint8]]
 
     def bit(self, name: str) -> NDArray[np.bool_]:
-        """A digital register."""
         return np.asarray(self.bits[name] == 1)
 
     def hold(self, seconds: float) -> None:
-        """Nothing decays."""
+        """Do nothing: registers without effects do not decay."""
 
 
 class ArrayWords:
-    """Words in their order, each with the steps of IN, ready to run on arrays of a target."""
+    """Words in their order, each with its steps of IN, prepared for arrays of a target."""
 
     def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
         self.target = target
@@ -77,7 +78,7 @@ class ArrayWords:
         self._operands_table = np.array(operands, np.int64).reshape(-1)
 
     def _operands(self, op: Op) -> tuple[list[Operand], list[Operand]]:
-        """Where a word reads and writes."""
+        """Return the sources and the destinations of a word."""
         effect, phase = op.operation.effect, op.operation.phase
         if effect in (WordEffect.BUS, WordEffect.FLAG_ANALOG):
             return list(map(self._analog, op.sources)), list(map(self._analog, op.destinations))
@@ -107,8 +108,10 @@ class ArrayWords:
         exposed_by: Mapping[str, NDArray[np.uint8]],
         code: Mapping[str, NDArray[np.bool_]],
     ) -> ArrayContents:
-        """What registers hold after the words: before, `exposed` of exposures and what cut these
-        off, and `code`. Words that read other registers find 0."""
+        """Return the contents of registers after the words.
+
+        Before the words, registers hold `exposed` (electrons) with the marks `exposed_by`, and the
+        bits of `code`. All other registers hold 0."""
         target, pixels = self.target, shape[0] * shape[1]
         allocate = np.empty if self._live <= {*exposed, *code, "IN"} else np.zeros
         size = len(self.analog) * pixels

@@ -53,11 +53,11 @@ class PicturedProgram:
         return image_sensor(self.sensor, self.container.target)
 
     def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
-        """Frames 0 .. `count` - 1 of `light`, one after the other: states go on."""
+        """Yield frames 0 to `count` - 1 of one light; states go on from frame to frame."""
         return self.film(repeat(light, count), seed, device_seed)
 
     def film(self, lights: Iterable[Light], seed: int, device_seed: int) -> Iterator[Frame]:
-        """A frame of each light, one after the other: states go on."""
+        """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
         reaches = _beyond_reaches(self.container)
@@ -100,7 +100,7 @@ class PicturedProgram:
         self, pixels: ArrayPixels | ArrayContents, exposure: Exposure, seeds: tuple[int, int],
         number: int, reaches: Mapping[str, Reach],
     ) -> Frame:  # fmt: skip
-        """What is read out after the last word."""
+        """Return the frame that is read out after the last word."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
@@ -149,10 +149,9 @@ class PicturedProgram:
         self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
         seeds: tuple[int, int], number: int,
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
-        """Return codes and saturation marks (names, rows, cols) of images. Their converter is
-        symmetric around 0."""
+        """Return codes, symmetric around 0, and saturation marks (names, rows, cols) of images."""
         target = replace(self.container.target, readout="full")
-        # The draws of a converter go by the place in the array: behind those of the buckets.
+        # The converter draws noise by index: images follow the buckets.
         buckets = len(self.container.buckets)
         shape = (buckets + len(names), *valid.shape)
         stack, stacked = np.zeros(shape), np.zeros(shape, np.uint8)
@@ -165,7 +164,7 @@ class PicturedProgram:
     def _computed(
         self, exposure: Exposure, seeds: tuple[int, int], number: int, kept_bits: Planes
     ) -> ArrayPixels | ArrayContents:
-        """The array after the last word."""
+        """Return the registers of all pixels after the last word."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
         exposed, exposed_by = {}, {}
@@ -197,12 +196,12 @@ _beyond_reaches = OfContainer(beyond_reaches)
 
 @OfContainer
 def array_words(container: Container) -> ArrayWords:
-    """The words of a container's images and planes for the compiled loop."""
+    """Return the words of a container's images and planes for the compiled loop."""
     return ArrayWords(container.target, picture_words(container))
 
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:
-    """The sensor where an image is converted: codes are symmetric around 0, not spread."""
+    """Return the sensor that converts images: codes are symmetric around 0, without spreading."""
     own, full = (default_sensor(each).values for each in (target, replace(target, readout="full")))
     given = sensor.values
     changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
@@ -233,11 +232,10 @@ def told_of_planes(
 
 
 def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told:
-    """What the host is told of a plane (rows, cols), where its reach ends on the array.
+    """Return the arrays of a report about a plane (rows, cols), without pixels of the margin.
 
-    Events are (x, y) in reading order, -1 behind the last one; the box is the least and the largest
-    x and y, -1 where no bit is 1.
-    """
+    Events are (x, y) in reading order, followed by rows of -1. The box is the smallest x and y and
+    the largest x and y, or four times -1 if no bit is 1."""
     name = f"report_{report.kind}_{report.plane}"
     bits = bits & ~reach.margin((bits.shape[0], bits.shape[1]))
     if report.kind == "any":

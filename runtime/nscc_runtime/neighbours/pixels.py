@@ -1,8 +1,7 @@
-"""The whole array while the words after an exposure run: registers shifted from pixel to pixel.
+"""Simulate the words after an exposure on the whole array, with every effect.
 
-The words of one pixel are those of `nscc_runtime.reference.words`. Here NEWS of a neighbour is read
-and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0.
-"""
+`nscc_runtime.reference.words` simulates words that use one pixel. This module adds NEWS and DNEWS,
+which access neighbours. It is not published what a bus beyond the array gives: here it gives 0."""
 
 from __future__ import annotations
 
@@ -24,16 +23,16 @@ from nscc_runtime.reference.words import Bits, Values, WordPixels
 RANGE_BIT = 32
 """In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
 _DRAWS = 2
-"""The source, in the keys, of what is drawn for words after an exposure."""
+"""Number in random keys that stands for words after an exposure."""
 
 
 @dataclass(eq=False, kw_only=True)
 class ArrayPixels(WordPixels):
-    """All pixels of an array, `shape` its rows and columns; other arrays are (pixels,).
+    """All pixels of an array of `shape` (rows, columns); all other arrays are (pixels,).
 
-    `exposed` and `exposed_by` are what registers hold of an exposure, and the bits of what cut it
-    off; `code` is what digital registers hold. `cut_by` has by register what cut a value off.
-    """
+    `exposed`: analog registers after the exposure, in electrons. `exposed_by`: their saturation
+    marks. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
+    register."""
 
     shape: tuple[int, int]
     exposed: Mapping[str, Values]
@@ -42,7 +41,7 @@ class ArrayPixels(WordPixels):
     cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
 
     def __post_init__(self) -> None:
-        # Registers without an exposure hold whatever it has left: the same in all of them.
+        # Registers without an exposure have arbitrary contents: here equal in all registers.
         arbitrary = self.arbitrary(0)
         self.begin()
         left = arbitrary * (self.sensor.register_max_e / 2)
@@ -57,7 +56,6 @@ class ArrayPixels(WordPixels):
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
 
     def bit(self, name: str) -> Bits:
-        """A digital register."""
         return np.asarray(self.digital.read(name) == 1)
 
     def draw(self, name: str, number: int) -> Values:
@@ -65,7 +63,7 @@ class ArrayPixels(WordPixels):
         return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
-        """Words in their order, each with the steps of IN."""
+        """Run words in their order, each with its steps of IN."""
         for op, level in words:
             if level is not None:
                 self.in_e = level * self.target.electrons_per_step
@@ -114,7 +112,7 @@ class ArrayPixels(WordPixels):
             self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
-        """What cut any source of a word off."""
+        """Return the saturation marks of all sources of a word."""
         found = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
@@ -125,7 +123,7 @@ class ArrayPixels(WordPixels):
         return found
 
     def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
-        """The marks of a value, with that of one beyond the registers' range."""
+        """Return the marks, with RANGE_BIT where the value is beyond the registers' range."""
         high, low = self.target.register_max_e, self.target.register_min_e
         if value.max() <= high and value.min() >= low:
             return cut
@@ -133,7 +131,7 @@ class ArrayPixels(WordPixels):
         return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
 
     def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
-        """A register takes a value with its marks, where FLAG is 1."""
+        """Write a value and its marks to a register where FLAG is 1."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
             value = self.moved(value, -right, -down, beyond=0.0)
@@ -148,7 +146,7 @@ class ArrayPixels(WordPixels):
         self.register[name], self.cut_by[name] = value, by
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
-        """What a word writes of its exact result."""
+        """Return the value that a word writes: its exact result with the effects of words."""
         register = "NEWS" if name in NEIGHBOURS else name
         for written in self.at("words"):
             sign = error_sign(register, self.container)
@@ -156,7 +154,7 @@ class ArrayPixels(WordPixels):
         return result
 
     def _neighbour_values(self, op: Op) -> None:
-        """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
+        """Run DNEWS: write the OR of the bits of those neighbours that the pixel chooses."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
@@ -167,7 +165,7 @@ class ArrayPixels(WordPixels):
         digital.write(op.destinations[0], found)
 
     def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
-        """What the pixels so far to the right and down hold."""
+        """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
         rows, cols = self.shape
         moved = np.full(self.shape, beyond, values.dtype)
         here = _overlap(rows, -down), _overlap(cols, -right)
@@ -176,5 +174,5 @@ class ArrayPixels(WordPixels):
 
 
 def _overlap(size: int, step: int) -> slice:
-    """Those of so many places that lie on the array a step before, as well."""
+    """Return the indices below `size` that are still in range after subtracting `step`."""
     return slice(max(0, step), size + min(0, step))

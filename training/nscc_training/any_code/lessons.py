@@ -223,7 +223,7 @@ def _searched_tile() -> Mask:
 
 
 def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """The searched code at a random place of the array, turned, and reversed in time or not."""
+    """Return the searched code (slots, size, size), randomly shifted, rotated and reversed."""
     tile = np.rot90(_searched_tile(), int(generator.integers(4)), axes=(1, 2))
     tile = tile[:: int(generator.choice((1, -1)))]
     row, col = generator.integers(8, size=2)

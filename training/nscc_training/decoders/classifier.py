@@ -1,4 +1,4 @@
-"""A small network from a coded frame to the class of its scene."""
+"""A small network that classifies the scene of a coded frame."""
 
 from __future__ import annotations
 
@@ -18,13 +18,12 @@ def classifier(channels: Sequence[int], task: DecoderTask, size: str) -> Classif
 
 
 class Classifier(nn.Module):
-    """Pairs of convolutions, of which the second halves the resolution, and the mean over places.
+    """Pairs of 3 x 3 convolutions, the mean over all pixels, and a linear layer.
 
-    Inputs: the frame, or the frames of two buckets; with `sees_code` also S^T E of each, a channel
-    per slot in which a pixel keeps its mean light where it was open. Both are relative to their
-    mean, so that brightness does not count. Output: (batch, classes), the logarithms of
-    likelihoods, each up to the same constant. Frames may have any size.
-    """
+    The second convolution of a pair halves the resolution. Input: the frames of one or two buckets;
+    with `sees_code` also S^T E of each bucket, with one channel per slot. Inputs are divided by
+    their means, so that the brightness of a scene has no influence. Output (batch, classes): the
+    logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
 
     def __init__(self, widths: Sequence[int], task: DecoderTask) -> None:
         super().__init__()
@@ -50,8 +49,8 @@ class Classifier(nn.Module):
 
 
 def relative(values: Tensor, weight: Tensor) -> Tensor:
-    """Return values (batch, channels, rows, cols) divided by the mean of each of the batch, less 1,
-    where `weight` is 1, and 0 elsewhere."""
+    """Return values (batch, channels, rows, cols) divided by their mean, minus 1, where `weight`
+    is 1, and 0 elsewhere. Each element of the batch has its own mean, over weights of 1."""
     places = tuple(range(1, values.ndim))
     weight = weight.expand_as(values)
     mean = (values * weight).sum(places, keepdim=True) / weight.sum(places, keepdim=True)

@@ -1,4 +1,4 @@
-"""The settings of runs that name classes."""
+"""Check the settings of runs with classes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def classes_of(settings: RunSettings, protocol: Protocol) -> tuple[str, ...]:
 
 
 def check_classes(settings: RunSettings, protocol: Protocol) -> None:
-    """Raise Rejected (NS0815) for settings that do not go together with classes, or need them."""
+    """Raise Rejected (NS0815) for settings that exclude classes, or that require classes."""
     classes, data = classes_of(settings, protocol), settings.data
     if not classes:
         if data.classes:

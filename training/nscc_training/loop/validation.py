@@ -134,8 +134,7 @@ def by_chip(
 
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
-    """Return the loss of a reconstruction, with light above the peak clipped; of a class if there
-    are classes."""
+    """Return the loss of a decoder's result for a scene; light above the peak is clipped."""
     if setup.classes:
         scores, truth = (torch.from_numpy(values)[None] for values in (result_e, scene.truth_e))
         return float(setup.loss(scores, truth))

@@ -1,5 +1,5 @@
-"""Protocol class-v1: windows of clips whose class a decoder names. The class of a file is the name
-of its folder."""
+"""Protocol class-v1: a decoder classifies windows of clips. The class of a file is the name of its
+folder."""
 
 from __future__ import annotations
 
@@ -18,14 +18,13 @@ from nscc_training.protocol_scenes.video import ClipWindow, exposed_window, wind
 from nscc_training.protocols import Protocol
 
 _TEST = 3
-"""Random-stream index of the scenes of evaluations; 1 and 2 are those of training and validation.
-"""
+"""Random-stream index of evaluation scenes; training and validation have indices 1 and 2."""
 
 
 @dataclass(frozen=True, eq=False)
 class ClassWindow(ClipWindow):
-    """A window of a clip of class `label`, one of `classes`. Results are a number per class, the
-    largest for the most likely one."""
+    """A window of a clip of class `label`, which is one of `classes`. A result contains one number
+    for each class; the most likely class has the largest number."""
 
     label: str
     classes: tuple[str, ...]
@@ -40,14 +39,13 @@ class ClassWindow(ClipWindow):
 
 
 def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
-    """Return a window with its class."""
     return ClassWindow(**vars(window), label=label, classes=tuple(classes))
 
 
 def class_windows(
     files: Sequence[Path], classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ClassWindow | Unusable]:
-    """Yield the windows of files, in order; without files, procedural scenes of a seed."""
+    """Return the windows of files, in order; without files, procedural scenes of a seed."""
     if not files:
         return _moving_textures(classes, protocol, seed)
     return (
@@ -58,12 +56,12 @@ def class_windows(
 
 
 def class_folders(folder: Path) -> Path:
-    """Return the text of `files_in` for the folders of all classes in a folder."""
+    """Return the pattern with which `files_in` finds the files of all classes in a folder."""
     return folder / "*" if folder.is_dir() else folder
 
 
 def class_of(path: Path, classes: Sequence[str]) -> str:
-    """Return the class of a file; Rejected (NS0811) if its folder has another name."""
+    """Return the class of a file; raise Rejected (NS0811) if its folder is not named after one."""
     name = path.parent.name
     if name not in classes:
         raise rejected(
@@ -80,7 +78,7 @@ def moving_texture(
     generator: np.random.Generator, index: int, classes: Sequence[str], frames: int, size: int,
     protocol: Protocol,
 ) -> tuple[str, NDArray[np.float32]]:  # fmt: skip
-    """Return class and light of the procedural scene with a number; classes take turns."""
+    """Return class and light (frames, size, size) of scene `index`; the classes alternate."""
     label = classes[index % len(classes)]
     speed = float(np.exp(generator.uniform(*np.log(protocol["speed"]))))
     clip = made_scenes.moving_texture(generator, frames, size, label, speed)
