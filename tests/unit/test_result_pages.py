@@ -70,7 +70,9 @@ def test_words_of_a_template(page: Page) -> None:
     gain = f"{found['gain_db']:+.2f} ({low:+.2f} to {high:+.2f})"
     assert page.filled("{{gain base/line run/* psnr_db}}") == gain
     row = page.filled('{{row "a label" run/seed0 psnr_db/interval = parameters base/line:ssim}}')
-    assert row == "| a label | 27.33 (20.00 to 31.00) |  | 0.49 million | +0.00 (+0.00 to +0.00) |"
+    assert (
+        row == "| a label | 27.33 (20.00 to 31.00) |  | 0.49 million | +0.000 (+0.000 to +0.000) |"
+    )
     columns = page.filled("{{columns c psnr_db+ssim run/seed0 base/line@0.1 none}}")
     assert columns.startswith("| c | 27.33 / 0.500 | 12.50 / ")
 

@@ -66,9 +66,12 @@ def test_wrong_values(text: str, tmp_path: Path) -> None:
 def test_files_that_are_none(tmp_path: Path) -> None:
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "broken.toml").write_text("[train\nsteps = 1")
-    for name in ("none.toml", "bytes.toml", "broken.toml", "."):
+    for name, code in (
+        ("none.toml", "NS0813"), ("bytes.toml", "NS0813"), ("broken.toml", "NS0813"),
+        (".", "NS0811"),  # a folder without pictures
+    ):  # fmt: skip
         outcome = invoke(["train", name, "--out", "r"], tmp_path)
-        assert (outcome.status, outcome.codes) == (2, ["NS0813"])
+        assert (outcome.status, outcome.codes) == (2, [code])
     assert not (tmp_path / "r").exists()
 
 

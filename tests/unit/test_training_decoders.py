@@ -62,7 +62,9 @@ def test_sizes_are_those_that_were_promised() -> None:
             )
             assert parameter_count(make_decoder(name, "small", task)) <= 600_000
     with torch.device("meta"):
-        for name in (name for name, decoder in DECODERS.items() if not decoder.fixed_channels):
+        for name, decoder in DECODERS.items():
+            if decoder.fixed_channels or decoder.classifies:
+                continue
             assert parameter_count(make_decoder(name, "small", CLIP)) <= 600_000
 
 
@@ -78,8 +80,18 @@ def test_what_is_given_is_what_a_run_begins_with() -> None:
     with torch.no_grad(), bf16_where_multiplied():
         found = run(frame, shutters)
     assert torch.allclose(found, decoded_still(measured), rtol=1e-3, atol=1e-4)
-    with pytest.raises(ValueError, match="one width"):
-        make_decoder("any", "small", CLIP, 0.5)
+
+
+def test_other_widths_of_the_decoder_for_any_code_begin_at_random() -> None:
+    counts = []
+    for width in (0.5, 1, 2):
+        decoder = make_decoder("any", "small", CLIP, width)
+        counts.append(parameter_count(decoder))
+        torch.manual_seed(5)
+        again = make_decoder("any", "small", CLIP, width)
+        name, weights = next((n, w) for n, w in decoder.named_parameters() if w.ndim > 1)
+        assert torch.equal(weights, dict(again.named_parameters())[name]) == (width == 1)
+    assert counts == sorted(set(counts))
 
 
 def test_operations_are_counted() -> None:

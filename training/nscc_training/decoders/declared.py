@@ -120,7 +120,6 @@ _OWN = (
         {"paper": (64, 128, 256), "small": (16, 32, 64)},
         clips=False,
         classifies=True,
-        two_buckets=True,
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )
