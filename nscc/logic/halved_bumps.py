@@ -21,10 +21,12 @@ from nscc.truth import columns
 
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solution with binary start and last slot, if the demands are bumps and it fits.
+    """Yield the solution that stores the start and the last slot of a bump as binary numbers, if
+    the demands are bumps and the solution fits.
 
-    Its planes hold the bits of the start and of the last slot, each in its half of the frame, and
-    the half in which the last slot is. The mask register holds the half in which the start is."""
+    The frame is divided into two halves. One bit tells in which half the start is (in the mask
+    register), another bit tells it for the last slot (in a plane). Further planes contain the bits
+    of both positions within their halves."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:

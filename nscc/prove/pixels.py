@@ -52,14 +52,14 @@ class ReplayError(Exception):
 
 
 class ReplayPixels:
-    """Pixels of a container, and the words that they run, over consecutive frames.
+    """A replay of the words of a container in several lanes, frame by frame. A lane is a pixel.
 
     `kernels` are the decoded words of the container; `encoding` bool (lanes, registers) is loaded
-    by the host. An analog value has `lights` parts in electrons and `terms` that start at zero.
-    With `quiet`, analog values that were never written are zero, and the result of a word where
-    FLAG is unknown is NaN. `transitions` counts the answers of comparisons that were followed.
-    `doubts` describes why known bits became unknown, and which analog word first found FLAG
-    unknown."""
+    by the host. An analog value has several parts in each lane: `lights` charges in electrons,
+    then `terms` terms of a linear form, which start at zero. With `quiet`, analog values that were
+    never written are zero, and the result of a word is NaN where FLAG is unknown. `transitions`
+    counts the lanes that comparisons produced, one for each lane before and each answer. `doubts`
+    describes why known bits became unknown, and which analog word first found FLAG unknown."""
 
     def __init__(
         self, container: Container, kernels: Sequence[Sequence[Op]], encoding: NDArray[np.bool_],

@@ -71,7 +71,7 @@ def main() -> int:
     parser.add_argument("--packages", type=Path, help="a folder that holds packages already")
     chosen = parser.parse_args()
     for package in PACKAGES:
-        data = held(package, chosen.packages) or fetched(package)
+        data = checked_package(package, chosen.packages) or fetched(package)
         found = sha256(data).hexdigest()
         if found != package.sha256:
             print(f"{package.name} is another file: its SHA-256 is {found}", file=sys.stderr)
@@ -89,7 +89,7 @@ def main() -> int:
     return 0
 
 
-def held(package: Package, folder: Path | None) -> bytes | None:
+def checked_package(package: Package, folder: Path | None) -> bytes | None:
     """Return the package from a folder, under its pool name or apt's name; None without it."""
     if folder is None:
         return None

@@ -26,11 +26,12 @@ SURE = 9.0
 
 
 class Sites(NamedTuple):
-    """The light of sites, pixels and their neighbours.
+    """The light of sites. A site is a pixel or one of its neighbours.
 
-    `number`: the row of each place in `rows` and `scales`. `rows`: where the cumulative sums of the
-    site's light and dark charge start in `sums`. `scales`: the factors on these sums. `sums`: slots
-    + 1 cumulative sums for each group of slots."""
+    `rows` and `scales` have one row per site, and `number` is the row of each pixel. A row of
+    `rows` contains two indices into `sums`: where the cumulative sums of the site's light and of its
+    dark charge start. `scales` contains the factors on these two. `sums` has slots + 1 cumulative
+    sums for each group of slots."""
 
     number: Written[Annotated[Ints32, "rows cols"]]
     rows: Written[Annotated[Ints, "sites 2"]]

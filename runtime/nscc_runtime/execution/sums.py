@@ -45,7 +45,7 @@ class FrameWeights:
 
     @cached_property
     def alike(self) -> NDArray[np.int64]:
-        """Number (frames,) of consecutive frames, from each frame on, that have equal weights."""
+        """The number of frames with equal weights in a row from each frame on, shape (frames,)."""
         count = self.weights.shape[1]
         differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
         ends = np.append(np.flatnonzero(differs) + 1, count)

@@ -31,8 +31,8 @@ The current folder, warnings and torch's thread count are shared by the process.
 class PointTask:
     """A point to compute.
 
-    Its paths are relative to `folder`, and its output file names begin with `files`. `runs` are the
-    run folders that its values name, by value."""
+    Its paths are relative to `folder`, and its output file names begin with `files`. `runs` maps
+    each value of the point that names a run to the folder of this run."""
 
     point: GridPoint
     key: str
