@@ -88,8 +88,8 @@ def sensor_toml(
 ) -> str:
     """Return a complete, commented sensor file that `load_sensor` reads back as this sensor.
 
-    `sources`: where values come from that are not defaults, by parameter. `heading`: lines at the
-    beginning."""
+    `sources` gives the origin of each value that is not the default, by parameter name. `heading`
+    contains the lines at the beginning."""
     origin = "the value" if sources else "the default"
 
     def remark(row: Parameter) -> str:
