@@ -30,8 +30,8 @@ class Sites(NamedTuple):
 
     `rows` and `scales` have one row per site, and `number` is the row of each pixel. A row of
     `rows` contains two indices into `sums`: where the cumulative sums of the site's light and of
-    its dark charge start. `scales` contains the factors on these two. `sums` has slots + 1 cumulative
-    sums for each group of slots."""
+    its dark charge start. `scales` contains the factors on these two. `sums` has slots + 1
+    cumulative sums for each group of slots."""
 
     number: Written[Annotated[Ints32, "rows cols"]]
     rows: Written[Annotated[Ints, "sites 2"]]
