@@ -62,7 +62,7 @@ class PicturedProgram:
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
         reaches = _beyond_reaches(self.container)
         for number, light in enumerate(lights):
-            if number and self.pictures.states:
+            if number and any(reaches[state.name] != Reach() for state in self.pictures.states):
                 reaches = beyond_reaches(self.container, reaches)
             exposure = self._exposed(light, seed, device_seed, number)
             pixels = self._computed(exposure, (seed, device_seed), number, kept_bits)
@@ -186,12 +186,12 @@ class PicturedProgram:
             effects=self.effects,
             code=code, shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
-        pixels.run_words(picture_words(container))
+        pixels.run_words(_words(container))
         pixels.hold(pixels.after_us * 1e-6)
         return pixels
 
 
-_beyond_reaches = OfContainer(beyond_reaches)
+_words, _beyond_reaches = OfContainer(picture_words), OfContainer(beyond_reaches)
 
 
 @OfContainer
