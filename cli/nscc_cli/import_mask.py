@@ -6,19 +6,18 @@ from pathlib import Path
 
 import click
 
-from nscc.files import refuse_same, write_together
-from nscc_cli.completion import TARGET
-from nscc_cli.options import OUT, PATH
+from nscc.files import write_together
+from nscc_cli.new_program import CHIP, NEW_PROGRAM, beside_program
+from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand, NumberRange, say_done
 
 
 @click.command("import-mask", cls=CommonCommand)
 @click.argument("mask", metavar="MASK.npy|npz|mat", type=PATH)
-@click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
+@NEW_PROGRAM
 @click.option("--slot-us", type=NumberRange(1e-3, 1e9), default=125.0, show_default=True,
               help="Length of a slot in microseconds.")  # fmt: skip
-@click.option("--target", type=TARGET, default="scamp5", show_default=True,
-              metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
+@CHIP
 def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
     """Write a program with the shutters of MASK, and a file with its codes.
 
@@ -27,10 +26,7 @@ def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
     with the fewest words is chosen; the reasons against the other classes are printed."""
     from nscc_training.imported_masks import import_mask
 
-    if out.suffix.lower() != ".nsl":
-        raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
-    codes = out.with_suffix(".codes.npz")
-    refuse_same([out, codes], "-o and its codes")
+    codes = beside_program(out, "codes")
     imported = import_mask(mask, codes.name, slot_us=slot_us, target=target)
     products = {out: imported.text.encode()}
     if imported.codes:

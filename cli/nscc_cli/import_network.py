@@ -6,19 +6,18 @@ from pathlib import Path
 
 import click
 
-from nscc.files import refuse_same, write_together
-from nscc_cli.completion import TARGET
-from nscc_cli.options import OUT, PATH
+from nscc.files import write_together
+from nscc_cli.new_program import CHIP, NEW_PROGRAM, beside_program
+from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand, NumberRange, say_done
 
 
 @click.command("import-network", cls=CommonCommand)
 @click.argument("model", metavar="MODEL.pt|onnx", type=PATH)
-@click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
+@NEW_PROGRAM
 @click.option("--frame-us", type=NumberRange(1e-3, 1e9), default=33_000.0, show_default=True,
               help="Exposure time of a frame in microseconds.")  # fmt: skip
-@click.option("--target", type=TARGET, default="scamp5", show_default=True,
-              metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
+@CHIP
 def command(model: Path, out: Path, frame_us: float, target: str) -> None:
     """Write the program of a recurrent cell of bits, and its kernels beside it.
 
@@ -28,10 +27,7 @@ def command(model: Path, out: Path, frame_us: float, target: str) -> None:
     from nscc.program.problems import counted
     from nscc_training.imported_networks import import_network
 
-    if out.suffix.lower() != ".nsl":
-        raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
-    kernels = out.with_suffix(".kernels.npz")
-    refuse_same([out, kernels], "-o and its kernels")
+    kernels = beside_program(out, "kernels")
     imported = import_network(model, kernels.name, frame_us=frame_us, target=target)
     write_together({out: imported.text.encode(), kernels: imported.kernels})
     cell = imported.cell
