@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from device_lockstep import SANITIZERS
+from device_lockstep import SANITIZERS, Lockstep
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 from loader_twin.loader import Loader
@@ -171,3 +171,15 @@ def session(
     assert isinstance(taken, tasks.FetchedFrame)
     whole = len(example.frame) if channels == BOTH else TARGET.rows * TARGET.cols
     return taken.data == example.frame[:whole], line
+
+
+def fresh_loader(
+    kind: str, chip: EmulatedChip, request: pytest.FixtureRequest, target: Target = TARGET
+) -> Loaded:
+    """A loader that has just started: the Python twin, or the firmware of the fixture `core`."""
+    if kind == "python":
+        return Loader(target, chip, "nscc-loader 2 (Python)")
+    core: Lockstep = request.getfixturevalue("core")
+    core.chip = chip
+    core.announce()
+    return core

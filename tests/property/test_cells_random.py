@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
-
 import numpy as np
 import pytest
 from cells_oracle import Cell, random_cell
 from marks import slow
+from proved_programs import proved_or_refused
 
-from nscc.chips.load import builtin_target
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.pipeline import Options, run_passes
-from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
@@ -27,21 +21,6 @@ CHUNKS, CELLS = 42, 10
 ALLOWED = {"NS0533", "NS0535", "NS0540", "NS0541"}
 """What a cell may be refused for: a comparison that is always true, or too little room."""
 MOST_REFUSED = 0.3
-
-
-def compiled(text: str) -> Container | None:
-    """The proved container for a small array; None where the cell is refused for good."""
-    target = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
-    try:
-        made = run_passes(
-            Source("cell.nsl", text), Path(), Options(level=0, target=target, cache=False)
-        )
-    except Rejected as rejected:
-        if {d.code for d in rejected.diagnostics if d.severity.value == "error"} <= ALLOWED:
-            return None
-        raise
-    assert made.container is not None
-    return made.container
 
 
 def check_film(cell: Cell, container: Container, seed: int) -> None:
@@ -68,7 +47,7 @@ def test_cells_compute_what_the_text_says(chunk: int) -> None:
     refused = 0
     for seed in range(chunk * CELLS, (chunk + 1) * CELLS):
         cell = random_cell(seed, most_side=5 if chunk < 4 else 7)
-        container = compiled(cell.text)
+        container = proved_or_refused(cell.text, 0, (ROWS, COLS), ALLOWED)
         if container is None:
             refused += 1
             continue

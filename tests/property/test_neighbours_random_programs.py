@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
-
 import numpy as np
 import pytest
 from marks import slow
 from neighbours_oracle import Program, random_program
+from proved_programs import proved_or_refused
 
-from nscc.chips.load import builtin_target
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.pipeline import Options, run_passes
-from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
@@ -26,21 +20,6 @@ ROWS, COLS = 40, 36
 ALLOWED = {"NS0535", "NS0540", "NS0541"}
 """What such a program may be refused for: it is too large for the chip."""
 MOST_REFUSED, MOST_UNDECIDED = 0.25, 0.06
-
-
-def compiled(text: str, level: int) -> Container | None:
-    """The proved container for a small array; None where the program is refused for good."""
-    target = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
-    try:
-        made = run_passes(
-            Source("random.nsl", text), Path(), Options(level=level, target=target, cache=False)
-        )
-    except Rejected as rejected:
-        if {d.code for d in rejected.diagnostics if d.severity.value == "error"} <= ALLOWED:
-            return None
-        raise
-    assert made.container is not None
-    return made.container
 
 
 def agree(program: Program, container: Container, seed: int) -> bool:
@@ -79,7 +58,7 @@ def test_words_compute_what_the_text_says(chunk: int) -> None:
     refused = undecided = 0
     for seed in range(chunk * size, (chunk + 1) * size):
         program = random_program(seed)
-        container = compiled(program.text, level=1)
+        container = proved_or_refused(program.text, 1, (ROWS, COLS), ALLOWED)
         if container is None:
             refused += 1
             continue

@@ -14,9 +14,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from device_lockstep import Lockstep
-from device_sessions import TARGET, ChipAtOnce, chip_of, examples, new_host, sanitized
+from device_sessions import (
+    TARGET,
+    ChipAtOnce,
+    chip_of,
+    examples,
+    fresh_loader,
+    new_host,
+    sanitized,
+)
 from device_simulation import Simulation
-from loader_twin.loader import Loader
 from looks_programs import looking_frames
 
 from nscc.chips.load import target_toml
@@ -29,7 +36,6 @@ from nscc_runtime.device.device_chip import channels_of, frame_of
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import upload_of
-from nscc_runtime.device.serving import Loaded
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -65,16 +71,6 @@ def kind(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
 
-def started(kind: str, chip: ChipAtOnce, request: pytest.FixtureRequest) -> Loaded:
-    """A loader that has just started."""
-    if kind == "python":
-        return Loader(TARGET, chip, "nscc-loader 2 (Python)")
-    core: Lockstep = request.getfixturevalue("core")
-    core.chip = chip
-    core.announce()
-    return core
-
-
 def film(host: Host, container: Container, count: int, line: Simulation) -> list[Frame]:
     """Frames of a program that begins with its first values, as the host makes them."""
     program, frames = upload_of(container, bytes(32)), []
@@ -105,7 +101,7 @@ def test_a_film_is_that_of_the_emulator(
     container, light = looking(name, tmp_path)
     chip = ChipAtOnce(lambda _: light, TARGET)
     host = new_host(1)
-    line = Simulation(host, started(kind, chip, request))
+    line = Simulation(host, fresh_loader(kind, chip, request))
     count = 3 if name == "auto_exposure" else 1
     sensor = default_sensor(TARGET)
     wanted = list(looking_frames(container, light, sensor, selected("none"), count=count))

@@ -9,9 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from device_lockstep import Lockstep
-from device_sessions import TARGET, ChipAtOnce, chip_of, examples, new_host, sanitized
+from device_sessions import (
+    TARGET,
+    ChipAtOnce,
+    chip_of,
+    examples,
+    fresh_loader,
+    new_host,
+    sanitized,
+)
 from device_simulation import Simulation
-from loader_twin.loader import Loader
 
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
@@ -64,17 +71,6 @@ def core() -> Iterator[Lockstep]:
     assert loader.close() == 0, "a sanitizer complained"
 
 
-def started(kind: str, request: pytest.FixtureRequest) -> Loaded:
-    """A loader that has just started."""
-    chip = ChipAtOnce(lambda _: light(), SMALL)
-    if kind == "python":
-        return Loader(SMALL, chip, "nscc-loader 2 (Python)")
-    core: Lockstep = request.getfixturevalue("core")
-    core.chip = chip
-    core.announce()
-    return core
-
-
 def captured(loader: Loaded, container: Container) -> Frame:
     """The frame of a loader, as the host makes it."""
     host, program = new_host(1), upload_of(container, bytes(32))
@@ -101,7 +97,9 @@ def test_a_frame_is_that_of_the_emulator(
     container = container_of(PROGRAMS[name])
     runner = PicturedProgram(container, default_sensor(SMALL), selected("none"), threads=1)
     (wanted,) = runner.frames(light(), 0, 0, 1)
-    found = captured(started(kind, request), container)
+    found = captured(
+        fresh_loader(kind, ChipAtOnce(lambda _: light(), SMALL), request, SMALL), container
+    )
     assert found.told.keys() == wanted.told.keys()
     pairs = [(found.frame, wanted.frame), (found.exposure_e, wanted.exposure_e)]
     pairs += [(found.told[key], wanted.told[key]) for key in wanted.told]
