@@ -150,6 +150,11 @@ def _texts(server: Server) -> None:
         for uri, document in [*server.documents.items()]:
             server.take(uri, document.text, server.versions[uri])
 
+    @server.feature(types.SHUTDOWN)
+    @server.feature(types.EXIT)
+    def end(_: None) -> None:
+        server.documents.clear()  # nothing is published of texts whose check still runs
+
 
 def _answers(server: Server) -> None:
     """Register handlers for questions about a text, such as hover and completion."""
