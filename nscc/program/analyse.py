@@ -16,7 +16,6 @@ from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
-from nscc.program.picture_statements import make_pictures
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
@@ -50,7 +49,11 @@ def analyse(
     if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
-    pictures = make_pictures(declared, constants, chosen, base, problems)
+    pictures = None
+    if declared.has_pictures and chosen is not None:
+        from nscc.program.picture_statements import make_pictures
+
+        pictures = make_pictures(declared, constants, chosen, base, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
     assert frame is not None

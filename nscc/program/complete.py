@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,7 +44,9 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
 from nscc.words.machine import StateMachine
-from nscc.words.pictures import Pictures
+
+if TYPE_CHECKING:
+    from nscc.words.pictures import Pictures
 
 
 @dataclass(eq=False, repr=False)

@@ -79,6 +79,11 @@ class Declarations:
         return bool(self.states and self.pictures and not (self.senses or self.reset))
 
     @property
+    def has_pictures(self) -> bool:
+        """Whether the file has a statement about images, planes, kernels or reports."""
+        return bool(self.pictures or self.reports or self.kernels or self.assumes)
+
+    @property
     def has_pixels(self) -> bool:
         """Whether the file defines codes of pixels."""
         return bool(self.pixels) or self.pixels_file is not None

@@ -34,17 +34,14 @@ _REPORTS = ("any", "events", "box")
 def make_pictures(
     declared: Declarations,
     constants: Mapping[str, Meaning],
-    target: Target | None,
+    target: Target,
     base: Path,
     problems: Problems,
 ) -> Pictures | None:
-    """Return the statements of version 3; None if there are none, or after reporting errors.
+    """Return the statements of version 3; None after reporting errors.
 
     Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
     (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
-    used = declared.pictures or declared.reports or declared.kernels or declared.assumes
-    if not used or target is None:
-        return None
     maker = _Maker(declared, constants, target, base, problems)
     pictures = maker.make()
     return None if problems.has_errors() else pictures

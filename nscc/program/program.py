@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,9 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
 from nscc.words.machine import StateMachine
-from nscc.words.pictures import Pictures
+
+if TYPE_CHECKING:
+    from nscc.words.pictures import Pictures
 
 Codes = Literal["fixed", "open"]
 """Whether a program is compiled for the codes that the pixels use, or for every legal code."""

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.words.machine import StateMachine, StatePlanes
-from nscc.words.pictures import Pictures
 from nscc.words.stream import Stream
+
+if TYPE_CHECKING:
+    from nscc.words.pictures import Pictures
 
 Word = tuple[int, int, int, int, int]
 """One instruction word (ICW): five 32-bit integers in the chip's format."""
