@@ -254,11 +254,14 @@ class SummedTrial(Trial):
         weight = (
             sample.weight[sample.near_pixels] * just_full / sample.weight[sample.near_pixels].sum()
         )
-        unseen_fraction = sample.near_part * min(1.0, _UNSEEN / sample.drawn_near)
-        return (
-            float((np.nan_to_num(lacking_e - complete_e) ** 2 * weight).sum(axis=1).max())
-            * unseen_fraction
+        square_e2 = (np.nan_to_num(lacking_e - complete_e) ** 2 * weight).sum(axis=1).max()
+        # The noise of a reset cancels in a difference of two reads, unless one of them saturates.
+        square_e2 += sum(
+            error_part.sigma_e(self.sensor) ** 2
+            for effect, error_part in everything().errors()
+            if effect.name in lacking
         )
+        return float(square_e2) * sample.near_part * min(1.0, _UNSEEN / sample.drawn_near)
 
     def noise_e(self) -> float:
         """Return the RMS standard deviation over two frames with every effect, in electrons."""

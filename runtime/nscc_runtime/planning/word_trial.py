@@ -4,7 +4,7 @@ if sums are too inaccurate for a tolerance, or do not support an effect."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -70,8 +70,8 @@ class WordTrial(SummedTrial):
         return [Setting(dropped)]
 
     def unseen_e2(self, setting: Setting) -> float:
-        """Return 0: pixels near saturation are sampled like all other pixels."""
-        return 0.0
+        """Return the allowance for rare pixels near saturation, which lack all dropped effects."""
+        return super().unseen_e2(replace(setting, near_dropped=setting.dropped))
 
     def saved_ns(self, name: str) -> float:
         if name in self.absent | self.saturation:
