@@ -251,9 +251,8 @@ class SummedTrial(Trial):
         )
         order = np.searchsorted(self.near_pixels.places, sample.places[sample.near_pixels])
         just_full = np.minimum(1.0, self.sensor.full_well_e / self.near_pixels.most_e[order])
-        weight = (
-            sample.weight[sample.near_pixels] * just_full / sample.weight[sample.near_pixels].sum()
-        )
+        weight = sample.weight[sample.near_pixels]
+        weight = weight * just_full / weight.sum()
         square_e2 = (np.nan_to_num(lacking_e - complete_e) ** 2 * weight).sum(axis=1).max()
         # The noise of a reset cancels in a difference of two reads, unless one of them saturates.
         square_e2 += sum(

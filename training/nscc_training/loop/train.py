@@ -41,8 +41,8 @@ from nscc_training.loop.state import (
     tensors_of,
 )
 from nscc_training.loop.state import unpack as unpacked
-from nscc_training.loop.steps import decoded, finite_norm, loss_of, window
-from nscc_training.loop.trials import pull, trial_of
+from nscc_training.loop.step_loss import StepLoss, anneal, codes_learn
+from nscc_training.loop.steps import finite_norm
 from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.measures import means_text
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
@@ -288,57 +288,6 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
     if state.average is not None:
         state.average.update_parameters(setup.decoder)
     return loss.detach() / run.ranks.weight(setup.settings.train.batch)
-
-
-class StepLoss(nn.Module):
-    """The loss of a batch in one step: shutters, capture, decoder, and a trial of codes.
-
-    It is a module so that gradients are averaged over processes."""
-
-    def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
-        super().__init__()
-        self.encoder, self.decoder = setup.encoder, setup.decoder
-        self._parts, self._ranks = setup, ranks
-
-    def forward(self, batch: Batch, step: int) -> Tensor:
-        setup, settings, rank = self._parts, self._parts.settings, self._ranks.rank
-        seed, device = settings.train.seed, setup.device
-        rows, cols = batch.light.shape[-2:]
-        place = (seed, 7, step)
-        trial = None
-        learns = codes_learn(settings, step)
-        if learns and setup.encoder.relaxation == "tried":
-            trial = trial_of(setup.encoder, rows, cols, (seed, 6, step, rank), place)
-            shutters = trial.shutters[0]
-        elif learns:
-            # All processes share the noise of the codes, and draw the sensor's noise independently.
-            tile = setup.encoder(generator_of(device, seed, 6, step))
-            shutters = window(tile, rows, cols, place)
-        else:
-            shutters = window(setup.encoder.hard(), rows, cols, place)
-        noise = (seed, 10, step, rank)
-        prediction = decoded(
-            setup, batch.light, shutters, setup.model, generator_of(device, *noise)
-        )
-        loss = loss_of(setup, prediction, batch, shutters)
-        if trial is not None:
-            loss = loss + pull(setup, batch, trial, prediction, generator_of(device, *noise))
-        return loss * self._ranks.weight(settings.train.batch)
-
-
-def codes_learn(settings: RunSettings, step: int) -> bool:
-    """Return whether the codes change in a step; they do not in `warm_up` and `settle`."""
-    shutter, steps = settings.shutter, settings.train.steps
-    return shutter.learn and shutter.warm_up * steps <= step < (1 - shutter.settle) * steps
-
-
-def anneal(setup: TrainingSetup, step: int) -> None:
-    """Set temperature and noise of the codes at a step."""
-    settings = setup.settings
-    progress_share = step / max(1, settings.train.steps - 1)
-    warm, cold = settings.shutter.temperature
-    setup.encoder.temperature = warm * (cold / warm) ** progress_share
-    setup.encoder.noise = settings.shutter.noise * (1 - progress_share)
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
