@@ -22,6 +22,8 @@ from small_runs import CLIP, FILES, STILL, changed, run  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
+from nscc_training.loop import train as loop  # noqa: E402
+from nscc_training.loop.optimizers import set_rates  # noqa: E402
 from nscc_training.loop.ranks import Ranks  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.sensor_model import read_out  # noqa: E402
@@ -317,3 +319,34 @@ def test_codes_wait_for_the_decoder(tmp_path: Path) -> None:
     assert not torch.equal(two["encoder.stop"], four["encoder.stop"])
     key = "decoder.network.last.weight"
     assert not torch.equal(one[key], two[key])
+
+
+def test_rates_rise_in_the_first_steps() -> None:
+    """At most 20 of them, and one in fifty."""
+    parameter = torch.nn.Parameter(torch.zeros(1))
+    optimizer = torch.optim.Adam([{"params": [parameter], "base": 0.5}])
+    for schedule, steps, risen in (("constant", 1000, 20), ("cosine", 100, 2), ("cosine", 40, 0)):
+        settings = settings_of({"train": {"steps": steps, "schedule": schedule}}).train
+        rates = []
+        for step in range(steps):
+            set_rates([optimizer], settings, step)
+            rates.append(optimizer.param_groups[0]["lr"])
+        cosine = 0.5 + 0.5 * np.cos(np.pi * np.arange(steps) / steps)
+        full = np.where(schedule == "cosine", cosine, 1.0) * 0.5
+        rising = np.arange(1, risen + 1) / (risen + 1)
+        np.testing.assert_allclose(rates[:risen], full[:risen] * rising)
+        np.testing.assert_allclose(rates[risen:], full[risen:])
+
+
+def test_a_wide_network_survives_its_first_steps(tmp_path: Path) -> None:
+    """Without rising rates its output was infinite after the first step."""
+    values = {
+        "shutter": {"class": "b", "slots": 256, "tile": [4, 4], "init": "quad"},
+        "data": {"patch": 64, "scenes": 8, "val_items": 1},
+        "decoder": {"size": "paper"},
+        "loss": {"name": "psnr+psnr-mu"},
+        "train": {"steps": 1000, "batch": 2},
+    }
+    started = loop.start(settings_of(values), None, Ranks(), tmp_path)
+    for step, drawn in enumerate(loop.loader_of(started, 0, 2)):
+        assert abs(float(loop.update(started, step, drawn).detach())) < 20

@@ -268,7 +268,9 @@ class TrainSettings:
         Number(0, 10), "learning rate of the codes, as a fraction of their range", 1e-3
     )
     schedule: str = key(
-        TextKind(("cosine", "constant")), "schedule of both learning rates", "cosine"
+        TextKind(("cosine", "constant")),
+        "schedule of both learning rates; they rise in the first steps, at most 20",
+        "cosine",
     )
     clip: float = key(Number(0, 1e9), "largest norm of the decoder's gradient; 0: any", 1.0)
     validate_every: int = key(Integer(1, 10**9), "steps between validations and checkpoints", 100)
