@@ -179,21 +179,23 @@ def _refusal(
     resource = {
         "registers": "analog registers",
         "planes": "digital registers",
+        "steering": "registers that choose neighbours",
         "store": "words in the store",
     }[refused.kind]
-    holders = ", ".join(
-        f"{readout.register} holds {readout.bucket}" for readout in container.readouts
-    )
+    notes, helps = [], ["read out fewer images and planes, or use smaller convolution kernels"]
+    if refused.kind == "registers":
+        holders = (f"{readout.register} holds {readout.bucket}" for readout in container.readouts)
+        notes.append(f"exposures also occupy registers: {', '.join(holders)}")
+    elif refused.kind in ("planes", "steering") and container.code_registers:
+        notes.append(f"pixel codes also occupy registers: {', '.join(container.code_registers)}")
+        helps = ["use fewer different pixel codes", *helps]
     return Diagnostic(
         "NS0535",
         f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",
         source=program.source,
         label=label,
-        notes=(f"exposures also occupy registers: {holders}",)
-        if refused.kind == "registers" else (),
-        helps=(
-            "read out fewer images and planes, or use smaller convolution kernels",
-        ),
+        notes=tuple(notes),
+        helps=tuple(helps),
         data={"resource": resource, "required": needed, "available": available, "proved": False},
     )  # fmt: skip
 

@@ -33,7 +33,7 @@ from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers, with_picture_words
-from nscc.words.legality import refuse_picture_states, refuse_planes
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, ObjectEntry
 
 MOST_TIMES = (1 << 16) - 1
@@ -146,7 +146,6 @@ def upload_of(container: Container, label: bytes) -> Upload:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    refuse_picture_states(container)
     container = with_picture_words(container)
     target, readouts = container.target, _readouts(container)
     rows = list(_rows(container))

@@ -64,10 +64,23 @@ class PicturedProgram:
         for number, light in enumerate(lights):
             if number and any(reaches[state.name] != Reach() for state in self.pictures.states):
                 reaches = beyond_reaches(self.container, reaches)
-            exposure = self._exposed(light, seed, device_seed, number)
-            pixels = self._computed(exposure, (seed, device_seed), number, kept_bits)
-            yield self._frame_of(pixels, exposure, (seed, device_seed), number, reaches)
-            kept_bits = self._bits_of_next_frame(pixels)
+            seeds = seed, device_seed
+            frame, kept_bits = self.next_frame(light, kept_bits, reaches, seeds, number)
+            yield frame
+
+    def next_frame(
+        self, light: Light, kept_bits: Planes, reaches: Mapping[str, Reach],
+        seeds: tuple[int, int], number: int,
+    ) -> tuple[Frame, Planes]:  # fmt: skip
+        """Return frame `number` of a film, and the bits of the states for the next frame.
+
+        `kept_bits` are the bits that the previous frame left; a register without them contains its
+        code bits. `seeds`: seed of the noise, and of the device. `reaches`: see
+        `told_of_planes`."""
+        exposure = self._exposed(light, *seeds, number)
+        pixels = self._computed(exposure, seeds, number, kept_bits)
+        frame = self._frame_of(pixels, exposure, seeds, number, reaches)
+        return frame, self._bits_of_next_frame(pixels)
 
     def _start_bits(self, pixels: int) -> Planes:
         """Return the bits of states that the host loads before the first frame."""
