@@ -42,7 +42,7 @@ from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 pytestmark = pytest.mark.xdist_group("firmware")
-SMALL = replace(TARGET, rows=8, cols=12, name="small")
+SMALL = replace(TARGET, rows=13, cols=18, name="small")
 CROSS = "kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] / 8\n"
 PROGRAMS = {
     "a kernel": "open when true\n" + CROSS + "image i = k(exposure)\nread i",
@@ -54,6 +54,12 @@ PROGRAMS = {
     "report events p at most 3\nreport any p\nreport box p",
     "buckets": "bucket a open when n < 2\nbucket b open when n >= 2\nplane p = a > b\n"
     "image d = a if p else b / 2\nread b, d, p",
+    "reports of rare bits": "open when true\nplane p = exposure > 75%\nplane q = exposure > 99%\n"
+    "report events p at most 2\nreport any p\nreport box p\nreport any q\nreport box q",
+    "reports beside what is read": "open when true\noutside 0\n" + CROSS
+    + "state s : bit = 0 kept\nplane p = exposure > 50%\nplane q = k(exposure) > 45%\nnext s = p\n"
+    "plane far = any(s, k)\nimage i = k(exposure)\nread s, i\nreport any far\nreport box q\n"
+    "report any s",
     "a state": "open when true\noutside 0\nkernel around = [[1, 1, 1], [1, 0, 1], [1, 1, 1]]\n"
     "state region : bit = 0 kept\nplane bright = exposure > 45%\nplane medium = exposure > 30%\n"
     "image joined = agree(region, around)\nnext region = bright or medium and joined >= -2\n"
@@ -71,6 +77,8 @@ PROGRAMS = {
     + "bucket b4 open when n < 2\nbucket b5 open when n > 2\nplane p = b0 > 30%\n"
     "read b0, b1, b2, b3, b4, b5, p",
 }  # fmt: skip
+REPORTED = {"reports", "reports of rare bits", "reports beside what is read"}
+"""The programs whose reports are made by the device."""
 FRAMES = 3
 
 
@@ -152,6 +160,7 @@ def test_a_film_is_that_of_the_emulator(
     name: str, kind: str, request: pytest.FixtureRequest
 ) -> None:
     container, film = container_of(PROGRAMS[name]), lights()
+    assert (upload_of(container, bytes(32)).report_bytes > 0) == (name in REPORTED)
     loader = fresh_loader(kind, FilmedChip(film), request, SMALL)
     check_film(filmed(loader, container, FRAMES), container, film)
 

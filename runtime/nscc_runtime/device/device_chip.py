@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from random import SystemRandom
@@ -30,6 +30,7 @@ from nscc_runtime.device.messages import (
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
+from nscc_runtime.device.plane_reports import device_reports, report_bytes, summaries_of
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -98,8 +99,8 @@ class DeviceChip:
     def upload(self, container: Container) -> Upload:
         """Upload a program unless the device has it already. A program that keeps states is always
         sent, which resets the states."""
-        program = self._program(container)
         info = self.info()
+        program = self._program(container)
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
         self._upload(program, anew=container.keeps_states)
         self._reaches = {}
@@ -108,7 +109,9 @@ class DeviceChip:
     def _program(self, container: Container) -> Upload:
         if self._made is None or self._made[0] is not container:
             label = sha256(to_bytes(container)).digest()
-            self._made = container, upload_of(container, label)
+            info = self.link.host.info or self.info()
+            reports = bool(info.capabilities & Capability.REPORTS)
+            self._made = container, upload_of(container, label, reports=reports)
             self.label = label
         return self._made[1]
 
@@ -182,7 +185,8 @@ def channels_of(info: Info, program: Upload | None = None) -> int:
     """Return the channels to request from a loader: all that it supports for a program."""
     exact = info.capabilities & Capability.EXACT
     states = Channel.STATES if program and program.states else 0
-    return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states
+    reports = Channel.REPORTS if program and program.report_bytes else 0
+    return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states | reports
 
 
 def frame_of(
@@ -213,7 +217,7 @@ def frame_of(
     if container is None or container.machine is None:
         return frame
     simulated = selected("none") if channels & Channel.EXPOSURE else everything()
-    planes = _state_planes(data, container)
+    planes = _planes_at_end(data, state_registers(container), target)
     return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
 
 
@@ -234,7 +238,14 @@ def _pictured(
             image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
         told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
         told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
-    told |= told_of_planes(container, _state_planes(data, container), reaches)
+    registers, summaries = state_registers(container), {}
+    if channels & Channel.REPORTS:
+        reports = device_reports(container)
+        registers = tuple(name for name in registers if name not in reports)
+        size = sum(report_bytes(most) for most, _ in reports.values())
+        data, summaries = data[:-size], summaries_of(container, data[-size:])
+    planes = _planes_at_end(data, registers, container.target)
+    told |= told_of_planes(container, planes, reaches, summaries)
     return replace(
         frame,
         frame=frame.frame[:buckets],
@@ -245,10 +256,12 @@ def _pictured(
     )
 
 
-def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.bool_]]:
-    """Return the planes at the end of a frame's bytes, by register."""
-    shape = container.target.rows, container.target.cols
-    size, names = plane_bytes(shape[0] * shape[1]), state_registers(container)
+def _planes_at_end(
+    data: bytes, names: Sequence[str], target: Target
+) -> dict[str, NDArray[np.bool_]]:
+    """Return the planes of registers `names` at the end of bytes."""
+    shape = target.rows, target.cols
+    size = plane_bytes(shape[0] * shape[1])
     ends = (len(data) - size * k for k in reversed(range(len(names))))
     return {
         name: unpacked_plane(data[end - size : end], shape)
