@@ -22,7 +22,7 @@ from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
-from nscc.prove.proof import Proof, prove
+from nscc.prove.proof import Proof, proof_too_large, prove
 from nscc.prove.stream_proof import prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
@@ -59,9 +59,10 @@ class Options:
 
 @dataclass(frozen=True)
 class Job:
-    """The context of all passes: options, the folder for relative paths, and stored search
-    results."""
+    """The context of all passes: the text, options, the folder for relative paths, and stored
+    search results."""
 
+    source: Source
     options: Options
     base: Path
     results: Results | None
@@ -174,14 +175,21 @@ def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """Prove a container by replaying its words, or by following the light of its bit planes.
 
-    A failed proof is a bug of the compiler, not an error of the program."""
+    A failed proof is a bug of the compiler, not an error of the program. Error: NS0544 for images
+    and planes whose proof is too large."""
     if container.target.streamed:
         return prove_stream(container), []
     try:
         kernels = decoded(container)
     except Rejected as rejected:
         raise checks.Inconsistent("words that the target does not have") from rejected
-    return prove(container, kernels), []
+    proof = prove(container, kernels)
+    name = proof.failure.unproved if proof.failure is not None else None
+    if name is None:
+        return proof, []
+    from nscc.neighbours.passes import place_of
+
+    return proof, [proof_too_large(name, job.source, place_of(job.source, name))]
 
 
 @dataclass(frozen=True)
@@ -332,7 +340,7 @@ def run_passes(
         raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _name, _value: None)
     results = results_of_user() if options.cache else None
-    job = Job(options, base, results)
+    job = Job(source, options, base, results)
     try:
         return _run(source, job, see)
     except Exception:
@@ -346,7 +354,8 @@ def run_passes(
 def all_lowerings(program: Program, options: Options) -> Choice:
     """Return all lowerings of a program that compiled with these options, with their words."""
     priced = replace(options, price_all=True)
-    job = Job(priced, Path(), results_of_user() if options.cache else None)
+    results = results_of_user() if options.cache else None
+    job = Job(program.source, priced, Path(), results)
     value: Any = program
     for step in (make_plans, choose_gates, lay_out_words):
         value, _ = step(value, job)

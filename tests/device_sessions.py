@@ -86,7 +86,8 @@ class ChipAtOnce(EmulatedChip):
         """Expose a program that a loader has checked."""
         self.frame = None
         with suppress(Exception):
-            executed = self.execute(held.container(self.target), channels)
+            container = held.container(self.target, channels)
+            executed = self.execute(container, held.board_channels(channels))
             held.take(executed.planes, self.target)
             self.frame = executed.frame
 

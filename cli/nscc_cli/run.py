@@ -155,7 +155,7 @@ def _run_on_emulator(
         say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")
         if simulated.audit is not None:
             say_done(str(simulated.audit))
-    kept = container.machine.keeps if container.machine else container.keeps_planes
+    kept = container.keeps_states
     alike = request.effects.noiseless and not kept
     colours = "colours" in exposed.laid
     say_done(summary(container, frame, files, alike=alike, colours=colours))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from nscc.chips.target import Target
 from nscc.emit.sending_report import sending_text, sent_lines
 from nscc.looks.looking_plan import LookingPlan
 from nscc.looks.passes import LookingLowered
@@ -16,6 +15,7 @@ from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
 from nscc.program.printing import print_program
+from nscc.program.program import Program
 from nscc.prove.proof import Proof
 from nscc.stream.sending import Sending
 from nscc.syntax.printing import print_tree
@@ -68,15 +68,16 @@ def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
     if not isinstance(gated, Gated):
         return "".join(map(looking_gates_text, gated))
     texts = [
-        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program.target)}"
+        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
         for decoding in gated.decodings
     ]
     return "".join(texts) + _misfits_text(gated.misfits)
 
 
-def gates_text(decoding: Decoding, target: Target) -> str:
+def gates_text(decoding: Decoding, program: Program) -> str:
     """Return the gates of every demand on virtual registers, and the chip registers of each."""
-    solution, places = decoding.solution, allocate(decoding.solution, target).places
+    solution = decoding.solution
+    places = allocate(solution, program.target, program.spared_registers).places
     lines = [f"encoding: {solution.encoding}"]
     for i, holder in enumerate(solution.holders):
         lines.append(f"  p{i} in {places[f'p{i}']}: {holder}")

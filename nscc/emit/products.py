@@ -92,7 +92,7 @@ def _data(kind: str, compiled: Compiled, container: Container) -> bytes:
     if kind == "gates":
         if isinstance(lowered, LookingLowered):
             return looking_gates_text(lowered).encode()
-        return gates_text(lowered.decoding, container.target).encode()
+        return gates_text(lowered.decoding, lowered.program).encode()
     from nscc.emit.looking_network import network_of
     from nscc.emit.network import dot_text, graphml_bytes
 

@@ -7,6 +7,7 @@ the mask, which is then a scratch register."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from nscc.chips.target import Target
@@ -27,21 +28,24 @@ class Allocation:
     masked: str | None
 
 
-def allocate(solution: Solution, target: Target) -> Allocation:
-    """Return the allocation of a solution's virtual registers to registers of `target`."""
+def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -> Allocation:
+    """Return the allocation of a solution's virtual registers to registers of `target`. The
+    registers `spared` are the last choice for code, and the first for other bits."""
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
     places = _pair_places(solution, target)
     free = [
         register
-        for register in target.digital_registers
+        for register in sorted(target.digital_registers, key=lambda name: name in spared)
         if register != target.masked_register and register not in places.values()
     ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
         free.remove(target.mask_register)  # the mask is the last choice for code bits
-    places.update(zip(names, free[: len(names)], strict=True))
+    codes = len([name for name in names if name in planes])
+    after_codes = sorted(free[codes:], key=lambda name: name not in spared)
+    places.update(zip(names, free[:codes] + after_codes, strict=False))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
         **dict.fromkeys(states, "state: open"),

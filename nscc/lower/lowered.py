@@ -183,7 +183,7 @@ def lay_out(
     """Lay out the words of a decoding over the frame's boundaries.
 
     `most_words` is the user's limit on words at a boundary, as in `Lowered`."""
-    laid = schedule(decoding, time, program.target)
+    laid = schedule(decoding, time, program.target, program.spared_registers)
     return Lowered(program, decoding, laid, time, most_words)
 
 

@@ -70,10 +70,13 @@ def kernel_us(kernel: Sequence[Op], target: Target) -> float:
     return words_us(analog, len(kernel) - analog, target) + target.launch_us
 
 
-def schedule(decoding: Decoding, time: Timeline, target: Target) -> FrameSchedule:
-    """Lay out the gates of a solution and the analog words of its plan over the boundaries."""
+def schedule(
+    decoding: Decoding, time: Timeline, target: Target, spared: Collection[str] = ()
+) -> FrameSchedule:
+    """Lay out the gates of a solution and the analog words of its plan over the boundaries. The
+    digital registers `spared` are the last choice for code."""
     plan = decoding.plan
-    allocation = allocate(decoding.solution, target)
+    allocation = allocate(decoding.solution, target, spared)
     boundaries = _segments(decoding, allocation)
     refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(

@@ -27,12 +27,12 @@ class BitWords:
         pictures = lowering.pictures
         expressions = pictures.expressions
         nodes = [node for each in expressions.values() for node in p.subexpressions(each)]
-        self.steering = [
-            name for name, expression in expressions.items()
-            if any(isinstance(n, p.Near | p.At | p.Agreement) for n in p.subexpressions(expression))
-        ]  # fmt: skip
+        self.steering = [*pictures.steering]
         self.count_steps = pictures.count_steps
         self.kept_for_steering = [r for r in registers if self.steering and r in STEERING]
+        if self.steering and len(self.kept_for_steering) < len(STEERING):
+            available = len(self.kept_for_steering)
+            raise PictureRefused("steering", self.steering[0], len(STEERING), available)
         self.available = [r for r in registers if r not in self.kept_for_steering]
         self.free = list(self.available)
         self.planes: dict[str, str] = {}

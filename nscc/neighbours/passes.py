@@ -17,7 +17,7 @@ from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
-from nscc.source import Span
+from nscc.source import Source, Span
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import Image, Next, Plane
 from nscc.words.container import Container
@@ -120,12 +120,14 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
     return replace(pictures, items=tuple(items))
 
 
-def _place(program: Program, name: str) -> Span:
-    """Return the span of the statement that declares an image or a plane, or of a state's step."""
-    for statement in parse(program.source)[0].statements:
+def place_of(source: Source, name: str) -> Span:
+    """Return the span of the statement that declares an image or a plane, or of a state's step; of
+    the first statement if there is none."""
+    statements = parse(source)[0].statements
+    for statement in statements:
         if isinstance(statement, Image | Plane | Next) and statement.name.text == name:
             return statement.span
-    return program.frame.span
+    return statements[0].span
 
 
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
@@ -141,7 +143,7 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
                     f"`{name}` depends on pixels {size} {unit} away, but at most {limit} are "
                     f"allowed, a quarter of the array of {target.name}",
                     source=program.source,
-                    label=Label(_place(program, name), "depends on these pixels"),
+                    label=Label(place_of(program.source, name), "depends on these pixels"),
                     helps=("use smaller convolution kernels, or apply fewer of them in sequence",),
                     data={"resource": "reach", "required": size, "available": limit},
                 )
@@ -173,27 +175,29 @@ def _refusal(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     name, needed, available = refused.name, refused.needed, refused.available
-    label = Label(_place(program, name), "computed here")
+    label = Label(place_of(program.source, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
     resource = {
         "registers": "analog registers",
         "planes": "digital registers",
+        "steering": "registers that choose neighbours",
         "store": "words in the store",
     }[refused.kind]
-    holders = ", ".join(
-        f"{readout.register} holds {readout.bucket}" for readout in container.readouts
-    )
+    notes, helps = [], ["read out fewer images and planes, or use smaller convolution kernels"]
+    if refused.kind == "registers":
+        holders = (f"{readout.register} holds {readout.bucket}" for readout in container.readouts)
+        notes.append(f"exposures also occupy registers: {', '.join(holders)}")
+    elif refused.kind in ("planes", "steering") and container.code_registers:
+        notes.append(f"pixel codes also occupy registers: {', '.join(container.code_registers)}")
+        helps = ["use fewer different pixel codes", *helps]
     return Diagnostic(
         "NS0535",
         f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",
         source=program.source,
         label=label,
-        notes=(f"exposures also occupy registers: {holders}",)
-        if refused.kind == "registers" else (),
-        helps=(
-            "read out fewer images and planes, or use smaller convolution kernels",
-        ),
+        notes=tuple(notes),
+        helps=tuple(helps),
         data={"resource": resource, "required": needed, "available": available, "proved": False},
     )  # fmt: skip
 
@@ -231,7 +235,9 @@ def _beyond_range(
         "registers",
         Severity.ERROR,
         source=program.source,
-        label=Label(_place(program, refused.name), "too large for exposures up to a full well"),
+        label=Label(
+            place_of(program.source, refused.name), "too large for exposures up to a full well"
+        ),
         notes=(
             f"registers of {target.name} hold {target.register_min_e:g} to "
             f"{target.register_max_e:g} e",

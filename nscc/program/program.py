@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.operations import STEERING
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
 from nscc.words.machine import StateMachine
@@ -87,6 +88,12 @@ class Program:
     messages: tuple[Diagnostic, ...]
     machine: StateMachine | None = None
     pictures: Pictures | None = None
+
+    @property
+    def spared_registers(self) -> tuple[str, ...]:
+        """The digital registers that images and planes need beside the pixel codes: those that
+        choose the neighbours of which bits are read."""
+        return (*STEERING,) if self.pictures is not None and self.pictures.steering else ()
 
     def __repr__(self) -> str:
         return f"Program({self.source.name!r}, class {self.class_name}, {self.table!r})"

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.proof import Failure, Proof, prove
+from nscc.prove.proof import Failure, Proof, proof_too_large, prove
 from nscc.prove.stream_proof import prove_stream
 from nscc.words.container import Container
 from nscc.words.file import read_container
@@ -36,7 +37,9 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
 
 
 def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
-    """Return a successful proof; raise NS0440 for a failed one."""
+    """Return a successful proof; raise NS0440 for a failed one, and NS0544 if it is too large."""
+    if proof.failure is not None and proof.failure.unproved is not None:
+        raise Rejected(proof_too_large(proof.failure.unproved))
     if proof.failure is not None:
         raise rejected(
             "NS0440",

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import accumulate
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
@@ -21,7 +22,7 @@ from nscc.prove.forms import IN, Form, Forms
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words
-from nscc.words.pictures import Condition
+from nscc.words.pictures import Condition, Pictures
 from nscc.words.reach import Reach, RegisterReaches
 
 
@@ -29,18 +30,29 @@ class PictureReplayError(Exception):
     """Raised for a word that the proof does not support."""
 
 
+class Unproved(Exception):
+    """Raised if the proof of the image, plane or state `name` needs too many nodes."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+
 def pictures_fault(container: Container) -> str | None:
-    """Return the error in the words of a container's images and planes; None if the proof holds."""
+    """Return the error in the words of a container's images and planes; None if the proof holds.
+
+    Raises Unproved for planes whose decision diagrams are too large."""
     pictures = container.pictures
     if pictures is None:
         return None
+    number = 0
     try:
         words = picture_words(container)
         by_words = RegisterReaches(container.target, (op for op, _ in words)).reach
         size = Reach().joined(*by_words.values(), *reaches(pictures).values())
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
-        for op, level in words:
+        for number, (op, level) in enumerate(words):  # noqa: B007
             replay.run(op, level)
         return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
     except PictureReplayError as wrong:
@@ -48,7 +60,16 @@ def pictures_fault(container: Container) -> str | None:
     except Rejected as rejected:
         return rejected.diagnostics[0].message
     except TooLarge:
-        return "its planes depend on too many comparisons to be proved"
+        raise Unproved(_owner(pictures, number)) from None
+
+
+def _owner(pictures: Pictures, number: int) -> str:
+    """Return the image, plane or state that word `number` of the images computes."""
+    ends = accumulate((cost.words for cost in pictures.costs), initial=1)
+    names = (
+        cost.name for cost, end in zip(pictures.costs, [*ends][1:], strict=True) if number < end
+    )
+    return next(names, pictures.costs[-1].name)
 
 
 def _difference(

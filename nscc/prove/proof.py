@@ -16,12 +16,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
+from nscc.prove.diagrams import MOST_NODES
 from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import ReplayError
 from nscc.prove.readout import readout_fault
 from nscc.prove.replay import Replay
+from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
 
@@ -33,13 +36,15 @@ LIGHT_SEED = 7
 class Failure:
     """The first error found by a proof; `shutter` is None if all codes are concerned.
 
-    `doubts` are places where bits became unknown, which may be the cause."""
+    `doubts` are places where bits became unknown, which may be the cause. `unproved` is the image
+    or plane whose proof is too large; its words may be correct."""
 
     reason: str
     frame: int
     bucket: str | None = None
     shutter: int | None = None
     doubts: tuple[str, ...] = ()
+    unproved: str | None = None
 
 
 @dataclass(frozen=True)
@@ -92,7 +97,32 @@ def _after_frame(container: Container) -> Failure | None:
         return Failure(fault[1], FRAMES, fault[0])
     if container.pictures is None:
         return None
-    from nscc.prove.pictures_proof import pictures_fault
+    from nscc.prove.pictures_proof import Unproved, pictures_fault
 
-    picture_reason = pictures_fault(container)
+    try:
+        picture_reason = pictures_fault(container)
+    except Unproved as large:
+        return Failure("its proof is too large", FRAMES, unproved=large.name)
     return Failure(picture_reason, FRAMES) if picture_reason else None
+
+
+def proof_too_large(
+    name: str, source: Source | None = None, span: Span | None = None
+) -> Diagnostic:
+    """Return the error (NS0544) for an image or a plane whose proof needs too many nodes."""
+    return Diagnostic(
+        "NS0544",
+        f"`{name}` depends on too many combinations of comparisons to be proved",
+        source=source,
+        label=Label(span, "computed here") if span else None,
+        notes=(
+            f"the proof follows all answers of comparisons; it stops at {MOST_NODES:,} nodes of "
+            "decision diagrams",
+        ),
+        helps=(
+            "compare a count: for a kernel with K weights of 1, `any(P, kernel)` is `agree(P, "
+            "kernel) > -K`, and `all(P, kernel)` is `agree(P, kernel) >= K`",
+            "use a smaller kernel, or combine bits of pixels that are closer together",
+        ),
+        data={"resource": "nodes", "available": MOST_NODES},
+    )

@@ -132,8 +132,10 @@ class Container:
         return tuple(name for name in self.pictures.reads if name in self.buckets)
 
     @property
-    def keeps_planes(self) -> bool:
-        """Whether planes go on from frame to frame."""
+    def keeps_states(self) -> bool:
+        """Whether states go on from frame to frame."""
+        if self.machine is not None:
+            return self.machine.keeps
         return self.pictures is not None and bool(self.pictures.states)
 
     @property
@@ -177,14 +179,21 @@ def with_picture_words(container: Container) -> Container:
     """Return the container as a chip executes it.
 
     Its kernels and launches include the words of images and planes. Its readouts are the registers
-    that the chip converts: first buckets, then images."""
+    that the chip converts: first buckets, then images. Its code registers include the registers of
+    kept states, which a device loads with their start values before the first frame."""
     pictures = container.pictures
     if pictures is None:
         return container
     first = len(container.kernels)
     names = (*container.buckets_read, *pictures.images_read)
+    starts = {pictures.registers[state.name]: state.start for state in pictures.states}
+    encoding = container.encoding.copy()
+    for register, start in starts.items():
+        encoding[:, container.target.digital_registers.index(register)] = start
     return replace(
         container,
+        encoding=encoding,
+        code_registers=(*container.code_registers, *starts),
         kernels=(
             *container.kernels,
             *(StoredKernel(f"image{n}", words) for n, words in enumerate(pictures.kernels)),

@@ -43,17 +43,6 @@ def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
         )
 
 
-def refuse_picture_states(container: Container) -> None:
-    """Raise NS0542 (status 1) for a program with images and states, which devices refuse."""
-    if container.pictures is not None and container.pictures.states:
-        raise rejected(
-            "NS0542",
-            "devices do not support states in programs with images and planes yet",
-            helps=("expose it on the emulator, with `nscc run` or `nscc_runtime.film`",),
-            status=1,
-        )
-
-
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     """Return the operations of every kernel, in order.
 

@@ -275,6 +275,15 @@ class Pictures:
         return {kernel.name: kernel for kernel in self.weights}
 
     @property
+    def steering(self) -> tuple[str, ...]:
+        """The names of images, planes and states that read bits of neighbours."""
+        reading = Near | At | Agreement
+        return tuple(
+            name for name, expression in self.expressions.items()
+            if any(isinstance(node, reading) for node in subexpressions(expression))
+        )  # fmt: skip
+
+    @property
     def outputs(self) -> tuple[str, ...]:
         """The names of all images, planes and buckets that are read or reported."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))

@@ -121,3 +121,17 @@ def beyond_reaches(
     reaches = RegisterReaches(container.target, words, bits_known=True, before=kept)
     names = dict.fromkeys((*pictures.outputs, *states))
     return {name: reaches.of(pictures.registers[name]) for name in names}
+
+
+def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
+    """Return `beyond_reaches` of every frame of a film, up to the frame from which they stay the
+    same. Return None if they grow with every further frame."""
+    assert container.pictures is not None
+    film = [beyond_reaches(container)]
+    # Growth from state to state passes each state once, unless it goes on for ever.
+    for _ in range(len(container.pictures.states) + 1):
+        reaches = beyond_reaches(container, film[-1])
+        if reaches == film[-1]:
+            return film
+        film.append(reaches)
+    return None

@@ -67,6 +67,9 @@ def converter_of(container: Container) -> Target:
 
 def _free(container: Container) -> str | None:
     """Return a register that is not read out, or None."""
+    pictures = container.pictures
+    if pictures is not None:
+        return free_register(container.target, pictures.registers.values())
     return free_register(container.target, (readout.register for readout in container.readouts))
 
 

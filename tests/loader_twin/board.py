@@ -19,7 +19,11 @@ class BackgroundChip:
     def expose(self, held: Held, channels: int) -> None:
         """Begin to expose a program that a loader has checked."""
         chip, self._held = self._chip, held
-        self._exposing = in_background(lambda: chip.execute(held.container(chip.target), channels))
+        self._exposing = in_background(
+            lambda: chip.execute(
+                held.container(chip.target, channels), held.board_channels(channels)
+            )
+        )
 
     def exposed(self) -> bytes | None:
         """The frame, None before it is there; RuntimeError where there is none."""

@@ -163,7 +163,8 @@ class Loader:
             capabilities=Capability.EXACT
             | Capability.GAIN
             | Capability.LOOKS
-            | Capability.PICTURES,
+            | Capability.PICTURES
+            | Capability.REPORTS,
             most_words=self.limits.words,
             most_kernels=self.limits.kernels,
             most_rows=self.limits.rows,
@@ -234,7 +235,7 @@ class Loader:
                 raise Refusal(LoaderFault.BUSY)
             channels = capture.channels
             length = program.held.frame_bytes(channels, self.target)
-            if not length or channels > Channel.CODES | Channel.EXPOSURE | Channel.STATES:
+            if not length or channels >= 2 * Channel.REPORTS:
                 raise Refusal(LoaderFault.MALFORMED, channels)
             if length > self.limits.frame_bytes:
                 raise Refusal(LoaderFault.TOO_LARGE, length)
@@ -292,7 +293,10 @@ class Loader:
         assert frame is not None
         if frame.fault is None:
             try:
-                frame.data = self.board.exposed()
+                data = self.board.exposed()
+                if data is not None:
+                    held = self.intake.announced().held
+                    frame.data = held.with_reports(data, frame.channels, self.target)
             except RuntimeError:
                 frame.fault = Refusal(LoaderFault.HARDWARE)
             if frame.data is not None:

@@ -12,6 +12,7 @@ from math import isfinite
 from struct import Struct
 from typing import Any
 
+from loader_twin.reports import Report
 from loader_twin.timing import (
     LONGEST,
     LONGEST_SLOT_US,
@@ -26,7 +27,7 @@ from nscc.words.container import Container, Launch, Word
 from nscc.words.encoding import matching
 from nscc.words.legality import picture_fault, split_pairs
 from nscc.words.soundness import MOST_SLOTS
-from nscc_runtime.device.messages import LoaderFault, frame_bytes, plane_bytes
+from nscc_runtime.device.messages import Channel, LoaderFault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
     AS_IT_IS,
     COUNT,
@@ -73,6 +74,7 @@ class Held:
     rows: tuple[tuple[int, int, int], ...] = ()
     levels: tuple[int, ...] = ()
     states: tuple[int, ...] = ()
+    reports: tuple[Report, ...] = ()
     planes: dict[int, bytes] | None = None
     grace: tuple[int, int] = (0, 0)
     """How many microseconds a launch may be late, and how many may be later."""
@@ -97,8 +99,11 @@ class Held:
                 self.runs, self.rows, self.levels = None, (), ()
                 self.levels = _levels(data, target, most)
             case ObjectKind.STATES:
-                self.states = ()
+                self.states, self.reports = (), ()
                 self.states = _states(data, target)
+            case ObjectKind.REPORTS:
+                self.reports = ()
+                self.reports = _reports(data, target, self.states)
             case _:
                 raise Refusal(LoaderFault.MALFORMED, kind)
 
@@ -112,6 +117,7 @@ class Held:
             ObjectKind.PLANE: plane_bytes(target.rows * target.cols),
             ObjectKind.LEVELS: COUNT.size + most.rows * LEVEL.size,
             ObjectKind.STATES: COUNT.size + len(target.digital_registers),
+            ObjectKind.REPORTS: COUNT.size + len(target.digital_registers) * REPORT.size,
         }
         if kind not in set(ObjectKind):
             raise Refusal(LoaderFault.MALFORMED, kind)
@@ -178,7 +184,18 @@ class Held:
     def frame_bytes(self, channels: int, target: Target) -> int:
         """Bytes of a frame in these channels."""
         pixels = target.rows * target.cols
-        return frame_bytes(channels, pixels, len(self.readouts or ()), len(self.states))
+        reports = sum(report.length for report in self.reports)
+        return frame_bytes(channels, pixels, len(self.readouts or ()), len(self.states), reports)
+
+    def with_reports(self, data: bytes, channels: int, target: Target) -> bytes:
+        """A frame for the host: reports replace the planes that come last in the board's."""
+        size = plane_bytes(target.rows * target.cols)
+        reports = self.reports if channels & Channel.REPORTS else ()
+        end = len(data) - size * len(reports)
+        told = [
+            report.of(data[end + size * n :][:size], target) for n, report in enumerate(reports)
+        ]
+        return data[:end] + b"".join(told)
 
     @property
     def too_late(self) -> bool:
@@ -194,8 +211,16 @@ class Held:
                 at += advance
                 yield Launch(at, kernel, None if level == AS_IT_IS else level)
 
-    def container(self, target: Target) -> Container:
+    def board_channels(self, channels: int) -> int:
+        """What the board has to send: it knows no reports, but reads their planes as states."""
+        reports = channels & Channel.REPORTS and self.reports
+        return channels & ~Channel.REPORTS | (Channel.STATES if reports else 0)
+
+    def container(self, target: Target, channels: int) -> Container:
         """The program for the emulator; without a decode table, which no loader needs."""
+        states = self.states if channels & Channel.STATES else ()
+        if channels & Channel.REPORTS:
+            states += tuple(report.register for report in self.reports)
         assert self.readouts is not None
         assert self.kernels is not None
         assert self.runs is not None
@@ -205,7 +230,7 @@ class Held:
             kernels=self.kernels,
             launches=list(self.launches()),
             runs=self.runs,
-            states=self.states,
+            states=states,
             planes=self.planes or {},
         )
 
@@ -296,3 +321,23 @@ def _states(data: bytes, target: Target) -> tuple[int, ...]:
         if register >= len(target.digital_registers):
             raise Refusal(LoaderFault.READOUT, register)
     return registers
+
+
+REPORT = Struct("<B3xI4H")
+
+
+def _reports(data: bytes, target: Target, sent: tuple[int, ...]) -> tuple[Report, ...]:
+    reader = Reader(data, LoaderFault.READOUT)
+    count = reader.count()
+    if count > len(target.digital_registers):
+        raise Refusal(LoaderFault.READOUT, count)
+    reports: list[Report] = []
+    for row in (next(reader.rows(REPORT, 1)) for _ in range(count)):
+        report = Report(*row)
+        known = {*sent, *(each.register for each in reports)}
+        inside = report.register < len(target.digital_registers)
+        if not inside or report.register in known or report.most > target.rows * target.cols:
+            raise Refusal(LoaderFault.READOUT, report.register)
+        reports.append(report)
+    reader.end()
+    return tuple(reports)

@@ -1,4 +1,5 @@
-"""Images and planes on a device: the frame of a stand-in is that of the emulator, bit by bit."""
+"""Images, planes and kept states on a device: the film of a stand-in is that of the emulator, bit
+by bit."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cells_oracle import random_cell
 from device_lockstep import Lockstep
 from device_sessions import (
     TARGET,
@@ -20,10 +22,14 @@ from device_sessions import (
 )
 from device_simulation import Simulation
 
+from nscc.chips.target import Target
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.words.container import Container
+from nscc.words.reach import Reach, beyond_reaches
+from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
+from nscc_runtime.device.board import ExecutedFrame
 from nscc_runtime.device.device_chip import channels_of, frame_of
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
@@ -36,7 +42,7 @@ from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
 
 pytestmark = pytest.mark.xdist_group("firmware")
-SMALL = replace(TARGET, rows=8, cols=12, name="small")
+SMALL = replace(TARGET, rows=13, cols=18, name="small")
 CROSS = "kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] / 8\n"
 PROGRAMS = {
     "a kernel": "open when true\n" + CROSS + "image i = k(exposure)\nread i",
@@ -48,7 +54,32 @@ PROGRAMS = {
     "report events p at most 3\nreport any p\nreport box p",
     "buckets": "bucket a open when n < 2\nbucket b open when n >= 2\nplane p = a > b\n"
     "image d = a if p else b / 2\nread b, d, p",
+    "reports of rare bits": "open when true\nplane p = exposure > 75%\nplane q = exposure > 99%\n"
+    "report events p at most 2\nreport any p\nreport box p\nreport any q\nreport box q",
+    "reports beside what is read": "open when true\noutside 0\n" + CROSS
+    + "state s : bit = 0 kept\nplane p = exposure > 50%\nplane q = k(exposure) > 45%\nnext s = p\n"
+    "plane far = any(s, k)\nimage i = k(exposure)\nread s, i\nreport any far\nreport box q\n"
+    "report any s",
+    "a state": "open when true\noutside 0\nkernel around = [[1, 1, 1], [1, 0, 1], [1, 1, 1]]\n"
+    "state region : bit = 0 kept\nplane bright = exposure > 45%\nplane medium = exposure > 30%\n"
+    "image joined = agree(region, around)\nnext region = bright or medium and joined >= -2\n"
+    "read region",
+    "a state beside codes": "code stop : 3..4\nbucket a open when n < stop\noutside 1\n"
+    "pixels stop = 3 + x % 2\nkernel k = [[1, 1, 1]]\nstate old : bit = 1 kept\n"
+    "plane p = exposure > 25%\nnext old = p\nplane came = p or old\n"
+    "plane wide = any(old, k)\nread old, came, wide, a\nreport box came",
+    "states without neighbours": "open when true\nstate s : bit = 0 kept\n"
+    "state still : bit = 1 kept\nplane p = exposure > 40%\nnext s = not s when p\nread s, still",
+    "a state that spreads what is beyond the border": "open when true\noutside 0\n" + CROSS
+    + "state s : bit = 0 kept\nplane p = k(exposure) > 30%\nnext s = any(s, k) or p\n"
+    "read s\nreport any s\nreport events s at most 5",
+    "all registers": "".join(f"bucket b{n} open when n == {n}\n" for n in range(4))
+    + "bucket b4 open when n < 2\nbucket b5 open when n > 2\nplane p = b0 > 30%\n"
+    "read b0, b1, b2, b3, b4, b5, p",
 }  # fmt: skip
+REPORTED = {"reports", "reports of rare bits", "reports beside what is read"}
+"""The programs whose reports are made by the device."""
+FRAMES = 3
 
 
 def container_of(body: str) -> Container:
@@ -58,9 +89,23 @@ def container_of(body: str) -> Container:
     return made
 
 
-def light() -> Light:
-    values = np.random.default_rng(5).uniform(0, 7000, (4, SMALL.rows, SMALL.cols))
-    return Light.of_clip(np.round(values).astype(np.float32))
+def lights() -> list[Light]:
+    """The light of each frame of a film."""
+    shape = FRAMES, 4, SMALL.rows, SMALL.cols
+    values = np.random.default_rng(5).uniform(0, 7000, shape)
+    return [Light.of_clip(clip) for clip in np.round(values).astype(np.float32)]
+
+
+class FilmedChip(ChipAtOnce):
+    """A chip that sees the next light in each frame."""
+
+    def __init__(self, film: list[Light], target: Target = SMALL) -> None:
+        coming = iter(film)
+        super().__init__(lambda _: next(coming), target)
+
+    def execute(self, container: Container, channels: int) -> ExecutedFrame:
+        self._light = None
+        return super().execute(container, channels)
 
 
 @pytest.fixture(scope="module")
@@ -71,9 +116,10 @@ def core() -> Iterator[Lockstep]:
     assert loader.close() == 0, "a sanitizer complained"
 
 
-def captured(loader: Loaded, container: Container) -> Frame:
-    """The frame of a loader, as the host makes it."""
+def filmed(loader: Loaded, container: Container, count: int) -> list[Frame]:
+    """Frames of a loader, as the host makes them."""
     host, program = new_host(1), upload_of(container, bytes(32))
+    target = container.target
     line = Simulation(host, loader)
 
     def uploaded() -> Task[bool]:
@@ -82,27 +128,58 @@ def captured(loader: Loaded, container: Container) -> Frame:
     line.run(host.lasting(uploaded))
     assert host.info is not None
     channels = channels_of(host.info, program)
-    wanted = FrameRequest(1, channels, program)
-    taken = line.run(host.lasting(lambda: tasks.capture(host, wanted)))
-    assert isinstance(taken, tasks.FetchedFrame)
-    shape = (program.readouts, SMALL.rows, SMALL.cols)
-    return frame_of(taken.data, channels, shape, default_sensor(SMALL), SMALL, container)
+    shape = (program.readouts, target.rows, target.cols)
+    sensor = default_sensor(converter_of(container))
+    frames: list[Frame] = []
+    reaches: dict[str, Reach] = {}
+    for number in range(1, count + 1):
+        wanted = FrameRequest(number, channels, program)
+        taken = line.run(host.lasting(lambda one=wanted: tasks.capture(host, one)))
+        assert isinstance(taken, tasks.FetchedFrame)
+        reaches = beyond_reaches(container, reaches)
+        frames.append(frame_of(taken.data, channels, shape, sensor, target, container, reaches))
+    return frames
+
+
+def check_film(found: list[Frame], container: Container, film: list[Light]) -> None:
+    """Compare frames of a device with the emulator's, bit by bit."""
+    sensor = default_sensor(converter_of(container))
+    runner = PicturedProgram(container, sensor, selected("none"), threads=1)
+    for frame, wanted in zip(found, runner.film(film, 0, 0), strict=True):
+        assert frame.told.keys() == wanted.told.keys()
+        pairs = [(frame.frame, wanted.frame), (frame.exposure_e, wanted.exposure_e)]
+        pairs += [(frame.told[key], wanted.told[key]) for key in wanted.told]
+        for one, other in pairs:
+            assert one.dtype == other.dtype
+            np.testing.assert_array_equal(one, other)
 
 
 @pytest.mark.parametrize("kind", ["python", "firmware"])
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_a_frame_is_that_of_the_emulator(
+def test_a_film_is_that_of_the_emulator(
     name: str, kind: str, request: pytest.FixtureRequest
 ) -> None:
-    container = container_of(PROGRAMS[name])
-    runner = PicturedProgram(container, default_sensor(SMALL), selected("none"), threads=1)
-    (wanted,) = runner.frames(light(), 0, 0, 1)
-    found = captured(
-        fresh_loader(kind, ChipAtOnce(lambda _: light(), SMALL), request, SMALL), container
-    )
-    assert found.told.keys() == wanted.told.keys()
-    pairs = [(found.frame, wanted.frame), (found.exposure_e, wanted.exposure_e)]
-    pairs += [(found.told[key], wanted.told[key]) for key in wanted.told]
-    for one, other in pairs:
-        assert one.dtype == other.dtype
-        np.testing.assert_array_equal(one, other)
+    container, film = container_of(PROGRAMS[name]), lights()
+    assert (upload_of(container, bytes(32)).report_bytes > 0) == (name in REPORTED)
+    loader = fresh_loader(kind, FilmedChip(film), request, SMALL)
+    check_film(filmed(loader, container, FRAMES), container, film)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2, 4])
+def test_films_of_random_cells_are_those_of_the_emulator(
+    seed: int, request: pytest.FixtureRequest
+) -> None:
+    shape = 16, 20
+    target = replace(TARGET, rows=shape[0], cols=shape[1], name="cell")
+    cell = random_cell(seed, most_side=3)
+    made = run_passes(
+        Source("p.nsl", cell.text), Path(), Options(level=0, target=target, cache=False)
+    ).container
+    assert made is not None
+    rng = np.random.default_rng(seed)
+    film = [
+        Light.of_clip(values)
+        for values in rng.integers(0, 30000, (5, 1, *shape)).astype(np.float32)
+    ]
+    loader = fresh_loader("python", FilmedChip(film, target), request, target)
+    check_film(filmed(loader, made, len(film)), made, film)

@@ -368,6 +368,35 @@ def test_images_planes_and_reports(tmp_path: Path) -> None:
 
 
 @needs_compiler
+def test_states_are_loaded_once_and_margins_grow_with_them(tmp_path: Path) -> None:
+    text = (
+        "nsl 3\nframe 4 slots of 1ms\noutside 1\ncode stop : 3..4\nopen when n < stop\n"
+        "pixels stop = 3 + x % 2\nkernel k = [[1, 2, 1]] / 4\nstate s : bit = 1 kept\n"
+        "state t : bit = 0 kept\nplane p = k(exposure) > 30%\nnext s = p\nnext t = s[1, 0]\n"
+        "read s\nreport box t\n"
+    )
+    file, container = build(tmp_path, text)
+    executed = with_picture_words(container)
+    assert {*executed.code_registers} > {*container.code_registers}
+    recording = record(file, "-std=c++11", CHIP)
+    check(recording, executed)
+    # The second frame is the first that knows a plane computed beyond the border.
+    assert "margin_0[][4] = {{0, 0, 0, 0}, {0, 2, 0, 0}};" in file.read_text()
+    check_syntax(file, "-std=c++17")
+
+
+def test_reports_whose_margin_grows_for_ever_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(
+        "nsl 3\nframe 4 slots of 1ms\noutside 1\nopen when true\n"
+        "kernel k = [[1, 2, 1]] / 4\nstate s : bit = 1 kept\nplane p = k(exposure) > 30%\n"
+        "next s = p or any(s, k)\nreport box s\n"
+    )
+    outcome = invoke(["build", "p.nsl", "--emit", "cpp=-"], tmp_path)
+    assert (outcome.status, outcome.codes) == (1, ["NS0520"])
+    assert "with every frame" in outcome.err
+
+
+@needs_compiler
 @pytest.mark.parametrize("sources", [("4", "3"), ('"any"', '"any"')])
 def test_calls_stop_at_their_number_of_sources(sources: tuple[str, str], tmp_path: Path) -> None:
     chip = chip_file(tmp_path, 256, 256, or_sources=sources[0], where_sources=sources[1])

@@ -9,10 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from marks import slow
+from nscc_command import invoke
 
 from nscc.chips.load import builtin_target
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
+from nscc.prove import diagrams
 from nscc.prove.pictures_proof import pictures_fault
 from nscc.source import Source
 from nscc.syntax.parse import read_source
@@ -135,6 +137,29 @@ def same_frame(a: Frame, b: Frame) -> bool:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_words_prove(name: str) -> None:
     assert pictures_fault(container_of(name)) is None
+
+
+def test_a_proof_that_is_too_large_is_the_program_s_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = (
+        "nsl 3\nframe 1 slots of 1ms\nopen when true\noutside 0\n"
+        "kernel k = [[1, 1, 1], [1, 1, 1], [1, 1, 1]]\nplane a = exposure > 50%\n"
+        "plane pair = a and a[0, 3]\nplane far = any(pair, k)\nplane b = exposure > 60%\n"
+        "read far, b\n"
+    )
+    (tmp_path / "p.nsl").write_text(text)
+    assert invoke(["build", "p.nsl", "-o", "p.icw"], tmp_path).status == 0
+    monkeypatch.setattr(diagrams, "MOST_NODES", 3000)
+    refused = invoke(["build", "p.nsl", "-o", "q.icw"], tmp_path)
+    assert (refused.status, refused.codes) == (1, ["NS0544"])
+    assert "`far` depends on" in refused.err
+    assert "p.nsl:8:1" in refused.err
+    assert not (tmp_path / "q.icw").exists()
+    assert invoke(["prove", "p.icw"], tmp_path).codes == ["NS0544"]
+    # A count is one answer: the same plane needs fewer nodes.
+    (tmp_path / "p.nsl").write_text(text.replace("any(pair, k)", "agree(pair, k) > -9"))
+    assert invoke(["build", "p.nsl", "-o", "q.icw"], tmp_path).status == 0
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -47,8 +47,9 @@ def test_every_value_is_seen_in_the_order_of_the_passes() -> None:
 
 def test_a_pass_needs_nothing_but_the_value_before_it() -> None:
     seen, _ = compiled(price_all=True)
-    job = pipeline.Job(Options(level=0, price_all=True), Path(), None)
     values = dict(seen)
+    options = Options(level=0, price_all=True)
+    job = pipeline.Job(values["program"].source, options, Path(), None)
     for before, each in pairwise(PASSES):
         again, _ = each.run(values[before.name], job)
         text = text_after(each.name, again)

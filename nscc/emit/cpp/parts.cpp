@@ -248,17 +248,21 @@ void load_image(const char *file, const Plane &plane) {
 #endif
 
 //: report
+uint32_t frame;                     // so many frames came before
+
 // Sends the bits of a plane to the host as text: the first `most` coordinates, then the number of
-// bits and the box around them. Pixels that depend on values beyond the array are left out. (In the
-// simulator, the displays show the planes.)
-#ifdef __LPC43XX__
-template <class Plane>
-void report(const char *name, const Plane &plane, int left, int right, int up, int down, int most) {
+// bits and the box around them. `margins` are the numbers of columns on the left and right and of
+// rows at the top and bottom that depend on values beyond the array and are left out, for the first
+// frame, the second and so on; the last entry is for all later frames. (In the simulator, the
+// displays show the planes.)
+template <class Plane, uint32_t frames>
+void report(const char *name, const Plane &plane, const uint16_t (&margins)[frames][4], int most) {
+    const uint16_t *margin = margins[frame < frames ? frame : frames - 1];
     int count = 0, box[] = {@cols@, @rows@, -1, -1};
-    for (int y = up; y < @rows@ - down; ++y) {
+    for (int y = margin[2]; y < @rows@ - margin[3]; ++y) {
         uint8_t bits[32];
         scamp5_scan_dreg(plane, bits, uint8_t(y), uint8_t(y));
-        for (int x = left; x < @cols@ - right; ++x) {
+        for (int x = margin[0]; x < @cols@ - margin[1]; ++x) {
             const int place = @cols@ - 1 - x;       // the first bit is the rightmost pixel
             if (!(bits[place / 8] >> place % 8 & 1)) {
                 continue;

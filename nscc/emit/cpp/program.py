@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 from pathlib import PurePath
 
@@ -28,6 +28,7 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
+from nscc.emit.cpp.reports import margins_fault, report_lines
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
@@ -42,8 +43,6 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.encoding import decode
-from nscc.words.legality import refuse_picture_states
-from nscc.words.reach import beyond_reaches
 from nscc.words.readout import converter_of, preparation_of
 
 _SIDE = 1 << ADDRESS_BITS
@@ -69,13 +68,14 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     Raises Rejected: NS0520 if the devkit's chip cannot run the program, because of its registers or
     array size, missing pixel data, or no room for the kernels that load codes; NS0521 for words
     that the devkit's library lacks."""
-    refuse_picture_states(container)
     exposure, container = container, with_picture_words(container)
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
     fault = devkit_fault(container, devkit)
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
+    if (fault := margins_fault(exposure)) is not None:
+        raise Rejected(_no_cpp(program, devkit, fault, "read the plane instead of reporting it"))
     if container.pixel_codes is None:
         reason = "without `pixels`, the pixels have no codes to load"
         raise Rejected(_no_cpp(program, devkit, reason, _DATA))
@@ -103,9 +103,8 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     ]
     if loading.loads:
         lines += [*_pixel_statements(tree, program), *loading_lines(loading), ""]
-    if container.pictures is not None and container.pictures.reports:
-        lines += [*template_lines("report", rows=target.rows, cols=target.cols), ""]
-    lines += ["}  // namespace", "", *_main(container, exposure, loading)]
+    lines += report_lines(exposure)
+    lines += ["}  // namespace", "", *_main(container, loading)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
     return DevkitProgram("".join(f"{devkit.named(line)}\n" for line in lines), images)
 
@@ -289,7 +288,7 @@ def _kernels(
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):
-        narrow = _narrow(program, exposure, devkit)
+        narrow = _narrow(program, exposure, container.code_registers, devkit)
         if narrow is not None:
             narrow += kernels[len(narrow) :]
         if devkit.tables:
@@ -319,9 +318,12 @@ def _kernels(
         yield ""
 
 
-def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list[Op]] | None:
-    """Return the kernels in words that all have calls, proved like the original ones."""
-    narrow_kernels = narrowed(container)
+def _narrow(
+    program: Program, container: Container, code_registers: tuple[str, ...], devkit: Devkit
+) -> list[list[Op]] | None:
+    """Return the kernels in words that all have calls, proved like the original ones. They leave
+    `code_registers`, which include those of kept states, unchanged."""
+    narrow_kernels = narrowed(replace(container, code_registers=code_registers))
     if narrow_kernels is None and not devkit.tables:
         reason = (
             "a word has more sources than a call of the devkit's library takes, and no register "
@@ -337,7 +339,7 @@ def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list
     return narrow_kernels
 
 
-def _main(container: Container, exposure: Container, loading: CodeLoading) -> Iterator[str]:
+def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     pictures = container.pictures
     names = {} if pictures is None else {r: name for name, r in pictures.registers.items()}
@@ -371,12 +373,12 @@ def _main(container: Container, exposure: Container, loading: CodeLoading) -> It
         remark = "" if gain == 1 else f"  // times {number_text(gain)}"
         yield f"        scamp5_output_image({register}, display_{number});{remark}"
     if pictures is not None and pictures.reports:
-        reaches = beyond_reaches(exposure)
         yield "#ifdef __LPC43XX__"
-        for report in pictures.reports:
+        for number, report in enumerate(pictures.reports):
             title = literal(f"{report.kind} {report.plane}")
-            numbers = ", ".join(map(str, (*reaches[report.plane], report.most)))
-            yield f"        report({title}, {pictures.registers[report.plane]}, {numbers});"
+            register = pictures.registers[report.plane]
+            yield f"        report({title}, {register}, margin_{number}, {report.most});"
+        yield "        frame += frame < 65535;"
         yield "#endif"
     yield "    }"
     yield "}"

@@ -59,7 +59,7 @@ public:
     virtual void read_out(const Contents &contents) = 0;
     virtual Exposing exposing() = 0;
     // So many bytes of a frame: at most target::rows, which is a column, and so many times that
-    // from its beginning. False where it cannot.
+    // from its beginning, or from the beginning of a plane. False where it cannot.
     virtual bool convert(uint32_t offset, uint8_t *bytes, uint32_t count) = 0;
 
 protected:
@@ -67,6 +67,7 @@ protected:
 };
 
 constexpr uint8_t codes_channel = 1, exposure_channel = 2, states_channel = 4;
+constexpr uint8_t reports_channel = 8;      // for the host: a board reads planes as states
 
 }  // namespace nscc
 

@@ -42,7 +42,8 @@ Verdict Loader::capture(const Packet &packet) {
         }
         const uint8_t channels = packet.body[8];
         const uint8_t possible =
-            codes_channel | states_channel | (limits::exact ? exposure_channel : 0);
+            uint8_t(codes_channel | states_channel | reports_channel |
+                    (limits::exact ? exposure_channel : 0));
         const uint32_t length = program_.frame_bytes(channels);
         if (length == 0 || (channels & ~possible) != 0) {
             return refused(MALFORMED, channels);
@@ -125,7 +126,7 @@ void Loader::make_columns() {
         const uint32_t begin = board_.ticks();
         const uint32_t left = frame_.length - frame_.made;
         const uint32_t some = left < column ? left : column;
-        const bool there = board_.convert(frame_.made, bytes, some);
+        const bool there = program_.convert(frame_.made, bytes, some);
         frame_.readout_ticks += board_.ticks() - begin;
         if (!there) {
             frame_.stage = Stage::FAILED;

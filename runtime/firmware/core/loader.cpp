@@ -138,7 +138,7 @@ Verdict Loader::hello(const Packet &packet) {
     put16(body + 2, most_data);
     const uint32_t numbers[] = {
         limits::window, boot_,
-        uint32_t(limits::exact ? 1 : 0) | uint32_t(limits::gains ? 2 : 0) | 12u,
+        uint32_t(limits::exact ? 1 : 0) | uint32_t(limits::gains ? 2 : 0) | 28u,
         target::store_words, limits::most_kernels, limits::most_rows, limits::most_runs,
         limits::most_frame, hold, longest_us / 1000,
     };

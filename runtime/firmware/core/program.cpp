@@ -18,6 +18,7 @@ void Program::forget() {
     has_readouts_ = has_kernels_ = has_schedule_ = false;
     readout_count_ = state_count_ = kernels_.count = held_ = 0;
     schedule_.forget();
+    reports_.forget();
     board_.forget();
 }
 
@@ -33,6 +34,7 @@ uint8_t *Program::room_for(uint8_t kind, uint32_t length, Verdict &verdict) {
         case CODE_PLANE: at = plane_raw_, room = plane_bytes; break;
         case LEVELS: at = schedule_.levels(), room = Schedule::levels_bytes; break;
         case STATES: at = states_raw_, room = sizeof states_raw_; break;
+        case REPORTS: at = reports_.bytes(), room = Reports::most_bytes; break;
         default: verdict = refused(MALFORMED, kind); return nullptr;
     }
     verdict = length <= room ? fine : refused(TOO_LARGE, length);
@@ -54,6 +56,7 @@ Verdict Program::accept(uint8_t kind, uint8_t reg, uint32_t length) {
             has_schedule_ = false;
             return schedule_.accept_levels(length);
         case STATES: return accept_states(length);
+        case REPORTS: return accept_reports(length);
         default: return refused(MALFORMED, kind);
     }
 }
@@ -166,8 +169,17 @@ Verdict Program::accept_words(Reader &reader, uint32_t k, uint32_t &number) {
     return split || before.phase == FIRST_HALF ? refused(WORD, number) : fine;
 }
 
+Verdict Program::accept_reports(uint32_t length) {
+    uint32_t sent = 0;
+    for (uint32_t i = 0; i < state_count_; ++i) {
+        sent |= 1u << states_raw_[4 + i];
+    }
+    return reports_.accept(length, sent);
+}
+
 Verdict Program::accept_states(uint32_t length) {
     state_count_ = 0;
+    reports_.forget();
     Reader reader(states_raw_, length);
     uint32_t count;
     if (!reader.take_count(count)) {
@@ -220,6 +232,32 @@ void Program::refresh() {
 }
 
 uint32_t Program::frame_bytes(uint8_t channels) const {
+    return board_bytes(channels) + (channels & reports_channel ? reports_.length() : 0);
+}
+
+// The board reads the planes of reports like those of states, behind them.
+void Program::read_out(uint8_t channels) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; (channels & states_channel) != 0 && i < state_count_; ++i) {
+        planes_[count++] = states_raw_[4 + i];
+    }
+    for (uint32_t i = 0; (channels & reports_channel) != 0 && i < reports_.count(); ++i) {
+        planes_[count++] = reports_.reg(i);
+    }
+    reports_at_ = board_bytes(channels);
+    reports_.begin(reports_at_);
+    const uint8_t read = uint8_t(channels & ~reports_channel) | (count > 0 ? states_channel : 0);
+    board_.read_out({readout_, readout_count_, planes_, count, read});
+}
+
+bool Program::convert(uint32_t offset, uint8_t *bytes, uint32_t count) {
+    const uint32_t left = offset < reports_at_ ? reports_at_ - offset : 0;
+    const uint32_t first = count < left ? count : left;
+    return (first == 0 || board_.convert(offset, bytes, first)) &&
+           reports_.make(bytes + first, count - first);
+}
+
+uint32_t Program::board_bytes(uint8_t channels) const {
     const uint32_t each = (channels & codes_channel ? 1 : 0) + (channels & exposure_channel ? 8 : 0);
     const uint32_t states = channels & states_channel ? state_count_ * plane_bytes : 0;
     return readout_count_ * each * target::rows * target::cols + states;

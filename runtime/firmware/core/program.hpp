@@ -3,19 +3,21 @@
 #define NSCC_PROGRAM_HPP
 
 #include "reader.hpp"
+#include "reports.hpp"
 #include "schedule.hpp"
 
 namespace nscc {
 
-enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE, LEVELS, STATES };
+enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE, LEVELS, STATES,
+                            REPORTS };
 
 class Program : public Refresher {
 public:
-    static constexpr uint32_t plane_bytes = (uint32_t(target::rows) * target::cols + 7) / 8;
+    static constexpr uint32_t plane_bytes = Reports::plane_bytes;
 
     // `plane`: plane_bytes for a plane that arrives; free again as soon as it is accepted.
     Program(Board &board, uint8_t *plane)
-        : board_(board), schedule_(board, kernels_), plane_raw_(plane) {}
+        : board_(board), schedule_(board, kernels_), reports_(board), plane_raw_(plane) {}
 
     void forget();
     // Where the bytes of an object go; null where there is no such object, or no room for it.
@@ -29,9 +31,9 @@ public:
     uint32_t readouts() const { return readout_count_; }
     uint32_t frame_bytes(uint8_t channels) const;
     uint32_t estimate_ms() const;
-    void read_out(uint8_t channels) {
-        board_.read_out({readout_, readout_count_, states_raw_ + 4, state_count_, channels});
-    }
+    void read_out(uint8_t channels);
+    // The next bytes of a frame that is read out, from `offset` on; false where the board cannot.
+    bool convert(uint32_t offset, uint8_t *bytes, uint32_t count);
     bool holds_planes() const { return held_ != 0; }
     void refresh() override;
 
@@ -46,15 +48,21 @@ private:
     Verdict accept_kernels(uint32_t length);
     Verdict accept_words(Reader &reader, uint32_t k, uint32_t &number);
     Verdict accept_states(uint32_t length);
+    Verdict accept_reports(uint32_t length);
     Verdict accept_plane(uint8_t reg, uint32_t length);
+    // Bytes of a frame before its reports.
+    uint32_t board_bytes(uint8_t channels) const;
 
     Board &board_;
     bool has_readouts_ = false, has_kernels_ = false, has_schedule_ = false;
     uint32_t readout_count_ = 0, state_count_ = 0;
     uint32_t held_ = 0;                 // the registers that hold planes, a bit each
+    uint32_t reports_at_ = 0;           // the offset of the reports in the frame that is read out
+    uint8_t planes_[2 * target::digital_count]; // what the board reads: states, then reports
     Readout readout_[target::analog_count];
     Kernels kernels_;
     Schedule schedule_;
+    Reports reports_;
     uint8_t *plane_raw_;
     uint8_t readouts_raw_[readouts_bytes];
     uint8_t states_raw_[states_bytes];

@@ -74,15 +74,17 @@ class EmulatedChip:
         )
 
     def _pictured(self, container: Container, light: Light, channels: int) -> ExecutedFrame:
-        """Return a frame whose images and planes are computed after the exposure."""
+        """Return a frame whose images and planes are computed after the exposure. States continue
+        from the code registers."""
+        from nscc.words.reach import beyond_reaches
         from nscc_runtime.effects import selected
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
-        from nscc_runtime.sensor import default_sensor
 
         assert container.pictures is not None
-        sensor = self.sensor or default_sensor(self.target)
-        program = PicturedProgram(container, sensor, selected("none"))
-        (frame,) = program.frames(light, 0, self.device_seed, 1)
+        program = PicturedProgram(container, self._converting(container), selected("none"))
+        frame, kept_bits = program.next_frame(
+            light, {}, beyond_reaches(container), (0, self.device_seed), 0
+        )
         images = container.pictures.images_read
         told = frame.told
         codes = [*frame.frame, *(told[f"image_codes_{name}"] for name in images)]
@@ -93,8 +95,10 @@ class EmulatedChip:
             chunks += [in_columns(each.astype("<f8")) for each in exposures]
         if channels & Channel.STATES:
             chunks += [packed_plane(each) for each in planes]
-        code = {name: packed_plane(plane) for name, plane in container.planes().items()}
-        return ExecutedFrame(b"".join(chunks), code)
+        code = container.planes() | kept_bits
+        return ExecutedFrame(
+            b"".join(chunks), {name: packed_plane(bits) for name, bits in code.items()}
+        )
 
     def _converting(self, container: Container) -> Sensor:
         """Return the sensor with this program's code scale, not spread if registers forbid it."""

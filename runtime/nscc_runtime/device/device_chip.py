@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from random import SystemRandom
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
+from nscc.words.reach import Reach, beyond_reaches
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
 from nscc_runtime.device.device_errors import check_fits, no_program, states_lost
@@ -28,6 +30,7 @@ from nscc_runtime.device.messages import (
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
+from nscc_runtime.device.plane_reports import device_reports, report_bytes, summaries_of
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -64,6 +67,7 @@ class DeviceChip:
         self.link, self.sensor, self.progress = link, sensor, progress
         self._number = SystemRandom().randrange(1 << 63)
         self._made: tuple[Container, Upload] | None = None
+        self._reaches: dict[str, Reach] = {}
         self.label = bytes(32)
         """SHA-256 of the container whose frames the device exposes."""
 
@@ -95,16 +99,19 @@ class DeviceChip:
     def upload(self, container: Container) -> Upload:
         """Upload a program unless the device has it already. A program that keeps states is always
         sent, which resets the states."""
-        program = self._program(container)
         info = self.info()
+        program = self._program(container)
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
-        self._upload(program, anew=_keeps(container))
+        self._upload(program, anew=container.keeps_states)
+        self._reaches = {}
         return program
 
     def _program(self, container: Container) -> Upload:
         if self._made is None or self._made[0] is not container:
             label = sha256(to_bytes(container)).digest()
-            self._made = container, upload_of(container, label)
+            info = self.link.host.info or self.info()
+            reports = bool(info.capabilities & Capability.REPORTS)
+            self._made = container, upload_of(container, label, reports=reports)
             self.label = label
         return self._made[1]
 
@@ -146,6 +153,8 @@ class DeviceChip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
+        if container is not None and container.pictures is not None:
+            self._reaches = beyond_reaches(container, self._reaches)
         request, program_lost = (
             FrameRequest(self._number, 0, program, target.rows * target.cols),
             False,
@@ -161,12 +170,14 @@ class DeviceChip:
             return (yield from tasks.capture(host, request))
 
         fetched = self.link.run(work)
-        if program_lost and container is not None and _keeps(container):
+        if program_lost and container is not None and container.keeps_states:
             raise states_lost(self.link.path)
         captured = fetched.captured
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(converter_of(container) if container else target)
-        frame = frame_of(fetched.data, request.channels, shape, sensor, target, container)
+        frame = frame_of(
+            fetched.data, request.channels, shape, sensor, target, container, self._reaches
+        )
         return Shot(frame, captured)
 
 
@@ -174,19 +185,20 @@ def channels_of(info: Info, program: Upload | None = None) -> int:
     """Return the channels to request from a loader: all that it supports for a program."""
     exact = info.capabilities & Capability.EXACT
     states = Channel.STATES if program and program.states else 0
-    return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states
+    reports = Channel.REPORTS if program and program.report_bytes else 0
+    return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states | reports
 
 
 def frame_of(
     data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
-    container: Container | None = None,
+    container: Container | None = None, reaches: Mapping[str, Reach] | None = None,
 ) -> Frame:  # fmt: skip
     """Convert the bytes of a frame's channels to a frame.
 
-    `shape`: (readouts, rows, cols). Without the channel EXPOSURE, electrons are computed from the
-    codes. Codes decide which pixels are saturated: the last code of the scale and, with a program,
-    the codes of a full well or register. With a program whose pixels look, the frame contains the
-    light that follows from the planes of STATES."""
+    `shape`: (readouts, rows, cols). `reaches`: see `told_of_planes`. Without the channel EXPOSURE,
+    electrons are computed from the codes. Codes decide which pixels are saturated: the last code of
+    the scale and, with a program, the codes of a full well or register. With a program whose pixels
+    look, the frame contains the light that follows from the planes of STATES."""
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
@@ -201,17 +213,18 @@ def frame_of(
             saturated_by |= _full(codes, container, sensor)
     frame = Frame(codes, exposure, np.isfinite(exposure), saturated_by)
     if container is not None and container.pictures is not None:
-        return _pictured(frame, data, channels, container, sensor)
+        return _pictured(frame, data, channels, container, sensor, reaches)
     if container is None or container.machine is None:
         return frame
     simulated = selected("none") if channels & Channel.EXPOSURE else everything()
-    planes = _state_planes(data, container)
+    planes = _planes_at_end(data, state_registers(container), target)
     return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
 
 
 def _pictured(
-    frame: Frame, data: bytes, channels: int, container: Container, sensor: Sensor
-) -> Frame:
+    frame: Frame, data: bytes, channels: int, container: Container, sensor: Sensor,
+    reaches: Mapping[str, Reach] | None,
+) -> Frame:  # fmt: skip
     """Move the images behind the buckets of `frame`, and the planes of `data`, to `told`."""
     from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
 
@@ -225,7 +238,14 @@ def _pictured(
             image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
         told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
         told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
-    told |= told_of_planes(container, _state_planes(data, container))
+    registers, summaries = state_registers(container), {}
+    if channels & Channel.REPORTS:
+        reports = device_reports(container)
+        registers = tuple(name for name in registers if name not in reports)
+        size = sum(report_bytes(most) for most, _ in reports.values())
+        data, summaries = data[:-size], summaries_of(container, data[-size:])
+    planes = _planes_at_end(data, registers, container.target)
+    told |= told_of_planes(container, planes, reaches, summaries)
     return replace(
         frame,
         frame=frame.frame[:buckets],
@@ -236,14 +256,12 @@ def _pictured(
     )
 
 
-def _keeps(container: Container) -> bool:
-    return container.machine is not None and container.machine.keeps
-
-
-def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.bool_]]:
-    """Return the planes at the end of a frame's bytes, by register."""
-    shape = container.target.rows, container.target.cols
-    size, names = plane_bytes(shape[0] * shape[1]), state_registers(container)
+def _planes_at_end(
+    data: bytes, names: Sequence[str], target: Target
+) -> dict[str, NDArray[np.bool_]]:
+    """Return the planes of registers `names` at the end of bytes."""
+    shape = target.rows, target.cols
+    size = plane_bytes(shape[0] * shape[1])
     ends = (len(data) - size * k for k in reversed(range(len(names))))
     return {
         name: unpacked_plane(data[end - size : end], shape)

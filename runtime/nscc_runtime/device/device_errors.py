@@ -210,7 +210,7 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols
-    length = frame_bytes(channels, pixels, upload.readouts, upload.states)
+    length = frame_bytes(channels, pixels, upload.readouts, upload.states, upload.report_bytes)
     for resource, required, available in (
         ("words", upload.words, info.most_words),
         ("kernels", upload.kernels, info.most_kernels),

@@ -31,7 +31,9 @@ class FrameRequest:
         if program is None:
             return frame_bytes(self.channels, self.pixels, readouts, 0)
         matches = readouts == program.readouts
-        return matches * frame_bytes(self.channels, program.pixels, readouts, program.states)
+        return matches * frame_bytes(
+            self.channels, program.pixels, readouts, program.states, program.report_bytes
+        )
 
     def exposure_s(self, captured: CaptureReply) -> float:
         """Return the shorter of the loader's and the host's estimates of the exposure time."""

@@ -55,24 +55,31 @@ class Capability(IntFlag):
     """Sets IN between kernels, and sends digital registers with the frame."""
     PICTURES = 8
     """Runs words that reach neighbours, and converts signed values."""
+    REPORTS = 16
+    """Sends where the bits of a plane are 1 instead of the plane."""
 
 
 class Channel(IntFlag):
     """The content of a frame: CODES, a byte per pixel; EXPOSURE, a float64 per pixel in electrons;
-    STATES, one bit per pixel for each digital register that the program names."""
+    STATES, one bit per pixel for each digital register that the program names; REPORTS, where the
+    bits of other digital registers are 1."""
 
     CODES = 1
     EXPOSURE = 2
     STATES = 4
+    REPORTS = 8
 
 
-def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
-    """Return the bytes of a frame: all readouts in these channels, and `states` planes."""
+def frame_bytes(
+    channels: int, pixels: int, readouts: int, states: int, report_bytes: int = 0
+) -> int:
+    """Return the bytes of a frame: all readouts in these channels, `states` planes, and reports."""
     bytes_per_pixel = (1 if channels & Channel.CODES else 0) + (
         8 if channels & Channel.EXPOSURE else 0
     )
     planes = states if channels & Channel.STATES else 0
-    return readouts * bytes_per_pixel * pixels + planes * plane_bytes(pixels)
+    reports = report_bytes if channels & Channel.REPORTS else 0
+    return readouts * bytes_per_pixel * pixels + planes * plane_bytes(pixels) + reports
 
 
 def plane_bytes(pixels: int) -> int:

@@ -8,6 +8,8 @@
     PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
     LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
     STATES     u32 count; each: u8 digital register that comes with the frame
+    REPORTS    u32 count; each: u8 digital register, 3 free, u32 most coordinates, u16 columns on
+               the left and right and rows at the top and bottom that are left out
 
 Registers are numbered as in the target table. A row of the schedule is executed `times` times: the
 light of `advance` slots is collected, IN is set to the row's level (unless it is AS_IT_IS), and the
@@ -33,8 +35,9 @@ from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers, with_picture_words
-from nscc.words.legality import refuse_picture_states, refuse_planes
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, ObjectEntry
+from nscc_runtime.device.plane_reports import device_reports, report_bytes
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
@@ -45,6 +48,7 @@ RUN = Struct("<Id")
 ROW = Struct("<IHH")
 COUNT = Struct("<I")
 _REGISTER = Struct("<B")
+_REPORT = Struct("<B3xI4H")
 WORD = Struct("<5I")
 LEVEL = Struct("<h")
 AS_IT_IS = -32768
@@ -60,6 +64,7 @@ class ObjectKind(IntEnum):
     PLANE = 4
     LEVELS = 5
     STATES = 6
+    REPORTS = 7
 
 
 @dataclass(frozen=True)
@@ -81,9 +86,9 @@ class Upload:
     """A program in the form that is sent.
 
     `words`, `kernels`, `rows`, `runs`: its demands on a loader's memory. `frame_ms`, `readout_ms`:
-    its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`. `gains`:
-    whether readouts are scaled. `levels`: whether IN is set; `pictures`: images and planes
-    are computed."""
+    its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`;
+    `report_bytes`: bytes of its reports. `gains`: whether readouts are scaled. `levels`: whether IN
+    is set; `pictures`: images and planes are computed."""
 
     target: bytes
     label: bytes
@@ -96,6 +101,7 @@ class Upload:
     readout_ms: int
     readouts: int
     states: int
+    report_bytes: int
     gains: bool
     levels: bool
     pictures: bool
@@ -131,9 +137,10 @@ def target_digest(target: Target) -> bytes:
     return sha256(text.encode("ascii")).digest()
 
 
-def upload_of(container: Container, label: bytes) -> Upload:
-    """Return a container in the form that is sent; `label` is 32 bytes. Raises Rejected: NS0741 for
-    a program without pixel codes, NS0510 for a program with planes instead of words."""
+def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Upload:
+    """Return a container in the form that is sent; `label` is 32 bytes. With `reports`, the device
+    sends `device_reports` instead of their planes. Raises Rejected: NS0741 for a program without
+    pixel codes, NS0510 for a program with planes instead of words."""
     refuse_planes(
         container.target,
         "the loader runs words, but this program has planes of bits",
@@ -146,7 +153,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    refuse_picture_states(container)
+    reported = device_reports(container) if reports else {}
     container = with_picture_words(container)
     target, readouts = container.target, _readouts(container)
     rows = list(_rows(container))
@@ -155,10 +162,15 @@ def upload_of(container: Container, label: bytes) -> Upload:
     sets_in = any(level != (AS_IT_IS,) for level in levels)
     schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
     schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
-    states = [(target.digital_registers.index(name),) for name in state_registers(container)]
+    number_of = target.digital_registers.index
+    sent = (name for name in state_registers(container) if name not in reported)
+    states = [(number_of(name),) for name in sent]
     objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, readouts))]
     if states:
         objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
+    if reported:
+        rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
+        objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, rows)))
     objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
     if sets_in:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
@@ -166,8 +178,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
     planes = container.planes()
     # Writes to the masked register use the mask, so its plane is sent before the mask's plane.
     for register in sorted(planes, key=lambda name: name != target.masked_register):
-        number = target.digital_registers.index(register)
-        objects.append(Object(ObjectKind.PLANE, number, packed_plane(planes[register])))
+        plane = packed_plane(planes[register])
+        objects.append(Object(ObjectKind.PLANE, number_of(register), plane))
     return Upload(
         target_digest(target),
         label,
@@ -180,6 +192,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
         readout_ms=ceil(len(readouts) * target.readout_us / 1000),
         readouts=len(readouts),
         states=len(states),
+        report_bytes=sum(report_bytes(most) for most, _ in reported.values()),
         gains=any(gain != 1 for *_, gain in readouts),
         levels=sets_in,
         pictures=container.pictures is not None,

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import repeat
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
-from nscc.words.pictures import Pictures, PlaneReport
+from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, beyond_reaches
 from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
@@ -24,6 +25,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.array_words import ArrayContents, ArrayWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
+from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.sensor import default_sensor
 
@@ -64,10 +66,23 @@ class PicturedProgram:
         for number, light in enumerate(lights):
             if number and any(reaches[state.name] != Reach() for state in self.pictures.states):
                 reaches = beyond_reaches(self.container, reaches)
-            exposure = self._exposed(light, seed, device_seed, number)
-            pixels = self._computed(exposure, (seed, device_seed), number, kept_bits)
-            yield self._frame_of(pixels, exposure, (seed, device_seed), number, reaches)
-            kept_bits = self._bits_of_next_frame(pixels)
+            seeds = seed, device_seed
+            frame, kept_bits = self.next_frame(light, kept_bits, reaches, seeds, number)
+            yield frame
+
+    def next_frame(
+        self, light: Light, kept_bits: Planes, reaches: Mapping[str, Reach],
+        seeds: tuple[int, int], number: int,
+    ) -> tuple[Frame, Planes]:  # fmt: skip
+        """Return frame `number` of a film, and the bits of the states for the next frame.
+
+        `kept_bits` are the bits that the previous frame left; a register without them contains its
+        code bits. `seeds`: seed of the noise, and of the device. `reaches`: see
+        `told_of_planes`."""
+        exposure = self._exposed(light, *seeds, number)
+        pixels = self._computed(exposure, seeds, number, kept_bits)
+        frame = self._frame_of(pixels, exposure, seeds, number, reaches)
+        return frame, self._bits_of_next_frame(pixels)
 
     def _start_bits(self, pixels: int) -> Planes:
         """Return the bits of states that the host loads before the first frame."""
@@ -211,10 +226,12 @@ def image_sensor(sensor: Sensor, target: Target) -> Sensor:
 def told_of_planes(
     container: Container, planes: Mapping[str, NDArray[np.bool_]],
     reaches: Mapping[str, Reach] | None = None,
+    summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
 ) -> Told:  # fmt: skip
     """Return the planes, reports and margin of a frame.
 
-    `planes` are the bits (rows, cols) by digital register. `reaches` tells by name how far around a
+    `planes` are the bits (rows, cols) by digital register, and `summaries` those of planes that are
+    only reported, without the pixels of their margins. `reaches` tells by name how far around a
     pixel the outputs depend on buses, by default in the first frame."""
     pictures = container.pictures
     assert pictures is not None
@@ -226,29 +243,9 @@ def told_of_planes(
         if pictures.registers[name] in planes:
             told[f"plane_{name}"] = planes[pictures.registers[name]]
     for report in pictures.reports:
-        bits = planes[pictures.registers[report.plane]]
-        told |= reported(report, bits, reaches[report.plane])
+        register = pictures.registers[report.plane]
+        summary = summaries.get(register)
+        if summary is None:
+            summary = summary_of(planes[register] & ~reaches[report.plane].margin(shape))
+        told |= reported(report, summary)
     return told
-
-
-def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told:
-    """Return the arrays of a report about a plane (rows, cols), without pixels of the margin.
-
-    Events are (x, y) in reading order, followed by rows of -1. The box is the smallest x and y and
-    the largest x and y, or four times -1 if no bit is 1."""
-    name = f"report_{report.kind}_{report.plane}"
-    bits = bits & ~reach.margin((bits.shape[0], bits.shape[1]))
-    if report.kind == "any":
-        return {name: np.array(bits.any())}
-    rows, cols = np.nonzero(bits)
-    if report.kind == "box":
-        box = [cols.min(), rows.min(), cols.max(), rows.max()] if rows.size else [-1] * 4
-        return {name: np.array(box, np.int32)}
-    found = np.full((report.most, 2), -1, np.int32)
-    count = min(len(rows), report.most)
-    found[:count, 0], found[:count, 1] = cols[:count], rows[:count]
-    return {
-        name: found,
-        f"{name}_count": np.array(count, np.int32),
-        f"{name}_overflow": np.array(len(rows) > report.most),
-    }
