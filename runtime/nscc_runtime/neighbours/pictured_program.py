@@ -60,10 +60,9 @@ class PicturedProgram:
         """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
-        reaches = _beyond_reaches(self.container)
-        for number, light in enumerate(lights):
-            if number and any(reaches[state.name] != Reach() for state in self.pictures.states):
-                reaches = beyond_reaches(self.container, reaches)
+        for number, (light, reaches) in enumerate(
+            zip(lights, reaches_of_frames(self.container), strict=False)
+        ):
             exposure = self._exposed(light, seed, device_seed, number)
             pixels = self._computed(exposure, (seed, device_seed), number, kept_bits)
             yield self._frame_of(pixels, exposure, (seed, device_seed), number, reaches)
@@ -194,6 +193,16 @@ class PicturedProgram:
 _words, _beyond_reaches = OfContainer(picture_words), OfContainer(beyond_reaches)
 
 
+def reaches_of_frames(container: Container) -> Iterator[Mapping[str, Reach]]:
+    """Yield, frame by frame without end, how far around a pixel each output depends on buses."""
+    assert container.pictures is not None
+    reaches = _beyond_reaches(container)
+    while True:
+        yield reaches
+        if any(reaches[state.name] != Reach() for state in container.pictures.states):
+            reaches = beyond_reaches(container, reaches)
+
+
 @OfContainer
 def array_words(container: Container) -> ArrayWords:
     """Return the words of a container's images and planes for the compiled loop."""
@@ -227,17 +236,16 @@ def told_of_planes(
             told[f"plane_{name}"] = planes[pictures.registers[name]]
     for report in pictures.reports:
         bits = planes[pictures.registers[report.plane]]
-        told |= reported(report, bits, reaches[report.plane])
+        told |= reported(report, bits & ~reaches[report.plane].margin(shape))
     return told
 
 
-def reported(report: PlaneReport, bits: NDArray[np.bool_], reach: Reach) -> Told:
-    """Return the arrays of a report about a plane (rows, cols), without pixels of the margin.
+def reported(report: PlaneReport, bits: NDArray[np.bool_]) -> Told:
+    """Return the arrays of a report about a plane (rows, cols) with zeros in the margin.
 
     Events are (x, y) in reading order, followed by rows of -1. The box is the smallest x and y and
     the largest x and y, or four times -1 if no bit is 1."""
     name = f"report_{report.kind}_{report.plane}"
-    bits = bits & ~reach.margin((bits.shape[0], bits.shape[1]))
     if report.kind == "any":
         return {name: np.array(bits.any())}
     rows, cols = np.nonzero(bits)
