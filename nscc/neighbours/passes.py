@@ -21,7 +21,7 @@ from nscc.source import Span
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import Image, Next, Plane
 from nscc.words.container import Container
-from nscc.words.encoding import encode, matching
+from nscc.words.encoding import encode
 from nscc.words.pictures import Condition, Pictures, Sum, TailLaunch
 
 
@@ -61,21 +61,9 @@ def with_pictures(
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. A walk counts as many images as the registers allow."""
-    target = container.target
-    buckets = {
-        readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
-        for readout in container.readouts
-    }
-    guarded = (target.mask_register, target.masked_register)
-    digital = [
-        name for name in target.digital_registers
-        if name not in container.code_registers and name not in guarded
-    ]  # fmt: skip
-    exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
-    written = {name for word in exposing if word is not None for name in word.destinations}
     for most_together in range(MOST_IMAGES, 0, -1):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
-        lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], container.target.news_read_keeps)
+        lowering = Lowering(pictures, container, synthesis)
         lowering.most_together = most_together
         try:
             lowering.run()

@@ -166,7 +166,6 @@ class Synthesis:
                     for second in seconds:
                         yield _summed(first.program, second)
 
-
     def _with_centre_woven_in(self, taps: Polynomial, depth: int) -> Iterator[Program]:
         """Yield programs of the neighbours in which several words also add a multiple of the pixel.
 
