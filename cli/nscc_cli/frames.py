@@ -135,14 +135,11 @@ def write_frame(
     `response` computes the sensor response of the frame, for the picture. Returns the paths of
     frame, picture and plan."""
     from nscc.prove.shutters import replayed
-    from nscc.words.legality import refuse_pictures
     from nscc_runtime.decode_table import with_table
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.frame_content import frame_content
     from nscc_runtime.frame_file import FrameFile
 
-    if out.suffix != ".npz":
-        refuse_pictures(container, f"'{out.name}' cannot hold this frame", "write an .npz")
     with timings.measure("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
@@ -172,10 +169,10 @@ def _picture(
     from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    if container.pictures is not None:
-        return png_of(image_plane_sheet, container.pictures, frame.first, title)
-    if content.colour:
+    if content.colour and content.light is not None:
         return png_of(content_sheet, content, title)
+    if container.pictures is not None:
+        return png_of(image_plane_sheet, frame.first, container.buckets_read, title)
     return png_of(frame_sheet, readouts(container, frame.first, response()), title)
 
 

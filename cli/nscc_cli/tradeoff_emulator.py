@@ -98,11 +98,10 @@ def command(program: Path | None, **options: Any) -> int:
 
 
 def _refuse(container: Container) -> None:
-    """Raise NS0750 for a chip that receives bit planes, and NS0828 for pixels that look."""
-    from nscc_runtime.planless import planless
+    """Raise NS0750 for a program without plans, and NS0828 for pixels that look."""
+    from nscc_runtime.planless import refuse_planless
 
-    if container.target.streamed:
-        raise planless("nscc tradeoff emulator")
+    refuse_planless(container, "nscc tradeoff emulator")
     if container.machine is not None:
         raise rejected(
             "NS0828",

@@ -10,6 +10,7 @@ from math import ceil, log2
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.resources import time_text
 from nscc.lower.timeline import RETENTION_SHARE
+from nscc.neighbours.alternatives import alternatives
 from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
@@ -21,8 +22,10 @@ from nscc.source import Source, Span
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import Image, Next, Plane
 from nscc.words.container import Container
-from nscc.words.encoding import encode, matching
-from nscc.words.pictures import Condition, Pictures, Sum, TailLaunch
+from nscc.words.encoding import encode
+from nscc.words.pictures import Condition, PictureCost, Pictures, Sum, TailLaunch
+
+_LEVEL_OF_ALTERNATIVES = 2
 
 
 def with_pictures(
@@ -48,7 +51,7 @@ def with_pictures(
         kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
         launches=launches,
         registers=lowering.registers,
-        costs=tuple(lowering.costs),
+        costs=_costs_of_text(lowering.costs, pictures),
     )
     complete = replace(container, pictures=with_words)
     most = container.target.store_words
@@ -58,24 +61,43 @@ def with_pictures(
     return complete, []
 
 
+def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[PictureCost, ...]:
+    """Return the costs in the order of the text; shared values count for the first image after."""
+    names = [*pictures.expressions]
+    cost_of: dict[str, PictureCost] = {}
+    shared_words = 0
+    for cost in costs:
+        if cost.name in names:
+            cost_of[cost.name] = replace(cost, words=cost.words + shared_words)
+        shared_words = 0 if cost.name in names else shared_words + cost.words
+    return tuple(cost_of[name] for name in names)
+
+
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
-    do not fit. A walk counts as many images as the registers allow."""
-    target = container.target
-    buckets = {
-        readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
-        for readout in container.readouts
-    }
-    guarded = (target.mask_register, target.masked_register)
-    digital = [
-        name for name in target.digital_registers
-        if name not in container.code_registers and name not in guarded
-    ]  # fmt: skip
-    exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
-    written = {name for word in exposing if word is not None for name in word.destinations}
+    do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    best: Lowering | None = None
+    refused: PictureRefused | None = None
+    for way in (pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())):
+        try:
+            lowering = _lowered(container, way, level)
+        except PictureRefused as error:
+            refused = refused or error
+            continue
+        if best is None or len(lowering.words) < len(best.words):
+            best = lowering
+    if best is None:
+        assert refused is not None
+        raise refused
+    return best
+
+
+def _lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
+    """Lower images and planes in their order. A walk counts as many images as the registers
+    allow."""
     for most_together in range(MOST_IMAGES, 0, -1):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
-        lowering = Lowering(pictures, target, buckets, digital, {*digital} - written, synthesis)
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], container.target.news_read_keeps)
+        lowering = Lowering(pictures, container, synthesis)
         lowering.most_together = most_together
         try:
             lowering.run()

@@ -43,6 +43,8 @@ _MOST_ADDED = 12
 """Kernels of more weights are added one by one only if there is no other program."""
 
 _BEAM_OF_PARTS = 20
+_LEAST_WOVEN = 5
+"""Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 
 _Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
@@ -137,6 +139,7 @@ class Synthesis:
                 for remaining in self._programs(quotient, depth - 1):
                     yield chained(factor.program, remaining.program)
         yield from self._with_centre(added((-1, taps)), depth)
+        yield from self._with_centre_woven_in(taps, depth)
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
         found = [ranged.program for ranged in self._programs(taps, depth)]
@@ -162,6 +165,21 @@ class Synthesis:
                 for first in self._programs(remainder, depth - 2):
                     for second in seconds:
                         yield _summed(first.program, second)
+
+    def _with_centre_woven_in(self, taps: Polynomial, depth: int) -> Iterator[Program]:
+        """Yield programs of the neighbours in which several words also add a multiple of the pixel.
+
+        Words that read a neighbour have room for one more source."""
+        middle = taps.get((0, 0), 0)
+        if not middle or len(taps) < _LEAST_WOVEN:
+            return
+        around = {at: weight for at, weight in taps.items() if at != (0, 0)}
+        for first in self._programs(around, depth - 2):
+            places = _places_to_add(first.program)
+            for count in range(1, len(places) + 1):
+                if middle % count == 0:
+                    for second in self._programs_of_part({(0, 0): middle // count}, depth - 2):
+                        yield _woven(first.program, second, places[:count])
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
@@ -193,6 +211,30 @@ def _summed(first: Program, second: Program) -> Program:
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
+
+
+def _places_to_add(program: Program) -> list[int]:
+    """Return the words with room for a source whose results are read by the last word alone."""
+    read = [name for word in program for name in word.sources]
+    return [
+        number
+        for number, word in enumerate(program[:-1])
+        if not word.halves
+        and word.destinations[0] in program[-1].sources
+        and read.count(word.destinations[0]) == 1
+        and len(word.sources) < (2 if NEIGHBOURS.keys() & word.sources else 4)
+    ]
+
+
+def _woven(first: Program, second: Program, places: list[int]) -> Program:
+    """Return the first program with the result of the second added at some of its words."""
+    a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
+    result = b[-1].destinations[0] if b else "x"
+    words = [
+        BusWord(word.destinations, (*word.sources, result)) if number in places else word
+        for number, word in enumerate(a)
+    ]
+    return (*b, *words)
 
 
 @dataclass(frozen=True)

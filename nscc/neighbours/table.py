@@ -6,6 +6,14 @@ kernel: `kernel_of` computes it from the words."""
 from __future__ import annotations
 
 ROWS = """
+n=x a=x b=n,a
+n=x a=n b=x,a
+n=x a=x b=x c=n,a,b
+n=x a=n b=n c=x,a,b
+n=x a=x b=x c=x d=n,a,b,c
+n=x a=n b=n c=n d=x,a,b,c
+n=x a=n b=x,a c=x,a d=n,b,c
+n=x a=n b=x,a c=n,b d=x,a,c
 n=x a=E b=a,n
 n=x a=E b=a,W
 n=x a=E b=a c=b,W
@@ -18,6 +26,7 @@ n=x a=E b=x,a n=x,a c=b,S
 n=x a=N b=S n=x,a,b c=E d=c,W
 n=x a=N b=x c=b,S n=x,a,c d=E e=d,W
 n=x a=N b=E c=x,a,b N=a,b d=c,W
+n=x a=E b=W n=x,a,b c=N d=S e=a,b,c,d
 n=x a=N b=E c=S d=a,b,c e=d,W
 n=x a=x,N b=x,E c=x,S d=x,W e=a,b,c,d
 n=x a=x,N b=x,E c=x,S d=a,b,c,n e=d,W

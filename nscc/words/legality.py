@@ -31,16 +31,10 @@ def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
         )
 
 
-def refuse_pictures(container: Container, refusal: str, help_text: str) -> None:
-    """Raise NS0542 (status 1) for a program with images or planes; `refusal` is half a sentence."""
+def refuse_pictures(container: Container, refusal: str, note: str, help_text: str) -> None:
+    """Raise NS0542 (status 1) for a program with images or planes."""
     if container.pictures is not None:
-        raise rejected(
-            "NS0542",
-            f"{refusal}: images and planes are not supported there yet",
-            notes=("this program computes images or planes after its last slot",),
-            helps=(help_text,),
-            status=1,
-        )
+        raise rejected("NS0542", refusal, notes=(note,), helps=(help_text,), status=1)
 
 
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:

@@ -6,8 +6,8 @@ and from lists for a file."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from typing import Any, Literal
 
@@ -311,18 +311,19 @@ _NODES = {
 
 def operands(node: Node) -> tuple[Node, ...]:
     """Return the direct operands of a node."""
-    match node:
-        case Sum():
-            return tuple(value for _, value in node.terms)
-        case Filtered() | Absolute() | Largest() | Above() | Exceeds():
-            return (node.value,)
-        case Chosen():
-            return (node.condition, node.then, node.otherwise)
-        case Agreement() | Inverse() | Near() | At():
-            return (node.condition,)
-        case Joined():
-            return (node.first, node.second)
-    return ()
+    if isinstance(node, Sum):
+        return tuple(value for _, value in node.terms)
+    values = (getattr(node, field.name) for field in fields(node))
+    return tuple(value for value in values if isinstance(value, Node))
+
+
+def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
+    """Return a node with `change(operand)` in place of each direct operand."""
+    if isinstance(node, Sum):
+        return Sum(tuple((factor, change(value)) for factor, value in node.terms))
+    values = {field.name: getattr(node, field.name) for field in fields(node)}
+    changed = {name: change(value) for name, value in values.items() if isinstance(value, Node)}
+    return replace(node, **changed)
 
 
 def subexpressions(node: Node) -> Iterator[Node]:

@@ -16,7 +16,6 @@ from nscc import html
 from nscc.diagnostics.arguments import wrong_argument
 from nscc.files import write_together
 from nscc.words.container import Container
-from nscc.words.legality import refuse_pictures
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.frame_content import frame_content
@@ -184,8 +183,6 @@ class Capture(Frame):
         """
         out = Path(path)
         check_ending(out, endings(), "a frame")
-        if out.suffix != ".npz":
-            refuse_pictures(self.container, f"'{out.name}' cannot hold this frame", "save an .npz")
         named = (keep,) if isinstance(keep, str) else tuple(keep)
         for name in named:
             if name not in KEEP:

@@ -28,7 +28,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
-from nscc_runtime.planless import planless
+from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import ToleranceInput
@@ -251,7 +251,7 @@ def plan(
     Raises
     ------
     Rejected
-        As `capture`; NS0750 for chips without logic in their pixels.
+        As `capture`; NS0750 for programs that plans do not apply to.
     """
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import PlanRequest, make_plan
@@ -267,8 +267,7 @@ def plan(
     most = tolerance_of(call, "tolerance_max", tolerance_max)
     request = Request.of(effects=effects_of(call, effects), tolerance=allowed, tolerance_max=most)
     check(container, scene)
-    if container.target.streamed:
-        raise planless(call)
+    refuse_planless(container, call)
     warn(diagnostics)
     limits = request.tolerance, request.tolerance_max
     wanted = PlanRequest(request.effects, *limits, figures=True)

@@ -79,7 +79,7 @@ def film(
     if not scenes:
         raise wrong_argument(f"{call}: there is no light", helps=("give one for each frame",))
     for number, scene in enumerate(scenes):
-        if len(scene) > 1 or not scene[0].placement.fits_one_array:
+        if len(scene) > 1 or scene[0].placement.arrays != (1, 1):
             raise wrong_argument(
                 f"{call}: light {number} takes several exposures",
                 helps=("use scenes in grey, and fit='crop' or fit='scale'",),

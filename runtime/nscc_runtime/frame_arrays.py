@@ -52,9 +52,11 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     if meta is None:
         raise InvalidArrays(f"its schema is not {SCHEMA}")
     shape = arrays["frame"].shape
-    pictured = "margin" in arrays or "images" in meta
-    if not 3 <= len(shape) <= 5 or 0 in (shape[-2:] if pictured else shape):
+    pictured = "margin" in arrays
+    if not 3 <= len(shape) <= 5 or 0 in (*shape[:-3], *shape[-2:]):
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
+    if shape[-3] == 0 and not pictured:
+        raise InvalidArrays("it has images or planes, but no exposures")
     for name, array in arrays.items():
         if name != "meta" and array.dtype.kind not in "buif":
             raise InvalidArrays(f"`{name}` is {array.dtype}, not real numbers")
@@ -69,9 +71,24 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
             raise InvalidArrays(f"`{name}` is {values.shape}, its frame {shape}")
         if kinds == "f" and (np.abs(values[np.isfinite(values)]) > _MOST_LIGHT).any():
             raise InvalidArrays(f"`{name}` has values above {_MOST_LIGHT:g}")
+    if pictured:
+        _check_pictures(arrays, shape)
     if not is_plan(meta.get("plan")):
         raise InvalidArrays("the `plan` of its meta does not list its effects")
     return meta
+
+
+def _check_pictures(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> None:
+    """Raise InvalidArrays if images, planes or events do not fit a frame of this shape."""
+    pixels = (*shape[:-3], *shape[-2:])
+    for name, values in arrays.items():
+        if name == "margin" or name.startswith(("image_", "plane_")):
+            if values.shape != pixels:
+                raise InvalidArrays(f"`{name}` is {values.shape}, its frame {shape}")
+        elif name.startswith("report_events_") and f"{name}_count" in arrays:
+            size = np.array(shape[:-3:-1])
+            if values.shape[-1:] != (2,) or values.dtype.kind != "i" or (values >= size).any():
+                raise InvalidArrays(f"`{name}` does not hold columns and rows of its frame")
 
 
 def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:

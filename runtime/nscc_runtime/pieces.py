@@ -10,15 +10,15 @@ from typing import Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
-from nscc.words.legality import refuse_pictures
 from nscc_runtime.frame_file import joined, stacked
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
+from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.progress import unseen
 from nscc_runtime.response import Response, response_of
 from nscc_runtime.scenes import PlacedLight, Placement
 from nscc_runtime.sensor import Sensor
-from nscc_runtime.simulate import Listener, Request, Simulated, simulate
+from nscc_runtime.simulate import Listener, Request, Simulated, digest_of, simulate
 
 COLOURS = ("red", "green", "blue")
 
@@ -65,12 +65,16 @@ def simulate_scene(
     relative tolerance refers to the whole scene. Raises Rejected like `simulate`, and NS0739 for
     options that support one exposure only."""
     listener = listener or Listener()
-    placement = scene[0].placement
+    placement, exposed = scene[0].placement, container
+    if container.pictures is not None and not (len(scene) == 1 and placement.fits_one_array):
+        from nscc_runtime.neighbours.picture_pieces import overlapping, with_planes_for_reports
+
+        placement = overlapping(container, placement)
+        exposed = with_planes_for_reports(container)
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     piece_listener = listener
     if len(lights) > 1:
-        refuse_pictures(container, "this scene takes several exposures", "use --fit crop or scale")
         _refuse_once(request)
         request = _for_all(container, lights, sensor, request)
         piece_listener = replace(listener, progress=unseen)
@@ -83,9 +87,13 @@ def simulate_scene(
             piece_request = replace(
                 request, seed=request.seed + number, turn=Turn(plans, number, 1)
             )
-        simulated_pieces.append(simulate(container, light, sensor, piece_request, piece_listener))
+        simulated_pieces.append(simulate(exposed, light, sensor, piece_request, piece_listener))
     alone = len(simulated_pieces) == 1 and placement.fits_one_array
-    simulated = simulated_pieces[0] if alone else _joined(simulated_pieces, placement, len(scene))
+    simulated = (
+        simulated_pieces[0]
+        if alone
+        else _joined(simulated_pieces, container, placement, len(scene))
+    )
     light = scene[0].light
     light = (
         light
@@ -106,16 +114,24 @@ def simulate_scene(
     )
 
 
-def _joined(pieces: Sequence[Simulated], placement: Placement, colours: int) -> Simulated:
+def _joined(
+    pieces: Sequence[Simulated], container: Container, placement: Placement, colours: int
+) -> Simulated:
     """Return the joined result of all pieces of a scene with `colours` colours."""
     frames, piece_count = [piece.frame for piece in pieces], len(pieces) // colours
     frames = [
         joined(frames[k : k + piece_count], placement.joined)
         for k in range(0, len(pieces), piece_count)
     ]
+    if container.pictures is not None:
+        from nscc_runtime.neighbours.picture_pieces import with_reports
+
+        frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
-    return replace(worst, frame=frames[0] if colours == 1 else stacked(frames), broken=broken)
+    frame = frames[0] if colours == 1 else stacked(frames)
+    origin = replace(worst.origin, program_sha256=digest_of(container))
+    return replace(worst, frame=frame, origin=origin, broken=broken)
 
 
 def _for_all(
@@ -123,7 +139,7 @@ def _for_all(
 ) -> Request:
     """Return the request with one tolerance for all lights, which have equal sizes. A fraction of
     the noise is converted to electrons only if plans are measured against it."""
-    if not request.planned or container.target.streamed:
+    if not request.planned or reason_without_plan(container):
         return request
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.planned_scene import PlannedScene

@@ -1,16 +1,27 @@
-"""The error if a plan is requested for a chip that receives planes of bits."""
+"""The programs whose frames are simulated without a plan, and the error if one is requested."""
 
 from __future__ import annotations
 
-from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
 
 
-def planless(subject: str) -> Rejected:
-    """Return the error NS0750: `subject` needs a plan."""
-    return rejected(
-        "NS0750",
-        f"{subject} needs a plan, but a chip that receives planes of bits does not use plans",
-        notes=("such frames are simulated slot by slot, with every enabled effect",),
-        helps=(f"leave {subject} out: the simulation makes no approximation",),
-    )
+def reason_without_plan(container: Container) -> str:
+    """Return the reason why frames of a program are simulated slot by slot; "" if plans apply."""
+    if container.target.streamed:
+        return "bit planes assign the light to buckets slot by slot"
+    if container.pictures is not None:
+        return "images and planes depend on the neighbours of every pixel"
+    return ""
+
+
+def refuse_planless(container: Container, subject: str) -> None:
+    """Raise NS0750 (status 2) if `subject` needs a plan, but plans do not apply to a program."""
+    reason = reason_without_plan(container)
+    if reason:
+        raise rejected(
+            "NS0750",
+            f"{subject} needs a plan, but plans do not apply to this program",
+            notes=(f"{reason}, so every selected effect is simulated slot by slot",),
+            helps=(f"leave {subject} out: the simulation makes no approximation",),
+        )

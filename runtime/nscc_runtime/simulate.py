@@ -15,7 +15,6 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
-from nscc.words.legality import refuse_pictures
 from nscc_runtime import frame_file, run_messages
 from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection, selected
@@ -23,7 +22,7 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
-from nscc_runtime.planless import planless
+from nscc_runtime.planless import reason_without_plan, refuse_planless
 from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, ToleranceInput, check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
@@ -175,23 +174,24 @@ def simulate(
 def _simulated(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    if container.target.streamed and (request.plan is not None or request.audit):
-        raise planless("--plan" if request.plan is not None else "--audit")
-    if container.target.streamed:
+    if request.plan is not None or request.audit:
+        refuse_planless(container, "--plan" if request.plan is not None else "--audit")
+    reason = reason_without_plan(container)
+    if reason:
         check_tolerance(request.tolerance, sensor)
         if request.tolerance_max is not None:
             check_tolerance(request.tolerance_max, sensor, OPTION_MAX)
-    if request.planned and not container.target.streamed and container.pictures is None:
+    if request.planned and not reason:
         return _planned(container, light, sensor, request, listener)
-    noiseless, reason = request.effects.noiseless, ""
+    noiseless = request.effects.noiseless
     absent: Mapping[str, str] = {}
-    if container.pictures is not None:
-        reason = "images and planes depend on the neighbours of every pixel"
-        _refuse_plans_of_pictures(container, request, listener)
+    if container.pictures is not None and request.effects.auto:
+        _say_once(
+            listener, "images and planes: all effects are simulated, slot by slot, without a plan"
+        )
     elif container.target.streamed and not noiseless:
         from nscc_runtime.reference.stream import absent_effects
 
-        reason = "bit planes assign the light to buckets slot by slot"
         absent = absent_effects(container, request.effects)
     effects = request.effects.without(*absent) if absent else request.effects
     expose = _exposing(container, light, sensor, effects, request, listener)
@@ -202,20 +202,10 @@ def _simulated(
     if reason:
         plan["slot_loop_reasons"] = [reason]
     origin = Provenance(
-        _digest(container), sensor, request.seed, request.device_seed,
+        digest_of(container), sensor, request.seed, request.device_seed,
         "planned" if noiseless else "reference", plan,
     )  # fmt: skip
     return Simulated(frame, origin, effects)
-
-
-def _refuse_plans_of_pictures(container: Container, request: Request, listener: Listener) -> None:
-    if request.plan is not None or request.audit:
-        option = "--plan" if request.plan is not None else "--audit"
-        refuse_pictures(
-            container, f"{option} needs a plan", f"leave {option} out: all is simulated"
-        )
-    if request.effects.auto and listener.say is not None:
-        listener.say("images and planes: all effects are simulated, slot by slot, without a plan")
 
 
 def _exposing(
@@ -289,7 +279,7 @@ def _planned(
     )
     _say_compiling(listener, planning.loop, "planner")
     check(container, light)
-    digest = _digest(container)
+    digest = digest_of(container)
     with timings.measure("analyse_s"):
         planning.ready()
     file = request.plan if isinstance(request.plan, Path) else None
@@ -360,7 +350,7 @@ def _sha256(container: Container) -> str:
     return sha256(to_bytes(container)).hexdigest()
 
 
-_digest = OfContainer(_sha256)
+digest_of = OfContainer(_sha256)
 """The SHA-256 digest that identifies a program in frames and plans."""
 
 
@@ -377,7 +367,10 @@ def _contradiction(options: str, note: str, help_text: str) -> Rejected:
 
 def _say_compiling(listener: Listener, loop: Loop[Any], subject: str) -> None:
     if listener.say is not None and not loop.is_compiled():
-        line = loop.compiling(f"the {subject}'s loops")
-        if line not in listener.lines_said:
-            listener.lines_said.add(line)
-            listener.say(line)
+        _say_once(listener, loop.compiling(f"the {subject}'s loops"))
+
+
+def _say_once(listener: Listener, line: str) -> None:
+    if listener.say is not None and line not in listener.lines_said:
+        listener.lines_said.add(line)
+        listener.say(line)

@@ -44,6 +44,12 @@ ANALOGNET2 = [
     [[-4, -1, 1], [-1, 2, 0], [1, 1, 0]],
     [[-1, 2, 0], [-1, 1, -3], [0, -3, 0]],
 ]
+MAX_POOLED = [
+    [[1, 1, 0], [0, 0, 0], [1, 0, 0]],
+    [[1, 0, -2], [0, -2, 0], [-1, -2, 1]],
+    [[0, 1, 1], [-2, -2, -1], [0, 0, 0]],
+    [[0, -1, -1], [0, 0, 0], [1, 0, 1]],
+]
 SETS: dict[str, tuple[list[Rows], int, int, int | None]] = {
     "Sobel x": ([SOBEL_X], 1, 7, 10),
     "Prewitt x": ([outer([1] * 3, [1, 0, -1])], 1, 7, 8),
@@ -58,6 +64,7 @@ SETS: dict[str, tuple[list[Rows], int, int, int | None]] = {
     "Sobel x and y": ([SOBEL_X, SOBEL_Y], 1, 13, 17),
     "box 3x3 and 5x5": ([BOX_3, BOX_5], 1, 20, 26),
     "AnalogNet2 / 4": (ANALOGNET2, 4, 36, 41),
+    "MaxPooled / 4": (MAX_POOLED, 4, 28, 31),
 }
 """Kernels, their divisor, the goal and the words of Cain."""
 

@@ -12,6 +12,7 @@ from scipy.ndimage import correlate
 
 from nscc.chips.load import builtin_target
 from nscc.neighbours.addition import additions
+from nscc.neighbours.alternatives import with_shared_halvings
 from nscc.neighbours.programs import (
     TURNS,
     UNIT,
@@ -27,6 +28,7 @@ from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
+from nscc.words import pictures as p
 
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 _FETCH = {"XN": (1, 0), "XE": (0, -1), "XS": (-1, 0), "XW": (0, 1)}
@@ -69,13 +71,16 @@ def outer(column: list[int], row: list[int]) -> list[list[int]]:
 
 
 GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], [0, 1, 2, 1, 0]]
+LAPLACE_8 = [[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]]
 KERNELS = {
     "sobel x": (outer([1, 2, 1], [1, 0, -1]), 1, 7),
     "sobel x / 8": (outer([1, 2, 1], [1, 0, -1]), 8, 7),
     "sobel y / 8": (outer([1, 0, -1], [1, 2, 1]), 8, 7),
     "prewitt x": (outer([1, 1, 1], [1, 0, -1]), 1, 7),
     "laplace 4": ([[0, -1, 0], [-1, 4, -1], [0, -1, 0]], 1, 8),
-    "laplace 8": ([[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]], 1, 13),
+    "laplace 8": (LAPLACE_8, 1, 12),
+    "laplace 8 / 4": (LAPLACE_8, 4, 9),
+    "laplace 8 / 8": (LAPLACE_8, 8, 11),
     "gauss 3x3": (outer([1, 2, 1], [1, 2, 1]), 16, 8),
     "box 3x3": (outer([1] * 3, [1] * 3), 1, 8),
     "box 5x5": (outer([1] * 5, [1] * 5), 1, 12),
@@ -133,7 +138,7 @@ def test_the_error_of_a_result_adds_up() -> None:
     assert noise_gain(program_from_text("a=x bn=a")) == pytest.approx(np.sqrt(1 + 1 / 4))
 
 
-def words_of(kernels: list[list[list[int]]], divisor: int, **keys: bool) -> int:
+def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **keys: bool) -> int:
     """The words of the images of kernels of one exposure, in one proved program."""
     lines = ["nsl 3", "frame 1 slots of 1ms", "open when true", "assume exposure <= 5%"]
     for number, rows in enumerate(kernels):
@@ -141,7 +146,7 @@ def words_of(kernels: list[list[list[int]]], divisor: int, **keys: bool) -> int:
         lines += [f"image i{number} = k{number}(exposure)", f"plane p{number} = i{number} > 1%"]
     lines.append(f"read {', '.join(f'p{number}' for number in range(len(kernels)))}")
     target = replace(builtin_target("scamp5"), **keys)
-    options = Options(level=1, target=target, cache=False)
+    options = Options(level=level, target=target, cache=False)
     made = run_passes(Source("p.nsl", "\n".join(lines)), Path(), options).container
     assert made is not None
     assert made.pictures is not None
@@ -156,11 +161,42 @@ NETWORK = [
 ]
 
 
+MAX_POOLED = [
+    [[1, 1, 0], [0, 0, 0], [1, 0, 0]],
+    [[1, 0, -2], [0, -2, 0], [-1, -2, 1]],
+    [[0, 1, 1], [-2, -2, -1], [0, 0, 0]],
+    [[0, -1, -1], [0, 0, 0], [1, 0, 1]],
+]
+
+
 def test_kernels_of_one_exposure_share_words() -> None:
     assert words_of([SOBEL_X, SOBEL_Y], 1) <= 13
     assert words_of(NETWORK, 4) <= 36
     apart = sum(words_of([rows], 4) for rows in NETWORK)
     assert words_of(NETWORK, 4) < apart
+
+
+def test_kernels_share_halvings_and_are_computed_in_the_best_order() -> None:
+    assert words_of(MAX_POOLED, 4, level=2) <= 31
+    assert words_of(NETWORK, 4, level=2) <= 30
+
+
+def test_divided_values_are_shared_by_kernels_alone() -> None:
+    text = "nsl 3 frame 1 slots of 1ms bucket a open when true bucket b open when true "
+    text += "assume exposure a <= 40% assume exposure b <= 40% "
+    text += "kernel k = [[1, 2, 1]] / 4 kernel s = [[1, 0, -1]] / 2 "
+    text += "image c = k(a) + k(b) image d = s(a) + s(k(b)) image e = b read c, d, e"
+    made = run_passes(Source("p.nsl", text), Path(), Options(level=2, cache=False)).container
+    assert made is not None
+    assert made.pictures is not None
+    shared = with_shared_halvings(made.pictures)
+    assert shared is not None
+    assert [item.name for item in shared.items] == ["a / 2", "c", "d", "e"]
+    half = p.Sum(((Fraction(2), p.Source("a / 2")),))
+    assert p.Filtered("k", half) in p.operands(shared.items[1].node)
+    assert with_shared_halvings(shared) is None
+    assert [cost.name for cost in made.pictures.costs] == ["c", "d", "e"]
+    assert sum(cost.words for cost in made.pictures.costs) >= made.pictures.words - 2
 
 
 def test_the_same_kernel_again_takes_a_copy_at_most() -> None:

@@ -163,7 +163,11 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container
     assert container is not None
-    refuse_pictures(container, "a run cannot begin with this program", "train its shutters alone")
+    refuse_pictures(
+        container, "a run cannot begin with a program that has images or planes",
+        "training changes the codes of pixels, and decoders read exposures",
+        "begin with a program that has the same shutters, without images and planes",
+    )  # fmt: skip
     if container.slots != spec.slots:
         raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
     if spec.kind == "looks":

@@ -21,6 +21,8 @@ from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.formats import Content
 from nscc_runtime.formats.content_sheet import content_sheet
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
@@ -94,11 +96,12 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
     try:
         _, array_names = npz_arrays(path, lambda _: False)
         most_bytes = MOST_BYTES if "frame" in array_names else _MOST_DRAWN_BYTES
-        read_names = (*_FRAME_KEYS, "meta", "image", "video")
-        arrays, _ = npz_arrays(path, read_names.__contains__, most_bytes)
+        arrays, _ = npz_arrays(path, _is_drawn, most_bytes)
         meta = frame_meta(arrays)
         if meta is not None and "frame" in arrays:
             checked_meta(arrays)
+            if "margin" in arrays:
+                return png_of(_pictured_view, arrays, meta, path.name)
             return png_of(frame_view, arrays, meta, path.name, tone)
     except (InvalidArrays, OSError) as error:
         raise _nothing_to_view(path, str(error)) from error
@@ -174,6 +177,22 @@ def frame_view(
             Image(np.where(by != 0, 255, 0), f"{name}saturated", f"{share:.1%} of the pixels"),
         ])  # fmt: skip
     return image_sheet(rows, title)
+
+
+def _is_drawn(name: str) -> bool:
+    """Return whether a picture of a file shows the array `name`."""
+    prefixes = ("image_", "plane_", "report_events_")
+    return name in (*_FRAME_KEYS, "meta", "image", "video", "margin") or name.startswith(prefixes)
+
+
+def _pictured_view(arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str) -> Figure:
+    """Draw the buckets, images, planes and events of a frame file; of several frames the first."""
+    told = {key: values for key, values in arrays.items() if key not in (*_FRAME_KEYS, "meta")}
+    missing = np.zeros(arrays["frame"].shape)
+    codes, exposure_e, saturated_by = (arrays.get(key, missing) for key in _FRAME_KEYS)
+    frame = Frame(codes, exposure_e, np.isfinite(exposure_e), saturated_by, told=told)
+    names = meta.get("buckets")
+    return image_plane_sheet(frame.first, names if isinstance(names, list) else [], title)
 
 
 def _json(path: Path) -> dict[str, Any]:

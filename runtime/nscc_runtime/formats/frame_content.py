@@ -13,7 +13,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_runtime.formats.content import Arrays, Content
-from nscc_runtime.frame_file import FrameFile
+from nscc_runtime.frame_file import Frame, FrameFile
 from nscc_runtime.light import Light
 
 _TOP = 255.0
@@ -28,16 +28,45 @@ def frame_content(
 ) -> Content:  # fmt: skip
     """Return the content of a frame file.
 
-    Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side.
-    Frames of --repeat make a clip, three colours a colour picture. `shutters` returns the distinct
-    shutters bool (shutters, buckets, N) of the container."""
+    Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side,
+    or the images, planes and buckets that the program reads. Frames of --repeat make a clip, three
+    colours a colour picture. `shutters` returns the distinct shutters bool (shutters, buckets, N)
+    of the container."""
     frame, colour = file.frame, "colours" in file.meta
+    codes, electrons = _read_out(frame, container)
     return Content(
-        {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
-        colour=colour, codes=frame.frame, write_npz=file.write,
+        {"frame": codes}, electrons, moving=frame.frame.ndim == 4 and not colour,
+        colour=colour, codes=codes, write_npz=file.write,
         benchmark=lambda: benchmark_arrays(container, shutters(), frame.exposure_e, light, colour),
         tone=tone, usual="linear", picture=_picture,
     )  # fmt: skip
+
+
+def _read_out(
+    frame: Frame, container: Container
+) -> tuple[NDArray[np.uint8], NDArray[np.float64] | None]:
+    """Return codes and electrons (.., reads, rows, cols); no electrons if only reports are read.
+
+    A 1 of a plane is the code 255 and one electron."""
+    pictures = container.pictures
+    if pictures is None:
+        return frame.frame, frame.exposure_e
+    if not pictures.reads:
+        return frame.frame, None
+    codes, electrons = [], []
+    for name in pictures.reads:
+        if name in container.buckets_read:
+            index = container.buckets_read.index(name)
+            codes.append(frame.frame[..., index, :, :])
+            electrons.append(frame.exposure_e[..., index, :, :])
+        elif name in pictures.planes:
+            bits = frame.told[f"plane_{name}"]
+            codes.append(bits * np.uint8(255))
+            electrons.append(bits.astype(np.float64))
+        else:
+            codes.append(frame.told[f"image_codes_{name}"])
+            electrons.append(frame.told[f"image_{name}"])
+    return np.stack(codes, axis=-3), np.stack(electrons, axis=-3)
 
 
 def _picture(values: NDArray[Any]) -> NDArray[Any]:

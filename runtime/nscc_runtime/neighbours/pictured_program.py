@@ -62,10 +62,8 @@ class PicturedProgram:
         """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
-        reaches = _beyond_reaches(self.container)
-        for number, light in enumerate(lights):
-            if number and any(reaches[state.name] != Reach() for state in self.pictures.states):
-                reaches = beyond_reaches(self.container, reaches)
+        all_reaches = reaches_of_frames(self.container)
+        for number, (light, reaches) in enumerate(zip(lights, all_reaches, strict=False)):
             seeds = seed, device_seed
             frame, kept_bits = self.next_frame(light, kept_bits, reaches, seeds, number)
             yield frame
@@ -207,6 +205,16 @@ class PicturedProgram:
 
 
 _words, _beyond_reaches = OfContainer(picture_words), OfContainer(beyond_reaches)
+
+
+def reaches_of_frames(container: Container) -> Iterator[Mapping[str, Reach]]:
+    """Yield, frame by frame without end, how far around a pixel each output depends on buses."""
+    assert container.pictures is not None
+    reaches = _beyond_reaches(container)
+    while True:
+        yield reaches
+        if any(reaches[state.name] != Reach() for state in container.pictures.states):
+            reaches = beyond_reaches(container, reaches)
 
 
 @OfContainer

@@ -12,6 +12,7 @@ from nscc.words.container import Container
 from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.data_flow import DataFlow
 from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.scenes.shapes import Field
 
@@ -36,7 +37,8 @@ _BAR = 0.84
 
 
 def shutter_sheet(container: Container, title: str) -> Figure:
-    """Draw the time chart, and below it the map of codes with a magnified tile."""
+    """Draw the time chart, and below it the map of codes with a magnified tile, or the data flow of
+    images and planes."""
     from matplotlib import colormaps
     from matplotlib.patches import Patch
 
@@ -46,14 +48,20 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
     colours: Field = colormaps[sheet.SCALE](places)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
-    maps, top = _maps(container, shutters, colours), _ABOVE + chart_height + _BELOW
+    flow = DataFlow(container, CHART_INCHES) if container.pictures is not None else None
+    maps = [] if flow is not None and count == 1 else _maps(container, shutters, colours)
+    top = _ABOVE + chart_height + _BELOW
     sizes = [sheet.zoomed(tile_map.colours.shape, _MAP) for tile_map in maps]
-    figure = sheet.blank(CHART_INCHES, top + max((height for _, height in sizes), default=0.0))
+    flow_top = top + max((height + _BELOW for _, height in sizes), default=0.0)
+    height = flow_top + flow.height if flow is not None else flow_top - _BELOW * bool(sizes)
+    figure = sheet.blank(CHART_INCHES, height)
     chart = sheet.place(figure, 0, _ABOVE, CHART_INCHES, chart_height)
     _draw_chart(chart, container, shutters.rows[chosen], colours[chosen])
     chart.set_yticks(range(len(chosen)), [shutters.labels[i] for i in chosen])
     for number, (drawing, size) in enumerate(zip(maps, sizes, strict=True)):
         _draw_map(sheet.place(figure, number * (_MAP + _BETWEEN), top, *size), drawing)
+    if flow is not None:
+        flow.draw(figure, flow_top)
     note = subtitle(container, f"{count} shutter{'s' * (count != 1)}")
     if len(chosen) < count:
         note += f"   ·   {len(chosen)} of them shown, evenly chosen"

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc.words.legality import refuse_pictures
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
@@ -28,6 +27,7 @@ from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.looking.path_loop import run_paths
 from nscc_runtime.loop import Loop
 from nscc_runtime.method_cache import remembered
+from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import Audit, Compared, audit
 from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
 from nscc_runtime.planning.make import still_fits
@@ -238,7 +238,7 @@ def planning_of(
 
     Programs whose pixels look are always exposed on the processor; `torch_device` is ignored.
     Raises Rejected for programs with images or planes."""
-    refuse_pictures(container, "there is no plan of this program", "simulate all its effects")
+    refuse_planless(container, "planning")
     if container.machine is None:
         return FixedShutters(container, sensor, light, device_seed, threads, torch_device)
     return LookingPixels(container, sensor, light, device_seed, threads)

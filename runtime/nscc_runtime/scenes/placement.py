@@ -7,6 +7,7 @@ afterwards."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import prod
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -30,17 +31,40 @@ MOST_PIXELS = 1 << 26
 @dataclass(frozen=True)
 class Placement:
     """The placement of a picture. `picture` (R, C): size as stored. `size` (rows, cols): size as
-    exposed. `array` (rows, cols): size of each array."""
+    exposed. `array` (rows, cols): size of each array.
+
+    `overlap`: numbers of rows at the top and bottom, and of columns at the left and right of an
+    array, that the picture takes from the neighbouring array instead. Overlapping arrays end where
+    the picture ends; other arrays may extend beyond it."""
 
     fit: Fit
     picture: tuple[int, int]
     size: tuple[int, int]
     array: tuple[int, int]
+    overlap: tuple[tuple[int, int], tuple[int, int]] = ((0, 0), (0, 0))
 
     @property
     def arrays(self) -> tuple[int, int]:
         """Numbers of arrays, down and across."""
-        return -(-self.size[0] // self.array[0]), -(-self.size[1] // self.array[1])
+        return len(self._starts(0)), len(self._starts(1))
+
+    def _starts(self, axis: int) -> list[int]:
+        """Return the first row (axis 0) or column (axis 1) of each array in the picture."""
+        size, array, shared = self.size[axis], self.array[axis], sum(self.overlap[axis])
+        starts = range(0, max(1, size - shared), array - shared)
+        if not shared:
+            return list(starts)
+        return [min(start, max(0, size - array)) for start in starts]
+
+    def _used(self, axis: int) -> list[slice]:
+        """Return the rows (axis 0) or columns (axis 1) that the picture takes from each array."""
+        starts = self._starts(axis)
+        firsts = [0, *(start + self.overlap[axis][0] for start in starts[1:])]
+        ends = [*firsts[1:], self.size[axis]]
+        return [
+            slice(first - start, end - start)
+            for start, first, end in zip(starts, firsts, ends, strict=True)
+        ]
 
     @property
     def fits_one_array(self) -> bool:
@@ -55,25 +79,27 @@ class Placement:
         """Return the light on each array, row by row."""
         if self.fits_one_array:
             return [light]
-        (rows, cols), (down, across) = self.array, self.arrays
+        rows, cols = self.array
         return [
-            light.part(slice(r * rows, (r + 1) * rows), slice(c * cols, (c + 1) * cols))
-            for r in range(down)
-            for c in range(across)
+            light.part(slice(top, top + rows), slice(left, left + cols))
+            for top in self._starts(0)
+            for left in self._starts(1)
         ]
 
     def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
-        """Join values (.., rows, cols) of all arrays, row by row, and cut them to the picture."""
-        down, across = self.arrays
+        """Join values (.., rows, cols) of all arrays, row by row, to the picture."""
         if len(pieces) == 1:
             return self.cut(pieces[0])
-        rows = [pieces[r * across : (r + 1) * across] for r in range(down)]
-        return self.cut(np.concatenate([np.concatenate(row, axis=-1) for row in rows], axis=-2))
+        parts = iter(pieces)
+        bands = (
+            np.concatenate([next(parts)[..., rows, cols] for cols in self._used(1)], axis=-1)
+            for rows in self._used(0)
+        )
+        return np.concatenate([*bands], axis=-2)
 
     def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
         """Repeat values of an array (.., rows, cols) at the pixels of the picture."""
-        ahead = (1,) * (values.ndim - 2)
-        return np.ascontiguousarray(self.cut(np.tile(values, (*ahead, *self.arrays))))
+        return np.ascontiguousarray(self.joined([values] * prod(self.arrays)))
 
     def widened(self, container: Container) -> Container:
         """Return the container with the codes of every pixel of the picture."""
@@ -150,7 +176,7 @@ def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
         text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
         notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in parts"))
     elif placement.fit == "tiles" and placement.arrays != (1, 1):
-        text = f"'{name}' is {picture}: it is exposed in {size(placement.arrays)} parts of {array}"
+        text = f"'{name}' is {picture}: it is exposed in parts of {array}"
         notes.append(picture_note(text, "--fit scale exposes it at once, reduced"))
     if colour:
         text = f"'{name}' is in colour: its luminance is exposed"

@@ -14,7 +14,7 @@ from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import OPEN
-from nscc_runtime.planless import planless
+from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import bands, compared_rows
 from nscc_runtime.planning.make import PlanRequest, make_plan
 from nscc_runtime.planning.scenes import planning_of
@@ -38,10 +38,9 @@ def effects(bench: Bench) -> StageResult:
     frame.
 
     Errors are differences from the reference with the same random numbers. Raises Rejected (NS0750)
-    for a chip that receives bit planes, whose simulation has no approximations."""
+    for a program without plans, whose simulation has no approximations."""
     container, request = bench.container, bench.request
-    if container.target.streamed:
-        raise planless("comparing tolerances")
+    refuse_planless(container, "comparing tolerances")
     truth = _Truth(bench)
     tolerances, notes = _tolerances(bench)
     ways = [("auto", tolerance) for tolerance in tolerances]

@@ -1,0 +1,89 @@
+"""Other ways to compute the same images, which the lowering tries at higher levels of optimisation.
+
+* Kernels of one exposure or image often share a divisor. The halvings then run once, before them.
+* Images that only apply kernels to exposures can be computed in any order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from nscc.neighbours.lower import merged
+from nscc.words import pictures as p
+
+_MOST_MOVED = 5
+"""Most images of which one is moved to the front."""
+
+
+def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
+    """Yield images and planes with equal results, whose words may be fewer."""
+    shared = with_shared_halvings(pictures)
+    if shared is not None:
+        yield shared
+    movable = [item for item in pictures.items if _is_kernel_of_exposure(item, pictures)]
+    for item in movable[1:_MOST_MOVED] if len(movable) > 2 else ():
+        others = (other for other in pictures.items if other is not item)
+        moved = replace(pictures, items=(item, *others))
+        yield moved
+        if shared is not None:
+            yield with_shared_halvings(moved) or moved
+
+
+def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
+    """Return the images with divided values that several kernels share; None if there are none.
+
+    A divided value is an item before the first item that reads it; `/` is part of its name."""
+    divisors = _shared_divisors(pictures)
+    if not divisors:
+        return None
+
+    def divided_source(node: p.Node) -> p.Node:
+        if isinstance(node, p.Source) and node.name in divisors:
+            divisor = divisors[node.name]
+            return p.Sum(((Fraction(divisor), p.Source(f"{node.name} / {divisor}")),))
+        return p.with_operands(node, divided_source)
+
+    items: list[p.Picture] = []
+    known = set(pictures.limits_e)
+    for item in pictures.items:
+        for name in [name for name in divisors if name in known]:
+            divided = p.Sum(((Fraction(1, divisors[name]), p.Source(name)),))
+            items.append(p.Picture(f"{name} / {divisors[name]}", divided))
+            known.remove(name)
+        items.append(replace(item, node=divided_source(item.node)))
+        known.add(item.name)
+    return replace(pictures, items=tuple(items))
+
+
+def _shared_divisors(pictures: p.Pictures) -> dict[str, int]:
+    """Return for values that at least two kernels read, and nothing else: the common divisor."""
+    divisors: dict[str, list[int]] = {}
+    for expression in pictures.expressions.values():
+        for name, divisor in _divisors(expression, pictures.weights_by_name):
+            divisors.setdefault(name, []).append(divisor)
+    shared = {name: min(found) for name, found in divisors.items() if len(found) > 1}
+    return {name: divisor for name, divisor in shared.items() if divisor > 1}
+
+
+def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[str, int]]:
+    """Yield each value that an expression reads with the divisor of the kernel that reads it."""
+    if isinstance(node, p.Source):
+        yield node.name, 1
+    elif isinstance(node, p.Filtered | p.Sum):
+        taps, inner = merged(node, kernels)
+        if isinstance(inner, p.Source):
+            yield inner.name, max(weight.denominator for weight in taps.values() or [Fraction(1)])
+        else:
+            for operand in p.operands(node) if inner is node else (inner,):
+                yield from _divisors(operand, kernels)
+    else:
+        for operand in p.operands(node):
+            yield from _divisors(operand, kernels)
+
+
+def _is_kernel_of_exposure(item: p.Picture, pictures: p.Pictures) -> bool:
+    if isinstance(item.node, p.Condition):
+        return False
+    taps, inner = merged(item.node, pictures.weights_by_name)
+    return len(taps) > 1 and isinstance(inner, p.Source) and inner.name in pictures.limits_e

@@ -1,0 +1,182 @@
+"""Assign registers while images are lowered: free registers, their contents, and last reads.
+
+A value stays in its register until the last word that reads it. Registers that are free again keep
+their contents for reuse until a word overwrites them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+from nscc.neighbours.bits import BitWords
+from nscc.neighbours.count_words import CountEmitter, Result
+from nscc.neighbours.held import Held, PictureRefused
+from nscc.neighbours.programs import Program
+from nscc.neighbours.reuse import Contents, Reuse, reuse
+from nscc.operations import NEIGHBOURS, Op, op
+from nscc.words import pictures as p
+from nscc.words.container import Container
+from nscc.words.encoding import matching
+
+
+class RegisterEmitter(CountEmitter):
+    """Emits words whose registers are assigned here.
+
+    `contents`: what analog registers hold, for reuse. `uses`: numbers of reads that are left."""
+
+    def __init__(self, pictures: p.Pictures, container: Container) -> None:
+        super().__init__(pictures)
+        target = self.target = container.target
+        buckets = {
+            readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
+            for readout in container.readouts
+        }
+        bucket_registers = {register for register, _ in buckets.values()}
+        self.free = [name for name in target.analog_available if name not in bucket_registers]
+        self.contents: dict[str, Contents] = {}
+        self.held = {
+            name: Held(register, sign, 0.0, pictures.limits_e[name], name)
+            for name, (register, sign) in buckets.items()
+        }
+        guarded = (*container.code_registers, target.mask_register, target.masked_register)
+        digital = [name for name in target.digital_registers if name not in guarded]
+        exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
+        written = {name for word in exposing if word is not None for name in word.destinations}
+        self.bits = BitWords(self, digital, {*digital} - written)
+        self.count_e = pictures.count_steps * target.electrons_per_step
+        self.uses = self._uses()
+        for name, value in list(self.held.items()):
+            self.uses[name] += 1
+            self.give(value)
+
+    def _uses(self) -> dict[str, int]:
+        """Return how often each image and bucket is read; an output counts once more."""
+        uses: dict[str, int] = dict.fromkeys(self.held, 0)
+        for name, expression in self.pictures.expressions.items():
+            uses[name] = 0
+            for node in p.subexpressions(expression):
+                if isinstance(node, p.Source):
+                    uses[node.name] += 1
+        for name in self.pictures.outputs:
+            uses[name] = uses.get(name, 0) + 1
+        return uses
+
+    def take(self) -> str:
+        if not self.free:
+            count = len(self.target.analog_available)
+            raise PictureRefused("registers", self.now, count + 1, count)
+        # Contents with the most weights are the least likely to be read again.
+        sizes = {name: len(taps) for name, (_, taps) in self.contents.items()}
+        register = min(self.free, key=lambda name: (name in sizes, -sizes.get(name, 0)))
+        self.free.remove(register)
+        return register
+
+    def word(self, op: Op, level: int | None = None) -> None:
+        super().word(op, level)
+        for name in op.destinations:
+            self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
+
+    def give(self, *values: Held) -> None:
+        """Note that values have been read, and free each register that no later word reads."""
+        for value in values:
+            if value.name is not None:
+                self.uses[value.name] -= 1
+                if self.uses[value.name]:
+                    continue
+                del self.held[value.name]
+            self.free.append(value.register)
+            self.free.sort(key=self.target.analog_available.index)
+
+    def checked(self, low: float, high: float) -> None:
+        target, slack = self.target, 1 + 1e-9
+        if high > target.register_max_e * slack or low < target.register_min_e * slack:
+            over = max(high / target.register_max_e, low / target.register_min_e)
+            raise PictureRefused("range", self.now, over, 1.0)
+
+    def reuse_of(self, program: Program, value: Held) -> Reuse:
+        keeps = self.target.news_read_keeps
+        return reuse(program, _base(value), self.contents, self.free, keeps)
+
+    def run_program(self, program: Program, value: Held) -> str:
+        """Emit the words of a program, and return the register of its result."""
+        self.everywhere()
+        left = self.reuse_of(program, value)
+        last: dict[str, int] = {}
+        for number in left.words:
+            for name in (*program[number].sources, *program[number].destinations):
+                last[name] = number
+        result = program[-1].destinations[0]
+        places = {"x": value.register, **left.held}
+        reserved = {*left.held.values()} & {*self.free}
+        self.free = [name for name in self.free if name not in reserved]
+        if "x" not in last:
+            self.give(value)
+        for number in left.words:
+            word, names = program[number], []
+            for name in word.destinations:
+                if name != "NEWS" and name not in NEIGHBOURS and name not in places:
+                    places[name] = self.take()
+                names.append(places.get(name, name))
+            sources = [places.get(name, name) for name in word.sources]
+            self.word(op("bus2" if word.halves else "bus", names, sources))
+            for name, contents in left.contents[number].items():
+                self.contents[places.get(name, "NEWS")] = contents
+            for name, at in last.items():
+                if at == number and name in places and name != result:
+                    if name == "x":
+                        self.give(value)
+                    elif name not in left.held or places[name] in reserved:
+                        self.give(replace(value, register=places[name], name=None))
+        unread = [places[name] for name in left.held if name not in last and name != result]
+        self.free += [name for name in unread if name in reserved]
+        return places[result]
+
+    def shortest(self, *ways: Callable[[], Held]) -> Held:
+        """Return the value computed by the way with the fewest words."""
+        return self.do_shortest(ways, [1] * len(ways))
+
+    def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
+        """Follow the way with the fewest words per share, and return its result.
+
+        Raise the first `PictureRefused` if no way fits the registers."""
+        best: tuple[float, int] | None = None
+        refused: PictureRefused | None = None
+        before = len(self.words)
+        for number, (way, share) in enumerate(zip(ways, shares, strict=True)):
+            state = self.state()
+            try:
+                way()
+            except PictureRefused as error:
+                refused = refused or error
+            else:
+                words = (len(self.words) - before) / share
+                best = min(best or (words, number), (words, number))
+            self.restore(state)
+        if best is None:
+            assert refused is not None
+            raise refused
+        return ways[best[1]]()
+
+    def state(self) -> tuple[Any, ...]:
+        """Return the state of the emitter, for `restore`."""
+        bits = self.bits
+        return (
+            len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
+            dict(self.contents),
+            bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
+            {name: terms[:] for name, terms in self.ready.items()}, self.walks,
+        )  # fmt: skip
+
+    def restore(self, state: tuple[Any, ...]) -> None:
+        """Remove the words since `state`, and set everything back."""
+        bits = self.bits
+        words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
+        del self.words[words:]
+        bits.free, bits.planes, bits.uses, bits.steered, *of_counting = of_bits
+        self.ready, self.walks = of_counting
+
+
+def _base(value: Held) -> str:
+    """Return a name for the contents of a value's register, valid until the register is freed."""
+    return f"{value.name or value.register} {value.sign}"

@@ -1,0 +1,196 @@
+"""Draw the data flow of a program with images and planes, and its convolution kernels.
+
+Exposures and states are at the top, read-out and reports at the bottom. An edge names the kernels
+and levels that are applied. A kernel is a grid of weights."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nscc.words import pictures as p
+from nscc.words.container import Container
+from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import place
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from networkx import DiGraph
+
+_LAYER, _BOX, _WIDEST = 0.95, 0.4, 1.5
+"""Inches: distance of layers, height of a box, largest width of a box."""
+_CELL, _BETWEEN, _NAME = 0.19, 0.5, 0.4
+"""Inches: side of a weight, gap between kernels, height of a kernel's name."""
+_SWEEPS = 8
+"""Number of passes that order each layer by the mean position of the neighbours."""
+_SERIES = {"exposure": 6, "image": 0, "plane": 2, "state": 3, "output": 4}
+
+Node = str | tuple[str, str, int]
+"""A box, or the place of an edge (source, target) in a layer between its ends."""
+
+
+def flow_graph(container: Container) -> DiGraph:
+    """Return the graph of exposures, states, images, planes, read-out and reports.
+
+    Nodes have a `kind` and a `text`, edges a `label`."""
+    from networkx import DiGraph
+
+    pictures, graph = container.pictures, DiGraph()
+    assert pictures is not None
+    words = {cost.name: cost.words for cost in pictures.costs}
+    states = {state.name: f"next {state.name}" for state in pictures.states}
+    for name, expression in pictures.expressions.items():
+        node = states.get(name, name)
+        kind = "state" if name in states else "plane" if name in pictures.planes else "image"
+        graph.add_node(node, kind=kind, text=f"{kind}, {words.get(name, 0)} words")
+        for source, label in _sources(container, expression):
+            labels = graph.edges[source, node]["label"] if graph.has_edge(source, node) else ""
+            graph.add_edge(source, node, label=f"{labels}\n{label}".strip())
+    outputs = [("read", "", name) for name in pictures.reads]
+    for report in pictures.reports:
+        most = f"at most {report.most}" if report.most else ""
+        outputs.append((f"report {report.kind}", most, report.plane))
+    for node, text, name in outputs:
+        graph.add_node(node, kind="output", text=text)
+        graph.add_edge(states.get(name, name), node, label="")
+    for node, facts in graph.nodes.items():
+        if not facts:
+            facts |= {"kind": "state" if node in states else "exposure", "text": ""}
+    return graph
+
+
+def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tuple[str, str]]:
+    """Yield what an expression reads, with the kernels and levels that are applied to it."""
+    step = ""
+    match node:
+        case p.Source() | p.Bit():
+            yield node.name, label
+        case p.Filtered() | p.Agreement():
+            step = node.kernel
+        case p.Largest() | p.Near():
+            step = f"{'max' if isinstance(node, p.Largest) else node.kind} {node.kernel}"
+        case p.At():
+            step = f"[{node.right}, {node.down}]"
+        case p.Above():
+            step = f"> {node.steps * container.target.electrons_per_step:.0f} e"
+        case p.Exceeds():
+            step = f"> {float(node.level):g}"
+    for operand in p.operands(node):
+        yield from _sources(container, operand, ", ".join(filter(None, (step, label))))
+
+
+def _layers(graph: DiGraph) -> list[list[Node]]:
+    """Return the nodes by layer, ordered so that few edges cross; outputs are in the last layer."""
+    from networkx import topological_generations
+
+    outputs = [node for node in graph if graph.nodes[node]["kind"] == "output"]
+    inner = graph.subgraph(set(graph) - {*outputs})
+    layers: list[list[Any]] = [*map(sorted, topological_generations(inner)), outputs]
+    neighbours: dict[Node, list[Node]] = {}
+    for edge in graph.edges:
+        for first, second in pairwise(_chain(edge, layers)):
+            neighbours.setdefault(first, []).append(second)
+            neighbours.setdefault(second, []).append(first)
+    for node in neighbours:
+        if not isinstance(node, str):
+            layers[node[2]].append(node)
+    for sweep in range(_SWEEPS):
+        for layer in layers if sweep % 2 == 0 else reversed(layers):
+            at = {node: (i + 0.5) / len(row) for row in layers for i, node in enumerate(row)}
+            mean = {node: np.mean([at[other] for other in neighbours[node]]) for node in layer}
+            layer.sort(key=mean.__getitem__)
+    return layers
+
+
+def _chain(edge: tuple[str, str], layers: list[list[Any]]) -> list[Node]:
+    """Return an edge's ends with its places in the layers between."""
+    first, last = (next(n for n, layer in enumerate(layers) if end in layer) for end in edge)
+    return [edge[0], *((*edge, number) for number in range(first + 1, last)), edge[1]]
+
+
+class DataFlow:
+    """A layered drawing of `flow_graph`, with the kernels below it; lengths in inches."""
+
+    def __init__(self, container: Container, width: float) -> None:
+        assert container.pictures is not None
+        self.graph, self.width = flow_graph(container), width
+        self.layers, weights = _layers(self.graph), container.pictures.weights
+        side = max((len(kernel.rows) for kernel in weights), default=0) * _CELL
+        columns = int((width + _BETWEEN) // (side + _BETWEEN))
+        self.kernels = [weights[k : k + columns] for k in range(0, len(weights), columns)]
+        self.row_height, self.graph_height = side + _NAME, _LAYER * len(self.layers)
+        self.height = self.graph_height + self.row_height * len(self.kernels)
+
+    def draw(self, figure: Figure, top: float) -> None:
+        """Draw the graph and the kernels from `top` inches below the figure's upper edge."""
+        axes = place(figure, 0, top, self.width, self.graph_height)
+        axes.set(xlim=(0, self.width), ylim=(self.graph_height, -0.02))
+        axes.axis("off")
+        at: dict[Node, tuple[float, float]] = {
+            node: ((i + 0.5) * self.width / len(layer), number * _LAYER + _BOX / 2)
+            for number, layer in enumerate(self.layers)
+            for i, node in enumerate(layer)
+        }
+        for node in self.graph:
+            self._draw_edges(axes, node, at)
+            (room,) = (self.width / len(layer) for layer in self.layers if node in layer)
+            self._draw_box(axes, node, at[node], min(_WIDEST, room - 0.15))
+        for row, kernels in enumerate(self.kernels):
+            y = top + self.graph_height + row * self.row_height
+            for column, kernel in enumerate(kernels):
+                x = column * (self.row_height - _NAME + _BETWEEN)
+                size = len(kernel.rows[0]) * _CELL, len(kernel.rows) * _CELL
+                _draw_kernel(place(figure, x, y, *size), kernel)
+
+    def _draw_edges(self, axes: Axes, node: str, at: dict[Node, tuple[float, float]]) -> None:
+        """Draw the edges that end at a box, side by side in the order of their beginnings."""
+        edges = [
+            (self.graph.edges[source, node]["label"], _chain((source, node), self.layers))
+            for source in self.graph.predecessors(node)
+        ]
+        edges.sort(key=lambda edge: at[edge[1][-2]])
+        for number, (label, chain) in enumerate(edges):
+            x = at[node][0] + (number - (len(edges) - 1) / 2) * min(0.5, 1.2 / len(edges))
+            y, before = at[node][1] - _BOX / 2, [at[point] for point in chain[:-1]]
+            axes.plot(*zip(*before, strict=True), color=look().bar, linewidth=1, zorder=1)
+            arrow = {"arrowstyle": "-|>", "color": look().bar, "shrinkA": 0, "shrinkB": 0}
+            axes.annotate("", (x, y), before[-1], arrowprops=arrow, zorder=1)
+            right, down = before[-1][0] - x, before[-1][1] - y
+            share = float(np.clip(0.4 / max(abs(right), 1e-9), 0.2, 0.4))
+            axes.text(
+                x + share * right, y + share * down, label, size=6.5, color=look().ink,
+                ha="center", va="center", zorder=2,
+                bbox={"boxstyle": "square,pad=0.1", "color": look().paper, "linewidth": 0},
+            )  # fmt: skip
+
+    def _draw_box(self, axes: Axes, node: str, at: tuple[float, float], width: float) -> None:
+        from matplotlib.patches import FancyBboxPatch
+
+        kind, text = (self.graph.nodes[node][key] for key in ("kind", "text"))
+        axes.add_patch(FancyBboxPatch(
+            (at[0] - width / 2, at[1] - _BOX / 2), width, _BOX, linewidth=1.2, zorder=3,
+            boxstyle="round,pad=0,rounding_size=0.05", facecolor=look().closed,
+            edgecolor=look().series[_SERIES[kind]],
+        ))  # fmt: skip
+        is_start = kind == "state" and not text
+        name = "exposure" if node == "frame" else f"state {node}" if is_start else node
+        size = min(8.5, width * 72 / (0.62 * max(len(name), len(text), 8)))
+        line: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 4}
+        axes.text(at[0], at[1] - 0.07 * bool(text), name, size=size, weight="bold", **line)
+        axes.text(at[0], at[1] + 0.08, text, size=0.8 * size, color=look().faint, **line)
+
+
+def _draw_kernel(axes: Axes, kernel: p.Weights) -> None:
+    """Draw weights as numbers in cells: blue if positive, red if negative."""
+    limit = 1.6 * max(abs(weight) for row in kernel.rows for weight in row) or 1
+    axes.imshow(kernel.rows, cmap="RdBu", vmin=-limit, vmax=limit, alpha=0.7, aspect="auto")
+    axes.set_title(
+        f"{kernel.name} / {kernel.divisor}" if kernel.divisor > 1 else kernel.name, size=7, pad=3
+    )
+    axes.axis("off")
+    for (y, x), weight in np.ndenumerate(np.array(kernel.rows)):
+        axes.text(x, y, f"{weight}", size=6, ha="center", va="center_baseline")
