@@ -132,8 +132,9 @@ def emulated_sensor(
     code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips, torch_device)
     exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
-    tables = map(torch.from_numpy, (light_e, share, code, spread, full))
-    return EmulatedSensor(*tables, crosstalk)
+    arrays = light_e, share, code, spread, full
+    levels, shares, codes, spreads, marked = map(torch.from_numpy, arrays)
+    return EmulatedSensor(levels, shares, codes, spreads, marked, crosstalk)
 
 
 def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:

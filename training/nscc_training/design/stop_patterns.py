@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,8 +105,18 @@ def judged(
     return sorted(results, key=lambda pattern: -pattern.mean_db)
 
 
-def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Pattern:
-    """Return the pattern with the highest PSNR minus the cost of its words, among the best ones."""
+class Judged(Protocol):
+    """A pattern or code with its PSNR, in dB."""
+
+    @property
+    def mean_db(self) -> float: ...
+
+
+Candidate = TypeVar("Candidate", bound=Judged)
+
+
+def cheapest(ranked: Sequence[Candidate], words: Callable[[Candidate], int]) -> Candidate:
+    """Return the candidate with the highest PSNR minus the cost of its words, among the best."""
     return max(ranked[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
 
 
