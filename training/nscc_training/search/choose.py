@@ -31,7 +31,7 @@ SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 
 """Speeds in pixels per frame time, by name."""
 
 _TILE = (4, 4)
-STARTS = ("quad", "two-phase", "staggered", "cyclic")
+_STARTS = ("quad", "two-phase", "staggered", "cyclic")
 _PARTS_OPEN = (2, 4, 8)
 """Candidate bumps are open for 1/2, 1/4 or 1/8 of the frame."""
 _SEARCHED = ShutterSpec("e", 16, (8, 8))
@@ -132,7 +132,7 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
     encoders = {}
     for divisor in _PARTS_OPEN:
         length = -(-slots // divisor)
-        for start in STARTS:
+        for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
             spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
             encoders[bump_name(start, divisor)] = make_encoder(spec, start)

@@ -20,6 +20,7 @@ from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
+from nscc_training.code_choices import RANKS
 from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
@@ -32,10 +33,12 @@ Bits = NDArray[np.bool_]
 Clip = NDArray[np.floating]
 Progress = Callable[[Sequence["ClipCode"]], Iterable["ClipCode"]]
 
-_MIXED_STARTS = ("staggered", "cyclic")
-"""Bumps with so many starts that half of the pixels still record every slot."""
 _MIXED = ((1, 2), (1, 4), (1, 8), (2, 4), (2, 8))
 """Open fractions of the frame, as divisors, of every other pixel and of the pixels between."""
+_EVERY_OTHER = np.less(RANKS, RANKS.size // 2)
+_EIGHT_STARTS = RANKS.argsort(axis=None)[2 * RANKS % RANKS.size]
+"""For each place, the place whose shutter it has in a mixture: each half of the pixels then has
+eight of the sixteen starts of `cyclic`, evenly around the frame."""
 _RANDOM_SIDE = 8
 _OPEN = "always open"
 _JUDGED_SIDE = 128
@@ -75,13 +78,12 @@ def clip_codes(slots: int) -> list[ClipCode]:
     """Return all codes: bumps, mixtures and free bits, in one readout and in two."""
     tiles = {name: encoder.hard().numpy() > 0.5
              for name, encoder in encoders_by_name(slots).items()}  # fmt: skip
-    always_open = np.ones((slots, 4, 4), bool)
-    every_other = np.indices(always_open.shape[1:]).sum(axis=0) % 2 == 0
-    for start in _MIXED_STARTS:
-        bumps = {1: always_open} | {k: tiles[bump_name(start, k)] for k in (2, 4, 8)}
-        for longer, shorter in _MIXED:
-            name = f"1/{longer} beside {bump_name(start, shorter)}".replace("1/1", _OPEN)
-            tiles[name] = np.where(every_other, bumps[longer], bumps[shorter])
+    always_open = np.ones((slots, *RANKS.shape), bool)
+    bumps = {k: tiles[bump_name("cyclic", k)].reshape(slots, -1)[:, _EIGHT_STARTS]
+             for k in (2, 4, 8)}  # fmt: skip
+    for longer, shorter in _MIXED:
+        name = f"1/{longer} beside {bump_name('cyclic', shorter)}".replace("1/1", _OPEN)
+        tiles[name] = np.where(_EVERY_OTHER, bumps.get(longer, always_open), bumps[shorter])
     draw = np.random.default_rng(0)
     tiles["random bits"] = draw.random((slots, _RANDOM_SIDE, _RANDOM_SIDE)) < 0.5
     codes = [ClipCode(name, opened) for name, opened in tiles.items()]
