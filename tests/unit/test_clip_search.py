@@ -100,7 +100,7 @@ def test_the_search_says_what_its_program_reaches(
                              12.92 * x) for x in (truth, shown))  # fmt: skip
     psnr_db = -10 * np.log10(np.mean((truth - shown) ** 2))
     assert psnr_db == pytest.approx(float(lines["reached"].split()[0]), abs=0.06)
-    assert psnr_db > float(lines["usual"].split(": ")[1].split()[0]) + 1
+    assert psnr_db > float(lines["open"].split(": ")[1].split()[0]) + 1
 
 
 def test_motion_and_words_decide(target: str, monkeypatch: pytest.MonkeyPatch) -> None:

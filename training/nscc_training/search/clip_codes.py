@@ -128,7 +128,7 @@ def design_clip(
         ("reached", f"{best.mean_db:.1f} dB PSNR in sRGB"),
         *(("single", f"{code.title}: {code.mean_db:.1f} dB PSNR in sRGB")
           for code in (single,) if best.long),
-        ("usual", f"{usual.title}: {usual.mean_db:.1f} dB PSNR in sRGB"),
+        ("open", f"{usual.title}: {usual.mean_db:.1f} dB PSNR in sRGB"),
     )  # fmt: skip
     return ClipDesign(text, frame.compiled("clip.nsl", text), lines, best, tuple(ranked))
 
