@@ -45,8 +45,8 @@ _MOST_SLOTS = 4096
               help="The error to minimise: of the light on a mu-law curve (default), "
                    "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
                    "of stops instead.")  # fmt: skip
-@click.option("--search", is_flag=True, help="Search all simple patterns of stops for stills, "
-              "judged by merging under every effect.")  # fmt: skip
+@click.option("--search", is_flag=True, help="Search all simple patterns of stops for stills, or "
+              "codes for clips, judged by a decoder under every effect.")  # fmt: skip
 @click.option("--motion", type=click.Choice(_MOTIONS),
               help="Choose a code for clips by their motion: slow, fast, or as in "
                    "the scenes.")  # fmt: skip
@@ -78,7 +78,8 @@ def command(
     levels minimize the expected error without a decoder, from the light of the scenes and the
     noise, converter, copies and comparators of the sensor. --criterion sve-risk: compares all 2 x
     2 tiles of half stops by the error that an ideal decoder cannot remove. --search: tries
-    patterns of one to eight geometric stops on the emulated chip. --motion: compares bumps of
+    patterns of one to eight geometric stops on the emulated chip, or for clips bumps, mixtures
+    and free bits in one and two readouts. --motion: compares bumps of
     several lengths and patterns by the information that a frame contains about moving light. The
     program is compiled and proved before it is written."""
     from nscc.chips.load import load_target
@@ -90,20 +91,21 @@ def command(
     if tile + (looks is not None) + (motion is not None) + search != 1:
         raise click.UsageError(
             "name the design: --looks K for pixels that look, --criterion sve-risk for a "
-            "fixed 2 x 2 tile, --search for the best pattern of stops, or --motion slow, fast or "
+            "fixed 2 x 2 tile, --search for the best of many codes, or --motion slow, fast or "
             "scene for clips"
         )
     if motion and criterion:
         raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
     if search and criterion:
-        raise click.UsageError("--search counts linear and mu-law PSNR: leave --criterion out")
-    options["slots"] = options["slots"] or (_CLIP_SLOTS if motion else _STILL_SLOTS)
+        raise click.UsageError("--search counts PSNR: leave --criterion out")
+    target = load_target(options["target"], Path())
+    of_clips = search and _are_clips(scenes, target, options)
+    options["slots"] = options["slots"] or (_CLIP_SLOTS if motion or of_clips else _STILL_SLOTS)
     slots, slot_us, name = options["slots"], options["slot_us"], options["target"]
     if looks is not None and looks > slots:
         raise click.UsageError(f"{looks} exposures need {looks} boundaries; there are {slots}")
     default = f"motion-{motion}.nsl" if motion else f"looks-{looks}.nsl"
     path = out or Path("sve-risk.nsl" if tile else "searched.nsl" if search else default)
-    target = load_target(name, Path())
     sensor = sensor_of(target, options)
     frame = Frame(slots, slot_us, name, sensor, level)
     refuse_inputs(path)
@@ -111,8 +113,15 @@ def command(
         from nscc_training.search.choose import design_motion
 
         # `slow` and `fast` need no scene; if one is given, its light and texture are used.
-        moving = _moving(scenes, target, options) if scenes or motion == "scene" else []
+        moving = (
+            _moving(scenes, target, options, _CLIP_PARTS) if scenes or motion == "scene" else []
+        )
         design: Design = design_motion(motion, moving, frame, options["max_words"])
+    elif of_clips:
+        from nscc_training.search.clip_codes import design_clip
+
+        moving = _moving(scenes, target, options, slots)
+        design = design_clip(moving, frame, lambda todo: progress(todo, "searching"))
     elif search:
         scene_lights = _scene_lights(scenes, target, options)
         design = design_pattern(scene_lights, frame, lambda todo: progress(todo, "searching"))
@@ -138,25 +147,33 @@ def _scene_lights(
 
 
 def _moving(
-    scenes: tuple[str, ...], target: Target, options: dict[str, Any]
+    scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
 ) -> list[NDArray[np.float64]]:
-    """Return the light of each scene in intervals of the frame, in electrons, (intervals, rows,
-    cols)."""
+    """Return the light of each scene in at most `parts` intervals of the frame, in electrons,
+    (intervals, rows, cols)."""
     slots = options["slots"]
-    starts = [slots * clip_part // _CLIP_PARTS for clip_part in range(_CLIP_PARTS)]
-    starts = sorted(set(starts))
+    starts = sorted({slots * part // parts for part in range(parts)})
     return [
         laid.placement.cut(laid.light.joined(starts).dense())
         for laid in _laid(scenes, target, options)
     ]
 
 
+def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> bool:
+    """Return whether the scenes are clips; raise click.UsageError for stills beside clips."""
+    options = {**options, "slots": options["slots"] or _CLIP_SLOTS}
+    kinds = {laid.light.kind for laid in _laid(scenes, target, options, warns=False)}
+    if len(kinds) > 1:
+        raise click.UsageError("--search takes stills or clips, not both: search for each alone")
+    return kinds == {"clip"}
+
+
 def _laid(
-    scenes: tuple[str, ...], target: Target, options: dict[str, Any]
+    scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
 ) -> Iterator[PlacedLight]:
     """Yield each scene, placed on the chip's array and divided into the slots of the frame."""
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):
         scene = scene_of({**options, "scene": name}, "--scene is missing: a design needs a scene")
-        [laid] = scene.laid(slot_us, target, lambda diagnostic: say([diagnostic]), progress)
+        [laid] = scene.laid(slot_us, target, lambda diagnostic: say([diagnostic] * warns), progress)
         yield laid

@@ -95,7 +95,7 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     ])  # fmt: skip
     exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
     generator = torch.Generator().manual_seed(1)
-    codes, _full = table.read_out(exposure.expand(3, -1, -1), share(program), model, generator)
+    codes, _full = table.read_out(exposure.expand(3, -1, -1), model, generator)
     found = codes.numpy()
     for row, col in np.ndindex(2, 2):
         mine, theirs = (each[:, row::2, col::2] for each in (found, wanted))
@@ -106,6 +106,24 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     # Photons and the readout alone vary much less.
     photons = level * sensor.full_well_e / sensor.electrons_per_lsb**2
     assert wanted[:, ::2, ::2].var() > 1.3 * (photons + sensor.adc_noise_lsb**2)
+
+
+def test_a_code_that_changed_has_its_own_exposure(table: EmulatedSensor) -> None:
+    """Places that are open for longer or shorter than when the table was measured."""
+    stops = "[[4, 8], [2, 5]]"
+    other = compile_source(
+        Source("p.nsl", PROGRAM.replace("[[8, 5], [4, 8]]", stops)), Path(), Options(level=1)
+    ).container
+    assert other is not None
+    sensor = default_sensor(other.target)
+    light_e = np.full((other.target.rows, other.target.cols), 0.45 * sensor.full_well_e, "f4")
+    light = Light.of_still(light_e, np.full(SLOTS, 1 / SLOTS))
+    wanted = np.concatenate([emulated_codes(other, light, (70 + k, 70 + k)) for k in range(3)])
+    exposure = torch.from_numpy(light_e).double() * laid(share(other), *light_e.shape)
+    codes, _ = table.read_out(exposure[None], SensorModel.of(sensor, other.target), None)
+    for row, col in np.ndindex(2, 2):
+        mine, theirs = (each[:, row::2, col::2].mean() for each in (codes.numpy(), wanted))
+        assert mine == pytest.approx(theirs, rel=0.02, abs=0.5)
 
 
 def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
@@ -154,7 +172,7 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
     sensor = default_sensor(program.target)
     model = SensorModel.of(sensor, program.target)
     exposure = torch.full((1, 4, 4), 9000.0, dtype=torch.float64, requires_grad=True)
-    table.read_out(exposure, share(program), model, None)[0].sum().backward()
+    table.read_out(exposure, model, None)[0].sum().backward()
     gain = exposure.grad * sensor.electrons_per_lsb
     assert ((gain > 0.8) & (gain < 1.05)).all()
 
@@ -192,7 +210,7 @@ def test_saturated_pixels_are_marked_as_the_emulator_marks_them(
         wanted = simulate(program, light, sensor, chosen).frame.saturated[0]
         exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
         generator = torch.Generator().manual_seed(2)
-        _, found = table.read_out(exposure[None], share(program), model, generator)
+        _, found = table.read_out(exposure[None], model, generator)
         for row, col in np.ndindex(2, 2):
             mine, theirs = found[0, row::2, col::2].numpy(), wanted[row::2, col::2]
             assert mine.mean() == pytest.approx(theirs.mean(), abs=0.06)

@@ -7,16 +7,23 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import OpenEXR
 import pytest
+import scipy.io
+import tifffile
 from nscc_command import invoke
 from PIL import Image
 
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_runtime.scenes import picture_files  # noqa: E402
+from nscc_runtime.scenes.picture_files import read_picture  # noqa: E402
+from nscc_training import scene_files  # noqa: E402
 from nscc_training.config import load_config  # noqa: E402
 from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
 from nscc_training.own_folder import folder_settings  # noqa: E402
+from nscc_training.scene_files import frame_size, frames_in  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
 
 
@@ -49,6 +56,68 @@ def test_the_settings_follow_from_the_files(
     assert settings.data.saturated == ((0.3, 0.6) if kind == "b" else (0.3, 0.3))
     assert settings.data.brightness == ((1.0, 1.0) if kind == "b" else (0.25, 1.0))
     assert f"patches of {patch} x {patch}" in said[0]
+
+
+FORMATS = ("avif", "bmp", "dng", "exr", "hdr", "heic", "jpg", "mat", "pfm", "png", "tif", "webp")
+
+
+def write(path: Path) -> None:
+    """Write a picture or a clip of 30 x 40 pixels; TIFF with 16 bits, which Pillow cannot open."""
+    picture = np.random.default_rng(2).integers(0, 255, (30, 40, 3)).astype(np.uint8)
+    match path.suffix:
+        case ".heic":
+            heif = pytest.importorskip("pillow_heif")
+            heif.from_pillow(Image.fromarray(picture)).save(path)
+        case ".dng":
+            pytest.importorskip("rawpy")
+            tags = [
+                (50706, "B", 4, (1, 4, 0, 0), True), (50708, "s", 0, "Test", True),
+                (33421, "H", 2, (2, 2), True), (33422, "B", 4, (0, 1, 1, 2), True),
+            ]  # fmt: skip
+            mosaic = np.full((30, 40), 1000, np.uint16)
+            tifffile.imwrite(path, mosaic, photometric=32803, extratags=tags, metadata=None)
+        case ".exr":  # the picture fills a part of the display window
+            corner = np.array([5, 6], np.int32)
+            header = {
+                "compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage,
+                "dataWindow": (corner, corner + np.array([19, 9], np.int32)),
+                "displayWindow": (0 * corner, np.array([39, 29], np.int32)),
+            }  # fmt: skip
+            part = OpenEXR.Part(header, {"RGB": picture[:10, :20].astype(np.float32)})
+            OpenEXR.File([part]).write(str(path))
+        case ".mat":
+            scipy.io.savemat(path, {"orig": np.repeat(picture, 4, axis=2)})
+        case ".tif":
+            tifffile.imwrite(path, picture.astype(np.uint16), photometric="rgb")
+        case ".hdr" | ".pfm":
+            cv2.imwrite(str(path), picture.astype(np.float32))
+        case _:
+            Image.fromarray(picture).save(path)
+
+
+@pytest.mark.parametrize("ending", FORMATS)
+def test_a_size_is_read_from_the_head(
+    tmp_path: Path, ending: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / f"a.{ending}"
+    write(path)
+    read = next(iter(frames_in(path))) if ending == "mat" else read_picture(path)
+    assert read.shape[:2] == (30, 40)
+
+    def decoded(*_: object) -> None:
+        raise AssertionError("the file is decoded")
+
+    monkeypatch.setattr(picture_files, "open_pages", decoded)
+    monkeypatch.setattr(scene_files, "frames_in", decoded)
+    assert frame_size(path) == (30, 40)
+
+
+@pytest.mark.parametrize("ending", [*FORMATS, "gif", "mp4"])
+def test_a_damaged_file_is_refused(tmp_path: Path, ending: str) -> None:
+    (tmp_path / f"a.{ending}").write_bytes(b"neither picture nor clip")
+    with pytest.raises(Rejected) as refusal:
+        folder_settings(tmp_path)
+    assert refusal.value.diagnostics[0].code == "NS0732"
 
 
 def test_films_become_clips_and_changes_come_last(tmp_path: Path) -> None:

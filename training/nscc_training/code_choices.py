@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 ORDERED = ("two-phase", "staggered", "cyclic")
 """Names of initial codes with staggered bumps (`nscc_training.encoders.ordered`)."""
 SCATTERED = ("poisson-disc", "non-adjacent")
 """Names of initial codes in which equal exposure times are far apart
 (`nscc_training.encoders.scattered`)."""
+RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
+"""Bayer matrix: the order of 4 x 4 places."""
 STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
 
 SLOPED = ("straight-through", "sigmoid", "gumbel")

@@ -40,12 +40,14 @@ CHIPS, _FRAMES = 8, 2
 class EmulatedSensor:
     """The response to constant light at the places (r, c) of a tile.
 
-    `light_e` (K,) increases from 0, in electrons over the frame. `code` and `spread` (K, r, c) are
-    the mean and standard deviation of codes above the ADC's offset, before rounding. `full` (K, r,
-    c) is the fraction of pixels marked as saturated. `crosstalk` is the fraction of charge that
-    each of the four neighbours receives."""
+    `light_e` (K,) increases from 0, in electrons over the frame. `share` (r, c) is the fraction of
+    the frame in which each place was open. `code` and `spread` (K, r, c) are the mean and standard
+    deviation of codes above the ADC's offset, before rounding. `full` (K, r, c) is the fraction of
+    pixels marked as saturated. `crosstalk` is the fraction of charge that each of the four
+    neighbours receives."""
 
     light_e: Tensor
+    share: Tensor
     code: Tensor
     spread: Tensor
     full: Tensor
@@ -61,17 +63,15 @@ class EmulatedSensor:
         return light + self.crosstalk * flow
 
     def read_out(
-        self, exposure_e: Tensor, share: Tensor, model: SensorModel,
-        generator: torch.Generator | None,
-    ) -> tuple[Tensor, Tensor]:  # fmt: skip
+        self, exposure_e: Tensor, model: SensorModel, generator: torch.Generator | None
+    ) -> tuple[Tensor, Tensor]:
         """Return codes above the ADC's offset, float32 (batch, rows, cols), and the mask of
         saturated pixels.
 
-        `exposure_e` (float64) is in electrons of the open slots. `share` (r, c) is the open
-        fraction of the frame, as a tile. Without a generator there is neither noise nor pixel
-        variation. `model` defines the range of codes."""
-        rows, cols = exposure_e.shape[-2:]
-        open_share = laid(share, rows, cols).to(exposure_e)
+        `exposure_e` (float64) is in electrons of the open slots. Each is looked up at the constant
+        light that gave its place this exposure, also if other slots are open now. Without a
+        generator there is neither noise nor pixel variation. `model` defines the range of codes."""
+        open_share = laid(self.share, *exposure_e.shape[-2:]).to(exposure_e)
         steady = exposure_e / open_share.clamp(min=1e-9)
         known = self.light_e.to(exposure_e)
         after = torch.searchsorted(known, steady.detach().contiguous(), right=True)
@@ -132,8 +132,9 @@ def emulated_sensor(
     code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips, torch_device)
     exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
-    levels, codes, spreads, marked = map(torch.from_numpy, (light_e, code, spread, full))
-    return EmulatedSensor(levels, codes, spreads, marked, crosstalk)
+    arrays = light_e, share, code, spread, full
+    levels, shares, codes, spreads, marked = map(torch.from_numpy, arrays)
+    return EmulatedSensor(levels, shares, codes, spreads, marked, crosstalk)
 
 
 def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:

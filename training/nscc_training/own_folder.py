@@ -8,9 +8,9 @@ from typing import Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
-from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, PICTURES, read_picture
+from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, PICTURES
 from nscc_training.config import settings_of
-from nscc_training.scene_files import CLIPS, files_in, frames_in
+from nscc_training.scene_files import CLIPS, files_in, frame_size
 from nscc_training.settings import RunSettings
 
 _PATCHES = (128, 96, 64, 48, 32)
@@ -57,7 +57,7 @@ def folder_settings(
             notes=(f"they end in {', '.join((*PICTURES, *CLIPS))}",),
             helps=("name a folder of such files, or a configuration, CONFIG.toml",),
         )
-    least = min(map(_side, files))
+    least = min(min(frame_size(path)) for path in files)
     patch = next((side for side in _PATCHES if side <= least), _PATCHES[-1])
     advice = _STILLS if stills else _CLIPS
     values = {**advice, "data": {**advice["data"], "train": str(folder), "patch": patch}}
@@ -68,11 +68,3 @@ def folder_settings(
          f"{'tried' if settings.shutter.learn else 'fixed'}, patches of {settings.data.patch} x "
          f"{settings.data.patch}, {settings.train.steps} steps")  # fmt: skip
     return settings
-
-
-def _side(path: Path) -> int:
-    """Return the shorter side of a picture, or of the first frame of a clip."""
-    is_picture = path.suffix.lower() in PICTURES
-    stored = read_picture(path) if is_picture else next(iter(frames_in(path)))
-    rows, cols = stored.shape[:2]
-    return int(min(rows, cols))

@@ -16,7 +16,13 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
 from nscc_runtime.scenes.clips import read_clip
 from nscc_runtime.scenes.colour import Transfer, grey
-from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, read_mat
+from nscc_runtime.scenes.light_arrays import (
+    MAT_CLIP_KEY,
+    clip_white,
+    mat_frame_size,
+    read_mat,
+)
+from nscc_runtime.scenes.picture_files import PICTURES, size_of
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
 CLIPS = (*clips.CLIPS, ".mat")
@@ -93,6 +99,20 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
         return stored
     white = clip_white(stored)
     return np.moveaxis(stored if white is None else stored / white, 2, 0)
+
+
+def frame_size(path: Path) -> tuple[int, int]:
+    """Return rows and columns of a picture, or of the frames of a clip.
+
+    A picture and a .mat file are not decoded, of a video only the first frame is. Raises Rejected
+    as their readers do."""
+    suffix = path.suffix.lower()
+    if suffix in PICTURES:
+        return size_of(path)
+    if suffix == ".mat":
+        return mat_frame_size(path)
+    rows, cols = next(iter(frames_in(path))).shape[:2]
+    return rows, cols
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:

@@ -26,9 +26,14 @@ from nscc_runtime.scenes.large_pictures import large_pages
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.picture_heads import png_head, read_radiance
-from nscc_runtime.scenes.picture_size import refuse_huge, refuse_size, without_pillow_limit
-from nscc_runtime.scenes.raw_pictures import RAW, raw_pages
-from nscc_runtime.scenes.tiff_pictures import tiff_pages
+from nscc_runtime.scenes.picture_size import (
+    refuse_huge,
+    refuse_size,
+    stated_size,
+    without_pillow_limit,
+)
+from nscc_runtime.scenes.raw_pictures import RAW, raw_pages, raw_size
+from nscc_runtime.scenes.tiff_pictures import tiff_pages, tiff_size
 
 LINEAR = (".exr", ".hdr", ".pfm", *RAW)
 DISPLAY = (".avif", ".bmp", ".heic", ".heif", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
@@ -87,6 +92,20 @@ def read_picture(path: Path) -> NDArray[Any]:
             "save the required picture in a separate file",
         )  # fmt: skip
     return next(iter(pages.read()))
+
+
+def size_of(path: Path) -> tuple[int, int]:
+    """Return rows and columns of the first picture of a file, in its stored rotation.
+
+    Only the head is read. A file whose head does not state the size is decoded. Raises Rejected
+    like `open_pages`."""
+    reads(path)
+    with _readable(path):
+        size = _SIZES.get(path.suffix.lower(), stated_size)(path)
+    if size is not None:
+        return size
+    rows, cols = next(open_pages(path).read()).shape[:2]
+    return rows, cols
 
 
 @contextmanager
@@ -154,10 +173,19 @@ def _pillow_pages(path: Path) -> Pages:
 
 
 def _heif_pages(path: Path) -> Pages:
+    _register_heif()
+    return _pillow_pages(path)
+
+
+def _heif_size(path: Path) -> tuple[int, int] | None:
+    _register_heif()
+    return stated_size(path)
+
+
+def _register_heif() -> None:
     from pillow_heif import register_heif_opener
 
     register_heif_opener()
-    return _pillow_pages(path)
 
 
 def _png_pages(path: Path) -> Pages:
@@ -179,6 +207,11 @@ _READERS: dict[str, Callable[[Path], Pages]] = {
     **dict.fromkeys((".heic", ".heif"), _heif_pages),
     **dict.fromkeys((".avif", ".bmp", ".jpeg", ".jpg", ".webp"), _pillow_pages),
     **dict.fromkeys(RAW, raw_pages),
+}
+_SIZES: dict[str, Callable[[Path], tuple[int, int] | None]] = {
+    **dict.fromkeys((".tif", ".tiff"), tiff_size),
+    **dict.fromkeys((".heic", ".heif"), _heif_size),
+    **dict.fromkeys(RAW, raw_size),
 }
 
 

@@ -21,7 +21,7 @@ _MOST_SAMPLES = 4
 """Largest number of samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS."""
 
 _HEADER_BYTES = 1 << 16
-_WINDOWS = ("dataWindow", "displayWindow")
+_WINDOWS = ("displayWindow", "dataWindow")
 _PFM = re.compile(rb"^P[Ff]\s+(?P<cols>\d+)\s+(?P<rows>\d+)\s")
 _PNG = re.compile(rb"^\x89PNG\r\n\x1a\n....IHDR(?P<cols>.{4})(?P<rows>.{4})", re.DOTALL)
 _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
@@ -29,7 +29,7 @@ _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 
 def refuse_huge(path: Path) -> None:
     """Raise NS0734 if the header states more than MOST_PIXELS; invalid headers are ignored."""
-    size = _stated_size(path)
+    size = stated_size(path)
     if size is not None:
         refuse_size(path, *size)
 
@@ -47,8 +47,8 @@ def refuse_size(path: Path, rows: int, cols: int) -> None:
         )
 
 
-def _stated_size(path: Path) -> tuple[int, int] | None:
-    """Return rows and columns; None if the header does not state them."""
+def stated_size(path: Path) -> tuple[int, int] | None:
+    """Return rows and columns by the header of a picture; None if it does not state them."""
     with open(path, "rb") as file:
         head = file.read(_HEADER_BYTES)
     if match := _PFM.match(head):
@@ -82,16 +82,17 @@ def without_pillow_limit() -> Iterator[None]:
 
 
 def _exr_size(path: Path) -> tuple[int, int] | None:
-    """Return the size (rows, cols) of the largest window of an OpenEXR file's parts; None if it
-    cannot be read.
+    """Return the size (rows, cols) of the display window of an OpenEXR file's first part; None if
+    it cannot be read.
 
-    Raises Rejected (NS0734) for too many samples in all parts, which are decoded together."""
+    Raises Rejected (NS0734) for a large window, and for too many samples in all parts, which are
+    decoded together."""
     import OpenEXR
 
     try:
         with OpenEXR.File(str(path), header_only=True) as file:
             headers = [file_part.header for file_part in file.parts]
-            sizes = [_window(header[name]) for header in headers for name in _WINDOWS]
+            sizes = [_window(header[name]) for name in _WINDOWS for header in headers]
             samples = sum(prod(_window(h["dataWindow"])) * len(h["channels"]) for h in headers)
     except Exception:  # OpenEXR's exceptions differ from version to version
         return None
@@ -102,7 +103,8 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
             f"{_MOST_SAMPLES * MOST_PIXELS:,} are allowed",
             helps=("save the required picture in a separate file",),
         )
-    return max(sizes, key=prod, default=None)
+    refuse_size(path, *max(sizes, key=prod))
+    return sizes[0]
 
 
 def _window(corners: Any) -> tuple[int, int]:

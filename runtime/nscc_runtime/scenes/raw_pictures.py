@@ -20,6 +20,14 @@ _NOTE = (
 )
 
 
+def raw_size(path: Path) -> tuple[int, int]:
+    """Return rows and columns of the picture in a raw file, without decoding it."""
+    import rawpy
+
+    with rawpy.imread(str(path)) as raw:
+        return int(raw.sizes.height), int(raw.sizes.width)
+
+
 def raw_pages(path: Path) -> Pages:
     """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
     colour balance and no brightening are applied. Raises ImportError without rawpy."""

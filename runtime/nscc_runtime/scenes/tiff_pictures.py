@@ -37,20 +37,35 @@ def tiff_pages(path: Path) -> Pages:
         If a page has samples of a kind that neither library decodes.
     """
     directories = _directories(path)
-    chosen = [
-        index
-        for index, tags in enumerate(directories)
-        if not int(tags.get(_SUBFILE) or 0) & _THUMBNAIL_OR_MASK
-    ] or [0]
+    chosen = _chosen(directories)
     for index in chosen:
         _check_samples(directories[index])
-        refuse_size(path, int(directories[index][_ROWS]), int(directories[index][_COLS]))
+        refuse_size(path, *_size(directories[index]))
 
     def read() -> Iterator[NDArray[Any]]:
         for index in chosen:
             yield _read_page(path, index, directories[index])
 
     return Pages(len(chosen), read)
+
+
+def tiff_size(path: Path) -> tuple[int, int]:
+    """Return rows and columns of the first page, as its tags state them."""
+    directories = _directories(path)
+    return _size(directories[_chosen(directories)[0]])
+
+
+def _size(tags: Tags) -> tuple[int, int]:
+    return int(tags[_ROWS]), int(tags[_COLS])
+
+
+def _chosen(directories: list[Tags]) -> list[int]:
+    """Return the indices of the pages that are neither thumbnails nor masks."""
+    return [
+        index
+        for index, tags in enumerate(directories)
+        if not int(tags.get(_SUBFILE) or 0) & _THUMBNAIL_OR_MASK
+    ] or [0]
 
 
 def _directories(path: Path) -> list[Tags]:
@@ -99,9 +114,8 @@ def _read_page(path: Path, index: int, tags: Tags) -> NDArray[Any]:
         picture = picture[..., 0] if grey and picture.ndim == 3 else picture
         if bits > 8 and kind == _UNSIGNED and tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
             picture = np.iinfo(picture.dtype).max - picture
-    stated_size = (int(tags[_ROWS]), int(tags[_COLS]))
-    if sorted(picture.shape[:2]) != sorted(stated_size):  # it may have been rotated
-        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {stated_size}")
+    if sorted(picture.shape[:2]) != sorted(_size(tags)):  # it may have been rotated
+        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {_size(tags)}")
     return picture
 
 

@@ -16,10 +16,14 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays
 from nscc.pipeline import Options
+from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_arrays import read_frame_arrays
+from nscc_runtime.frame_file import meta
+from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_runtime.simulate import Request, simulate
 from nscc_training.dark_frames import read_dark, undarkened
 from nscc_training.frame_reading import are_lengths, number_of
 from nscc_training.measured import Measured
@@ -163,6 +167,17 @@ def _dark_of(
     for doubt in dark_frame.checked(meta, dark):
         warn(doubt)
     return dark_frame.offset.reshape(-1, *dark)
+
+
+def exposed_frame(
+    container: Container, light: Light, sensor: Sensor, request: Request
+) -> CodedFrame:
+    """Expose light with a program, and return the frame of the emulated chip."""
+    simulated = simulate(container, light, sensor, request)
+    about = meta(container, light, simulated.frame, simulated.origin)
+    table = decode_arrays(container, sensor, about["plan"])
+    arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
+    return coded_frame(arrays | table, about)
 
 
 def coded_frame(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.hdr import merged
+from nscc_training.code_choices import RANKS
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.scene import peak_of, stops_tried
 from nscc_training.metrics import mu_psnr, psnr
@@ -32,7 +34,6 @@ _HALF_STOPS = (2, 3, 4, 5, 6, 7, 8)
 _FINALISTS = 8
 _DB_PER_WORD = 0.005
 """Cost of a word in the objective, in dB; the 28 words of a 2 x 2 tile cost 0.14 dB."""
-_ORDERED = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +59,7 @@ def shapes() -> dict[str, Levels]:
         "checkerboard": np.array([[0, 1], [1, 0]]),
         "L-shaped": np.array([[0, 1], [1, 2]]),
         "2 x 2": np.array([[0, 1], [2, 3]]),
-        "ordered 4 x 4": _ORDERED // 2,
+        "ordered 4 x 4": RANKS // 2,
     }
     for levels in (2, 3, 4, 8):
         places = np.random.default_rng(levels).permutation(64) * levels // 64
@@ -104,8 +105,18 @@ def judged(
     return sorted(results, key=lambda pattern: -pattern.mean_db)
 
 
-def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Pattern:
-    """Return the pattern with the highest PSNR minus the cost of its words, among the best ones."""
+class Judged(Protocol):
+    """A pattern or code with its PSNR, in dB."""
+
+    @property
+    def mean_db(self) -> float: ...
+
+
+Candidate = TypeVar("Candidate", bound=Judged)
+
+
+def cheapest(ranked: Sequence[Candidate], words: Callable[[Candidate], int]) -> Candidate:
+    """Return the candidate with the highest PSNR minus the cost of its words, among the best."""
     return max(ranked[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
 
 

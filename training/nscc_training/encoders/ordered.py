@@ -8,12 +8,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_training.code_choices import RANKS
 from nscc_training.encoders.base import Codes, ShutterSpec
 
 _SIDE = 4
 """Rows and columns of the repeating tile."""
-_RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
-"""Bayer matrix: the order of 4 x 4 places."""
 
 Places = NDArray[np.int64]
 
@@ -48,9 +47,9 @@ def _first(name: str, spec: ShutterSpec, length: int) -> Places:
         late = (y // 2 + x // 2) % 2 * (length // 2)
         first = np.minimum(np.rint((y % 2 * 2 + x % 2) * (last / 3)) + late, last)
     else:
-        rank = _RANKS[y % _SIDE, x % _SIDE]
+        rank = RANKS[y % _SIDE, x % _SIDE]
         around = name == "cyclic"
-        first = rank * (spec.slots / _RANKS.size if around else last / (_RANKS.size - 1))
+        first = rank * (spec.slots / RANKS.size if around else last / (RANKS.size - 1))
         first = np.floor(first + 0.5)
     return np.asarray(first, np.int64)
 

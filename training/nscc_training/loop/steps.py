@@ -42,8 +42,7 @@ def decoded(
             frame = setup.model.relative(codes)
         else:
             exposure = exposed(setup.emulated.smeared(light), shutters)
-            share = shutters.detach().mean(dim=0)
-            codes, full = setup.emulated.read_out(exposure, share, model, generator)
+            codes, full = setup.emulated.read_out(exposure, model, generator)
             frame = filled(setup.model.relative(codes), full, shutters.detach())
     mixed = setup.settings.train.dtype == "bf16"
     with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):

@@ -79,7 +79,7 @@ def design_motion(
         raise rejected("NS0843", "there is no scene to measure the motion of",
                        helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
-    encoders = _encoders(frame.slots)
+    encoders = encoders_by_name(frame.slots)
     expected = {
         name: float(np.mean([told_db(encoder.hard().numpy(), motion) for motion in motions]))
         for name, encoder in encoders.items()
@@ -122,15 +122,20 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) ->
     return replace(motion, speeds=speeds, length=length, contrast=contrast)
 
 
-def _encoders(slots: int) -> dict[str, Encoder]:
-    """Return the candidate codes by name."""
+def bump_name(start: str, divisor: int) -> str:
+    """Return the name of bumps that are open for 1 / `divisor` of the frame."""
+    return f"{start}, 1/{divisor} of the frame"
+
+
+def encoders_by_name(slots: int) -> dict[str, Encoder]:
+    """Return the candidate codes by name: bumps, and for 16 slots the searched bits."""
     encoders = {}
     for divisor in _PARTS_OPEN:
         length = -(-slots // divisor)
         for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
             spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
-            encoders[f"{start}, 1/{divisor} of the frame"] = make_encoder(spec, start)
+            encoders[bump_name(start, divisor)] = make_encoder(spec, start)
     if slots == _SEARCHED.slots:
         encoders["searched"] = make_encoder(_SEARCHED)
         encoders["searched"].load_codes(load_codes(searched_codes()))

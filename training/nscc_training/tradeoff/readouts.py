@@ -19,12 +19,10 @@ from nscc.pipeline import Options
 from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.rows import Rows
 from nscc.words.container import Container
-from nscc_runtime.decode_table import decode_arrays
-from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import Request
 from nscc_training.any_code.decode import decoded_clip
-from nscc_training.any_code.frames import CodedFrame, coded_frame
+from nscc_training.any_code.frames import CodedFrame, exposed_frame
 from nscc_training.demo.expose import CLIPS, camera
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
@@ -99,11 +97,7 @@ def _clip(
     request = Request.of(
         effects=bench.settings.effects, seed=1000 * seed + number_of_scene, device_seed=seed
     )
-    simulated = simulate(container, light, bench.sensor, request)
-    about = meta(container, light, simulated.frame, simulated.origin)
-    table = decode_arrays(container, bench.sensor, about["plan"])
-    arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
-    coded = coded_frame(arrays | table, about)
+    coded = exposed_frame(container, light, bench.sensor, request)
     if method == "coded":
         return np.asarray(decoded_clip(coded.clip().tensors())[0].numpy(), np.float64)
     return _shown(coded)

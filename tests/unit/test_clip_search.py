@@ -1,0 +1,139 @@
+"""`nscc design --search` of clips: the table of codes, the judge, and the program of the winner."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+
+from training_oracle import small_target  # noqa: E402
+
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training.design.make import Frame  # noqa: E402
+from nscc_training.search import clip_codes as searched  # noqa: E402
+from nscc_training.search.clip_codes import ClipCode, clip_codes, design_clip  # noqa: E402
+
+SLOTS, ROWS, COLS = 16, 32, 32
+
+
+def scene(speed: float) -> np.ndarray:
+    """A texture that moves to the right by `speed` pixels per slot, in electrons per slot."""
+    down, right = np.mgrid[:ROWS, :COLS]
+    moved = right - speed * np.arange(SLOTS)[:, None, None]
+    wave = np.sin(moved / 2.5) * np.cos(down / 3 + moved / 7)
+    return np.asarray((1.1 + wave) * 900, np.float32)
+
+
+@pytest.fixture
+def target(tmp_path: Path) -> str:
+    text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    (tmp_path / "small.toml").write_text(small_target(text, ROWS, COLS))
+    return str(tmp_path / "small.toml")
+
+
+def named(*names: str) -> list[ClipCode]:
+    return [code for code in clip_codes(SLOTS) if code.title in names]
+
+
+@pytest.mark.parametrize("slots", [8, 16, 24])
+def test_the_table_has_bumps_mixtures_and_free_bits(slots: int) -> None:
+    codes = clip_codes(slots)
+    assert len({code.title for code in codes}) == len(codes) > 30
+    for code in codes:
+        assert code.opened.shape[0] == slots
+        always = code.opened.all(axis=0)
+        assert not (code.long and always.any())
+        # In a mixture, the pixels that close for longer record every slot.
+        if "beside" in code.name:
+            shortest = code.opened.sum(axis=0) == code.opened.sum(axis=0).min()
+            assert code.opened[:, shortest].any(axis=1).all()
+    shares = {tuple(np.unique(code.opened.sum(axis=0))) for code in codes if "beside" in code.name}
+    assert (slots // 8, slots // 2) in shares
+    assert (slots // 4, slots) in shares
+
+
+def test_a_program_opens_the_shutters_of_its_code(target: str) -> None:
+    frame = Frame(slots=SLOTS, target=target, level=1)
+    for code in clip_codes(SLOTS)[::6]:
+        container = searched._container(code, frame)
+        shutters = container.table.shutters[container.table.shutter_of_code[container.pixel_codes]]
+        repeats = [side // period for side, period in
+                   zip((ROWS, COLS), code.opened.shape[1:], strict=True)]  # fmt: skip
+        expected = np.tile(code.opened, (1, *repeats))
+        np.testing.assert_array_equal(shutters[:, :, -1].transpose(2, 0, 1), expected)
+        assert shutters.shape[2] == 1 + code.long
+        assert shutters[:, :, 0].all() or not code.long
+
+
+def test_the_search_says_what_its_program_reaches(
+    tmp_path: Path, target: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The program, exposed and reconstructed by the commands, beside the PSNR that is printed."""
+    codes = named("always open, one readout", "cyclic, 1/4 of the frame, one readout",
+                  "cyclic, 1/4 of the frame, two readouts, one always open")  # fmt: skip
+    assert len(codes) == 3
+    monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
+    light = scene(0.4)
+    np.savez(tmp_path / "clip.npz", light=light)
+    chip = ["--target", target]
+    done = invoke(["design", "--search", "--scene", "clip.npz", "-o", "p.nsl", *chip], tmp_path)
+    assert done.status == 0, done.err
+    lines = dict(line.split(maxsplit=1) for line in done.out.splitlines()[1:])
+    assert lines["code"].endswith("two readouts, one always open")
+    assert lines["single"].startswith("cyclic, 1/4 of the frame, one readout: ")
+    assert "frame 16 slots of 125us" in (tmp_path / "p.nsl").read_text()
+    for line in (
+        ["run", "p.nsl", "--scene", "clip.npz", "--effects", "all", "-o", "f.npz", *chip],
+        ["reconstruct", "any", "f.npz", "-o", "o.npz"],
+    ):
+        step = invoke(line, tmp_path)
+        assert step.status == 0, step.err
+    result = np.load(tmp_path / "o.npz")["video"]
+    peak = np.percentile(light, 99.9)
+    truth, shown = (np.clip(part / peak, 0, 1) for part in (light, result))
+    truth, shown = (np.where(x > 0.0031308, 1.055 * np.maximum(x, 1e-9) ** (1 / 2.4) - 0.055,
+                             12.92 * x) for x in (truth, shown))  # fmt: skip
+    psnr_db = -10 * np.log10(np.mean((truth - shown) ** 2))
+    assert psnr_db == pytest.approx(float(lines["reached"].split()[0]), abs=0.06)
+    assert psnr_db > float(lines["open"].split(": ")[1].split()[0]) + 1
+
+
+def test_motion_and_words_decide(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A still scene needs no code; where codes reach the same, the one of fewer words is taken."""
+    codes = named("always open, one readout", "quad, 1/4 of the frame, one readout",
+                  "random bits, one readout")  # fmt: skip
+    monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
+    frame = Frame(slots=SLOTS, target=target, level=1)
+    design = design_clip([scene(0.0)], frame)
+    assert design.code.name == "always open"
+    assert [code.mean_db for code in design.ranked] == sorted(
+        (code.mean_db for code in design.ranked), reverse=True
+    )
+    monkeypatch.setattr(searched, "_psnr_db", lambda *_: 30.0)
+    assert design_clip([scene(0.0)], frame).code.name == "always open"
+    monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes[::-1])
+    assert design_clip([scene(0.0)], frame).code.name == "always open"
+
+
+def test_codes_that_do_not_fit_are_left_out(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    codes = named("always open, one readout", "random bits, one readout")
+    monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
+    short = Frame(slots=SLOTS, slot_us=2.0, target=target, level=1)
+    assert [code.name for code in design_clip([scene(0.0)], short).ranked] == ["always open"]
+    with pytest.raises(Rejected) as refusal:
+        design_clip([scene(0.0)], replace(short, slot_us=0.05))
+    assert refusal.value.diagnostics[0].code.startswith("NS06")
+
+
+def test_stills_and_clips_are_searched_for_alone(tmp_path: Path) -> None:
+    done = invoke(
+        ["design", "--search", "--scene", "builtin:hdr", "--scene", "builtin:motion",
+         "--exposure", "30000"], tmp_path,
+    )  # fmt: skip
+    assert done.status == 2
+    assert "stills or clips" in done.err
