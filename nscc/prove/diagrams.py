@@ -16,7 +16,10 @@ MOST_NODES = 2_000_000
 
 
 class TooLarge(Exception):
-    """Raised if the diagrams of a program need more than MOST_NODES nodes."""
+    """Raised if the diagrams of a program need more than MOST_NODES nodes; `name` is the image,
+    plane or state that was replayed last."""
+
+    name = ""
 
 
 class Diagrams:

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import accumulate
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
@@ -22,7 +21,7 @@ from nscc.prove.forms import IN, Form, Forms
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words
-from nscc.words.pictures import Condition, Pictures
+from nscc.words.pictures import Condition
 from nscc.words.reach import Reach, RegisterReaches
 
 
@@ -30,18 +29,10 @@ class PictureReplayError(Exception):
     """Raised for a word that the proof does not support."""
 
 
-class Unproved(Exception):
-    """Raised if the proof of the image, plane or state `name` needs too many nodes."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-
 def pictures_fault(container: Container) -> str | None:
     """Return the error in the words of a container's images and planes; None if the proof holds.
 
-    Raises Unproved for planes whose decision diagrams are too large."""
+    Raises TooLarge for planes whose decision diagrams are too large."""
     pictures = container.pictures
     if pictures is None:
         return None
@@ -52,24 +43,18 @@ def pictures_fault(container: Container) -> str | None:
         size = Reach().joined(*by_words.values(), *reaches(pictures).values())
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
-        for number, (op, level) in enumerate(words):  # noqa: B007
+        for op, level in words:
             replay.run(op, level)
+            number += 1
         return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
     except PictureReplayError as wrong:
         return str(wrong)
     except Rejected as rejected:
         return rejected.diagnostics[0].message
-    except TooLarge:
-        raise Unproved(_owner(pictures, number)) from None
-
-
-def _owner(pictures: Pictures, number: int) -> str:
-    """Return the image, plane or state that word `number` of the images computes."""
-    ends = accumulate((cost.words for cost in pictures.costs), initial=1)
-    names = (
-        cost.name for cost, end in zip(pictures.costs, [*ends][1:], strict=True) if number < end
-    )
-    return next(names, pictures.costs[-1].name)
+    except TooLarge as large:
+        owners = [cost.name for cost in pictures.costs for _ in range(cost.words)]
+        large.name = owners[min(number, len(owners)) - 1]  # word 0 belongs to no image
+        raise
 
 
 def _difference(

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
-from nscc.prove.diagrams import MOST_NODES
+from nscc.prove.diagrams import MOST_NODES, TooLarge
 from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import ReplayError
@@ -97,11 +97,11 @@ def _after_frame(container: Container) -> Failure | None:
         return Failure(fault[1], FRAMES, fault[0])
     if container.pictures is None:
         return None
-    from nscc.prove.pictures_proof import Unproved, pictures_fault
+    from nscc.prove.pictures_proof import pictures_fault
 
     try:
         picture_reason = pictures_fault(container)
-    except Unproved as large:
+    except TooLarge as large:
         return Failure("its proof is too large", FRAMES, unproved=large.name)
     return Failure(picture_reason, FRAMES) if picture_reason else None
 

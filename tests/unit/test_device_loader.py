@@ -302,6 +302,12 @@ def plane(register: int, data: bytes = PLANE) -> Object:
     return Object(ObjectKind.PLANE, register, data)
 
 
+def reports(*rows: tuple[int, int]) -> Object:
+    """A REPORTS object of registers and their most coordinates, without margins."""
+    packed = (pack("<B3xI4H", register, most, 0, 0, 0, 0) for register, most in rows)
+    return Object(ObjectKind.REPORTS, 0, pack("<I", len(rows)) + b"".join(packed))
+
+
 def test_small_programs_by_hand_are_taken(talk: Talk) -> None:
     for objects in (
         [GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE],
@@ -381,6 +387,14 @@ def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
         ([plane(1, PLANE[:-1] + b"\x1f")], LoaderFault.PLANE),
         ([plane(1, PLANE + b"\0")], LoaderFault.TOO_LARGE),
         ([plane(0), plane(12)], LoaderFault.PLANE),
+        ([Object(ObjectKind.REPORTS, 0, b"")], LoaderFault.READOUT),
+        ([reports((13, 0))], LoaderFault.READOUT),
+        ([reports((5, 61))], LoaderFault.READOUT),
+        ([reports((5, 1), (5, 1))], LoaderFault.READOUT),
+        ([Object(ObjectKind.STATES, 0, pack("<IB", 1, 5)), reports((5, 1))], LoaderFault.READOUT),
+        ([Object(ObjectKind.REPORTS, 0, reports((5, 1)).data + b"x")], LoaderFault.READOUT),
+        ([Object(ObjectKind.REPORTS, 0, pack("<I", 14))], LoaderFault.READOUT),
+        ([reports(*[(5, 1)] * 14)], LoaderFault.TOO_LARGE),
         ([Object(9, 0, b"abc")], LoaderFault.MALFORMED),  # type: ignore[arg-type]
     ],
 )  # fmt: skip

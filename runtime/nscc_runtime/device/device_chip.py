@@ -30,7 +30,7 @@ from nscc_runtime.device.messages import (
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
-from nscc_runtime.device.plane_reports import device_reports, report_bytes, summaries_of
+from nscc_runtime.device.plane_reports import device_reports, split_reports
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -238,13 +238,10 @@ def _pictured(
             image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
         told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
         told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
-    registers, summaries = state_registers(container), {}
-    if channels & Channel.REPORTS:
-        reports = device_reports(container)
-        registers = tuple(name for name in registers if name not in reports)
-        size = sum(report_bytes(most) for most, _ in reports.values())
-        data, summaries = data[:-size], summaries_of(container, data[-size:])
-    planes = _planes_at_end(data, registers, container.target)
+    reports = device_reports(container) if channels & Channel.REPORTS else {}
+    data, summaries = split_reports(reports, data)
+    sent = [name for name in state_registers(container) if name not in reports]
+    planes = _planes_at_end(data, sent, container.target)
     told |= told_of_planes(container, planes, reaches, summaries)
     return replace(
         frame,

@@ -5,6 +5,7 @@ bits and the u16 coordinates of the box around them. Coordinates that do not exi
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from struct import Struct
 
 import numpy as np
@@ -50,13 +51,15 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
     }  # fmt: skip
 
 
-def summaries_of(container: Container, data: bytes) -> dict[str, PlaneSummary]:
-    """Return the summaries of planes, by register, from the bytes of all reports."""
-    summaries, at = {}, 0
-    for register, (most, _) in device_reports(container).items():
-        places = np.frombuffer(data, "<u2", 2 * most, offset=at).reshape(most, 2)
-        at += report_bytes(most)
-        count, *box = _SUMMARY.unpack_from(data, at - _SUMMARY.size)
+def split_reports(
+    reports: Mapping[str, tuple[int, Reach]], data: bytes
+) -> tuple[bytes, dict[str, PlaneSummary]]:
+    """Return the bytes of a frame before its reports, and the summaries of planes by register."""
+    summaries = {}
+    for register, (most, _) in reversed(reports.items()):
+        data, report = data[: -report_bytes(most)], data[-report_bytes(most) :]
+        places = np.frombuffer(report, "<u2", 2 * most).reshape(most, 2)
+        count, *box = _SUMMARY.unpack_from(report, _COORDINATES * most)
         found = places[: min(count, most)].astype(np.int32)
         summaries[register] = PlaneSummary(count, tuple(box) if count else None, found)
-    return summaries
+    return data, summaries

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,8 @@ from numpy.typing import NDArray
 from nscc.words.pictures import PlaneReport
 
 
-class PlaneSummary(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class PlaneSummary:
     """Where the bits of a plane are 1.
 
     `count`: the number of bits that are 1. `box`: the smallest x and y and the largest x and y of
