@@ -52,7 +52,7 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
 
 
 def split_reports(
-    reports: Mapping[str, tuple[int, Reach]], data: bytes
+    reports: dict[str, tuple[int, Reach]], data: bytes
 ) -> tuple[bytes, dict[str, PlaneSummary]]:
     """Return the bytes of a frame before its reports, and the summaries of planes by register."""
     summaries = {}
