@@ -5,7 +5,6 @@ bits and the u16 coordinates of the box around them. Coordinates that do not exi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from struct import Struct
 
 import numpy as np
