@@ -92,6 +92,25 @@ def test_a_bad_cable_changes_nothing(folder: Path) -> None:
         same_frame(folder, "d.npz")
 
 
+def test_states_go_on_from_frame_to_frame(folder: Path) -> None:
+    (folder / "film.nsl").write_text(
+        'nsl 3\ntarget "chip.toml"\nframe 4 slots of 1ms\nopen when true\noutside 1\n'
+        "kernel k = [[1, 2, 1]] / 4\nkernel around = [[1, 1, 1], [1, 1, 1], [1, 1, 1]]\n"
+        "state s : bit = 0 kept\nplane p = k(exposure) > 20%\nplane all = exposure > 20%\n"
+        "next s = any(s, around) or p\nread s\nreport box s\nreport any all\n"
+    )
+    line = ["run", "film.nsl", "--repeat", "3", "-o"]
+    assert invoke([*line, "e.npz", "--scene", "builtin:hdr"], folder).status == 0
+    with serving(folder) as device:
+        for name in ("d.npz", "again.npz"):
+            assert invoke([*line, name, "--on", device.port], folder).status == 0
+            with np.load(folder / name) as found, np.load(folder / "e.npz") as wanted:
+                for key in ("plane_s", "margin", "report_box_s", "report_any_all"):
+                    np.testing.assert_array_equal(found[key], wanted[key])
+                sizes = found["margin"].sum(axis=(1, 2))
+    assert sizes[0] < sizes[1] < sizes[2], "what is beyond the border spreads"
+
+
 def test_info_upload_capture(folder: Path) -> None:
     digest = sha256((folder / "small.icw").read_bytes()).hexdigest()
     with serving(folder) as device:

@@ -28,7 +28,7 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.reports import margins_fault, report_lines
+from nscc.emit.cpp.reports import MARGINS_GROW, report_lines
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
@@ -43,6 +43,7 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.encoding import decode
+from nscc.words.reach import film_reaches
 from nscc.words.readout import converter_of, preparation_of
 
 _SIDE = 1 << ADDRESS_BITS
@@ -74,8 +75,10 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     fault = devkit_fault(container, devkit)
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
-    if (fault := margins_fault(exposure)) is not None:
-        raise Rejected(_no_cpp(program, devkit, fault, "read the plane instead of reporting it"))
+    film = film_reaches(exposure) if exposure.pictures and exposure.pictures.reports else []
+    if film is None:
+        way_out = "read the plane instead of reporting it"
+        raise Rejected(_no_cpp(program, devkit, MARGINS_GROW, way_out))
     if container.pixel_codes is None:
         reason = "without `pixels`, the pixels have no codes to load"
         raise Rejected(_no_cpp(program, devkit, reason, _DATA))
@@ -103,7 +106,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     ]
     if loading.loads:
         lines += [*_pixel_statements(tree, program), *loading_lines(loading), ""]
-    lines += report_lines(exposure)
+    lines += report_lines(exposure, film) if film else []
     lines += ["}  // namespace", "", *_main(container, loading)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
     return DevkitProgram("".join(f"{devkit.named(line)}\n" for line in lines), images)

@@ -116,9 +116,6 @@ class EmulatedChip:
             - common.adc_offset_lsb,
         )
 
-    def exposure(self, container: Container, channels: int) -> bytes:
-        return self.execute(container, channels).frame
-
     def _executed(
         self, container: Container, light: Light
     ) -> tuple[Exposure, Mapping[str, NDArray[np.bool_]]]:

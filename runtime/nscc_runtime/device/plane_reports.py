@@ -13,7 +13,7 @@ from nscc.words.container import Container
 from nscc.words.reach import Reach, film_reaches
 from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.device.messages import plane_bytes
-from nscc_runtime.neighbours.plane_summary import PlaneSummary
+from nscc_runtime.neighbours.plane_summary import NO_BOX, PlaneSummary
 
 _COORDINATES = 4
 _SUMMARY = Struct("<I4H")
@@ -54,11 +54,11 @@ def split_reports(
     reports: dict[str, tuple[int, Reach]], data: bytes
 ) -> tuple[bytes, dict[str, PlaneSummary]]:
     """Return the bytes of a frame before its reports, and the summaries of planes by register."""
-    summaries = {}
+    summaries: dict[str, PlaneSummary] = {}
     for register, (most, _) in reversed(reports.items()):
         data, report = data[: -report_bytes(most)], data[-report_bytes(most) :]
         places = np.frombuffer(report, "<u2", 2 * most).reshape(most, 2)
         count, *box = _SUMMARY.unpack_from(report, _COORDINATES * most)
         found = places[: min(count, most)].astype(np.int32)
-        summaries[register] = PlaneSummary(count, tuple(box) if count else None, found)
+        summaries[register] = count, box if count else NO_BOX, found
     return data, summaries
