@@ -45,8 +45,16 @@ def pictures_fault(container: Container) -> str | None:
         replay = PictureReplay(container, forms)
         for op, level in words:
             replay.run(op, level)
+<<<<<<< main
             number += 1
         return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
+||||||| base
+        return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
+=======
+        meaning, middle = PictureMeaning(pictures, forms), (size.left, size.up)
+        written = {register for op, _ in words for register in op.destinations}
+        return _difference(container, written, replay, meaning, middle)
+>>>>>>> branch
     except PictureReplayError as wrong:
         return str(wrong)
     except Rejected as rejected:
@@ -58,9 +66,15 @@ def pictures_fault(container: Container) -> str | None:
 
 
 def _difference(
-    container: Container, replay: PictureReplay, meaning: PictureMeaning, middle: tuple[int, int]
+    container: Container,
+    written: set[str],
+    replay: PictureReplay,
+    meaning: PictureMeaning,
+    middle: tuple[int, int],
 ) -> str | None:
-    """Return the first difference between register contents and the text; None if there is none."""
+    """Return the first difference between register contents and the text; None if there is none.
+
+    `written`: the registers that the words of images write."""
     pictures, forms = container.pictures, replay.forms
     assert pictures is not None
     kept = [pictures.registers.get(state.name, "") for state in pictures.states]
@@ -82,7 +96,6 @@ def _difference(
                     return f"`{name}` depends on pixels outside the array in every pixel"
             elif contents[at] != meaning.value(name, at):
                 return f"`{name}` differs from its expression in the program"
-    written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
     return f"{min(spoilt)} holds a code bit, but a word overwrites it" if spoilt else None
 

@@ -6,13 +6,13 @@ the container's target does not support (NS0708)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, WordEffect
-from nscc.words.container import Container
+from nscc.words.container import Container, Word
 from nscc.words.encoding import matching, no_operation
 
 _MOST_SHOWN = 10
@@ -41,59 +41,55 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     """Return the operations of every kernel, in order.
 
     Raises Rejected with the errors of the first ten invalid words."""
-    diagnostics: list[Diagnostic] = []
-    kernels: list[tuple[Op, ...]] = []
-    faults: dict[Op, str | None] = {}
-    for kernel in container.kernels:
-        ops: list[Op] = []
-        for index, word in enumerate(kernel.words):
-            place = f"word {index} of kernel '{kernel.name}'"
-            operation = matching(word, container.target.words)
-            if operation is None:
-                diagnostics.append(no_operation(word, place))
-            else:
-                if operation not in faults:
-                    faults[operation] = target_fault(operation, container.target)
-                fault = faults[operation]
-                if fault is not None:
-                    diagnostics.append(_not_on_target(operation, place, fault, container.target))
-                ops.append(operation)
-            if len(diagnostics) >= _MOST_SHOWN:
-                raise Rejected(diagnostics)
-        if len(ops) == len(kernel.words):
-            diagnostics.extend(split_pairs(kernel.name, ops))
-        kernels.append(tuple(ops))
-    if diagnostics:
-        raise Rejected(diagnostics[:_MOST_SHOWN])
-    return tuple(kernels)
+    kernels = ((kernel.name, kernel.words) for kernel in container.kernels)
+    return _decoded(kernels, container.target, target_fault)
 
 
 def picture_words(container: Container) -> list[tuple[Op, int | None]]:
     """Return the words of images and planes in execution order, each with the value of IN in steps.
 
     The value is None if IN is not set. Raises Rejected as `decoded` does."""
-    pictures, target = container.pictures, container.target
+    pictures = container.pictures
+    if pictures is None:
+        return []
+    named = ((f"{number} of the images", words) for number, words in enumerate(pictures.kernels))
+    kernels = _decoded(named, container.target, picture_fault)
+    return [(op, launch.level) for launch in pictures.launches for op in kernels[launch.kernel]]
+
+
+def _decoded(
+    kernels: Iterable[tuple[str, Sequence[Word]]],
+    target: Target,
+    fault_of: Callable[[Op, Target], str | None],
+) -> tuple[tuple[Op, ...], ...]:
+    """Return the operations of named kernels; `fault_of` tells why the target does not support one.
+
+    Raises Rejected with the errors of the first ten invalid words."""
     diagnostics: list[Diagnostic] = []
-    kernels: list[list[Op]] = []
-    for number, words in enumerate(pictures.kernels if pictures else ()):
-        ops = []
+    operations: list[tuple[Op, ...]] = []
+    faults: dict[Op, str | None] = {}
+    for name, words in kernels:
+        ops: list[Op] = []
         for index, word in enumerate(words):
-            place = f"word {index} of kernel {number} of the images"
+            place = f"word {index} of kernel '{name}'"
             operation = matching(word, target.words)
             if operation is None:
                 diagnostics.append(no_operation(word, place))
-                continue
-            fault = picture_fault(operation, target)
-            if fault is not None:
-                diagnostics.append(_not_on_target(operation, place, fault, target))
-            ops.append(operation)
+            else:
+                if operation not in faults:
+                    faults[operation] = fault_of(operation, target)
+                fault = faults[operation]
+                if fault is not None:
+                    diagnostics.append(_not_on_target(operation, place, fault, target))
+                ops.append(operation)
+            if len(diagnostics) >= _MOST_SHOWN:
+                raise Rejected(diagnostics)
         if len(ops) == len(words):
-            diagnostics.extend(split_pairs(f"{number} of the images", ops))
-        kernels.append(ops)
+            diagnostics.extend(split_pairs(name, ops))
+        operations.append(tuple(ops))
     if diagnostics:
         raise Rejected(diagnostics[:_MOST_SHOWN])
-    launches = pictures.launches if pictures else ()
-    return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]
+    return tuple(operations)
 
 
 def target_fault(operation: Op, target: Target) -> str | None:

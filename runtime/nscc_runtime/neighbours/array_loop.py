@@ -140,10 +140,13 @@ def store_row(
             for x in range(begin, end):
                 marks[start + x] = mark[x - right]
     else:
+        # `+ 0.0` makes this a blend and a plain store, which is faster than a conditional store.
         for x in range(begin, end):
-            if bits[flag + x]:
-                values[start + x] = total[x - right]
-                if marked[0]:
+            old = values[start + x] + 0.0
+            values[start + x] = total[x - right] if bits[flag + x] else old
+        if marked[0]:
+            for x in range(begin, end):
+                if bits[flag + x]:
                     marks[start + x] = mark[x - right]
     if right:
         x = 0 if right > 0 else cols - 1
