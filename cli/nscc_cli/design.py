@@ -160,12 +160,9 @@ def _moving(
 
 
 def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> bool:
-    """Return whether the scenes are clips; raise click.UsageError for stills beside clips."""
+    """Return whether a scene is a clip; stills beside it are clips in which nothing moves."""
     options = {**options, "slots": options["slots"] or _CLIP_SLOTS}
-    kinds = {laid.light.kind for laid in _laid(scenes, target, options, warns=False)}
-    if len(kinds) > 1:
-        raise click.UsageError("--search takes stills or clips, not both: search for each alone")
-    return kinds == {"clip"}
+    return "clip" in [laid.light.kind for laid in _laid(scenes, target, options, warns=False)]
 
 
 def _laid(

@@ -37,13 +37,13 @@ def target(tmp_path: Path) -> str:
 
 
 def named(*names: str) -> list[ClipCode]:
-    return [code for code in clip_codes(SLOTS) if code.title in names]
+    return [code for code in clip_codes(SLOTS) if code.name in names]
 
 
 @pytest.mark.parametrize("slots", [8, 16, 24])
 def test_the_table_has_bumps_mixtures_and_free_bits(slots: int) -> None:
     codes = clip_codes(slots)
-    assert len({code.title for code in codes}) == len(codes) > 30
+    assert len({code.name for code in codes}) == len(codes) > 30
     for code in codes:
         assert code.opened.shape[0] == slots
         always = code.opened.all(axis=0)
@@ -60,7 +60,7 @@ def test_the_table_has_bumps_mixtures_and_free_bits(slots: int) -> None:
 def test_a_program_opens_the_shutters_of_its_code(target: str) -> None:
     frame = Frame(slots=SLOTS, target=target, level=1)
     for code in clip_codes(SLOTS)[::6]:
-        container = searched._container(code, frame)
+        container = code.container(frame)
         shutters = container.table.shutters[container.table.shutter_of_code[container.pixel_codes]]
         repeats = [side // period for side, period in
                    zip((ROWS, COLS), code.opened.shape[1:], strict=True)]  # fmt: skip
@@ -110,30 +110,45 @@ def test_motion_and_words_decide(target: str, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     frame = Frame(slots=SLOTS, target=target, level=1)
     design = design_clip([scene(0.0)], frame)
-    assert design.code.name == "always open"
+    assert design.code.name == "always open, one readout"
     assert [code.mean_db for code in design.ranked] == sorted(
         (code.mean_db for code in design.ranked), reverse=True
     )
     monkeypatch.setattr(searched, "_psnr_db", lambda *_: 30.0)
-    assert design_clip([scene(0.0)], frame).code.name == "always open"
+    assert design_clip([scene(0.0)], frame).code.name == "always open, one readout"
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes[::-1])
-    assert design_clip([scene(0.0)], frame).code.name == "always open"
+    assert design_clip([scene(0.0)], frame).code.name == "always open, one readout"
 
 
 def test_codes_that_do_not_fit_are_left_out(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     codes = named("always open, one readout", "random bits, one readout")
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     short = Frame(slots=SLOTS, slot_us=2.0, target=target, level=1)
-    assert [code.name for code in design_clip([scene(0.0)], short).ranked] == ["always open"]
+    assert [code.name for code in design_clip([scene(0.0)], short).ranked] == [
+        "always open, one readout"
+    ]
     with pytest.raises(Rejected) as refusal:
         design_clip([scene(0.0)], replace(short, slot_us=0.05))
     assert refusal.value.diagnostics[0].code.startswith("NS06")
 
 
-def test_stills_and_clips_are_searched_for_alone(tmp_path: Path) -> None:
+def test_a_still_beside_a_clip_is_one_in_which_nothing_moves(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenes = []
+
+    def judge(_container: object, _sensor: object, light: np.ndarray, _number: int) -> float:
+        scenes.append(light)
+        return 30.0
+
+    monkeypatch.setattr(searched, "_psnr_db", judge)
+    monkeypatch.setattr(searched, "clip_codes", lambda _slots: named("always open, one readout"))
     done = invoke(
         ["design", "--search", "--scene", "builtin:hdr", "--scene", "builtin:motion",
-         "--exposure", "30000"], tmp_path,
+         "--exposure", "30000", "-o", "p.nsl"], tmp_path,
     )  # fmt: skip
-    assert done.status == 2
-    assert "stills or clips" in done.err
+    assert done.status == 0, done.err
+    still, clip = scenes
+    assert still.shape == clip.shape == (16, 256, 256)
+    np.testing.assert_allclose(still, still[:1].repeat(16, axis=0), rtol=1e-5)
+    assert clip.std(axis=0).max() > 0.1 * clip.mean()

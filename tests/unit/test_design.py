@@ -226,8 +226,10 @@ def test_a_searched_pattern_does_what_the_search_says() -> None:
 def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
     one, two = (replace(p, linear_db=30.0, mu_db=db) for p, db in zip(patterns(4), (30, 30.1),
                 strict=False))  # fmt: skip
-    assert cheapest([two, one], lambda p: 20) is two
-    assert cheapest([two, one], lambda p: 20 if p is one else 200) is one
+    ranked = [two, one]
+    assert ranked[cheapest([p.mean_db for p in ranked], lambda _: 20)] is two
+    words = {0: 200, 1: 20}
+    assert ranked[cheapest([p.mean_db for p in ranked], words.__getitem__)] is one
 
 
 def test_a_camera_meters_the_light() -> None:

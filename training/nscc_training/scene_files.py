@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection, Iterable
+from contextlib import suppress
 from glob import glob
 from pathlib import Path
 from typing import Any
@@ -16,12 +17,8 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
 from nscc_runtime.scenes.clips import read_clip
 from nscc_runtime.scenes.colour import Transfer, grey
-from nscc_runtime.scenes.light_arrays import (
-    MAT_CLIP_KEY,
-    clip_white,
-    mat_frame_size,
-    read_mat,
-)
+from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, read_mat
+from nscc_runtime.scenes.mat_files import mat_shapes
 from nscc_runtime.scenes.picture_files import PICTURES, size_of
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
@@ -102,15 +99,16 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
 
 
 def frame_size(path: Path) -> tuple[int, int]:
-    """Return rows and columns of a picture, or of the frames of a clip.
+    """Return rows and columns of a picture, or of the frames of a clip; raise Rejected as their
+    readers do.
 
-    A picture and a .mat file are not decoded, of a video only the first frame is. Raises Rejected
-    as their readers do."""
-    suffix = path.suffix.lower()
-    if suffix in PICTURES:
+    Pictures and .mat files are not decoded, of a video only the first frame is."""
+    if path.suffix.lower() in PICTURES:
         return size_of(path)
-    if suffix == ".mat":
-        return mat_frame_size(path)
+    if path.suffix.lower() == ".mat":
+        with suppress(Exception):  # the reader below refuses a damaged file
+            rows, cols, _ = mat_shapes(path)[MAT_CLIP_KEY]
+            return rows, cols
     rows, cols = next(iter(frames_in(path))).shape[:2]
     return rows, cols
 

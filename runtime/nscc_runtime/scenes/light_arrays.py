@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
@@ -20,7 +19,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.npy import npy_header
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, size
-from nscc_runtime.scenes.mat_files import mat_array, mat_shapes
+from nscc_runtime.scenes.mat_files import mat_array, mat_names
 
 KEY = "light"
 MAT_CLIP_KEY = "orig"
@@ -189,40 +188,20 @@ def clip_white(clip: NDArray[Any]) -> float | None:
     return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
 
 
-def mat_frame_size(path: Path) -> tuple[int, int]:
-    """Return rows and columns of the scene in a .mat file, from its header."""
-    with _readable_mat(path):
-        key, shape = _mat_scene(path)
-        rows, cols = shape[:2] if key == MAT_CLIP_KEY else shape[-2:]
-        return rows, cols
-
-
-def _mat_scene(path: Path) -> tuple[str, tuple[int, ...]]:
-    """Return name and shape of the scene in a .mat file; raise Rejected if there is none."""
-    shapes, keys = mat_shapes(path), (KEY, MAT_CLIP_KEY)
-    key = next((k for k in keys if k in shapes), None)
-    if key is None:
-        raise missing_key(path, [*shapes], keys)
-    return key, shapes[key]
-
-
-@contextmanager
-def _readable_mat(path: Path) -> Iterator[None]:
-    """Convert exceptions of the readers of .mat files to NS0732."""
+def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
+    """Read the scene in a .mat file: ("light", float32 array) or ("orig", array (rows, cols, T) as
+    stored). `light` has precedence. Raises Rejected like `read_light`."""
+    keys = (KEY, MAT_CLIP_KEY)
     try:
-        yield
+        names = mat_names(path)
+        key = next((k for k in keys if k in names), None)
+        if key is None:
+            raise missing_key(path, names, keys)
+        array = mat_array(path, key)
     except (Rejected, ImportError):
         raise
     except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
         raise damaged(path, error) from error
-
-
-def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
-    """Read the scene in a .mat file: ("light", float32 array) or ("orig", array (rows, cols, T) as
-    stored). `light` has precedence. Raises Rejected like `read_light`."""
-    with _readable_mat(path):
-        key, _ = _mat_scene(path)
-        array = mat_array(path, key)
     check_type(path, key, array.dtype)
     if key == KEY:
         check(array.shape)

@@ -36,6 +36,7 @@ from nscc_runtime.scenes.raw_pictures import RAW, raw_pages, raw_size
 from nscc_runtime.scenes.tiff_pictures import tiff_pages, tiff_size
 
 LINEAR = (".exr", ".hdr", ".pfm", *RAW)
+_HEIF = (".heic", ".heif")
 DISPLAY = (".avif", ".bmp", ".heic", ".heif", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
 PICTURES = LINEAR + DISPLAY
 
@@ -95,16 +96,16 @@ def read_picture(path: Path) -> NDArray[Any]:
 
 
 def size_of(path: Path) -> tuple[int, int]:
-    """Return rows and columns of the first picture of a file, in its stored rotation.
+    """Return rows and columns of the first picture of a file, before its rotation.
 
-    Only the head is read. A file whose head does not state the size is decoded. Raises Rejected
+    The picture is decoded only if the head of the file does not state its size. Raises Rejected
     like `open_pages`."""
     reads(path)
     with _readable(path):
+        if path.suffix.lower() in _HEIF:
+            _register_heif()
         size = _SIZES.get(path.suffix.lower(), stated_size)(path)
-    if size is not None:
-        return size
-    rows, cols = next(open_pages(path).read()).shape[:2]
+    rows, cols = size or next(open_pages(path).read()).shape[:2]
     return rows, cols
 
 
@@ -177,11 +178,6 @@ def _heif_pages(path: Path) -> Pages:
     return _pillow_pages(path)
 
 
-def _heif_size(path: Path) -> tuple[int, int] | None:
-    _register_heif()
-    return stated_size(path)
-
-
 def _register_heif() -> None:
     from pillow_heif import register_heif_opener
 
@@ -204,13 +200,12 @@ _READERS: dict[str, Callable[[Path], Pages]] = {
     ".hdr": _radiance_pages,
     ".png": _png_pages,
     **dict.fromkeys((".tif", ".tiff"), tiff_pages),
-    **dict.fromkeys((".heic", ".heif"), _heif_pages),
+    **dict.fromkeys(_HEIF, _heif_pages),
     **dict.fromkeys((".avif", ".bmp", ".jpeg", ".jpg", ".webp"), _pillow_pages),
     **dict.fromkeys(RAW, raw_pages),
 }
 _SIZES: dict[str, Callable[[Path], tuple[int, int] | None]] = {
     **dict.fromkeys((".tif", ".tiff"), tiff_size),
-    **dict.fromkeys((".heic", ".heif"), _heif_size),
     **dict.fromkeys(RAW, raw_size),
 }
 

@@ -37,7 +37,7 @@ def tiff_pages(path: Path) -> Pages:
         If a page has samples of a kind that neither library decodes.
     """
     directories = _directories(path)
-    chosen = _chosen(directories)
+    chosen = _shown(directories)
     for index in chosen:
         _check_samples(directories[index])
         refuse_size(path, *_size(directories[index]))
@@ -52,15 +52,14 @@ def tiff_pages(path: Path) -> Pages:
 def tiff_size(path: Path) -> tuple[int, int]:
     """Return rows and columns of the first page, as its tags state them."""
     directories = _directories(path)
-    return _size(directories[_chosen(directories)[0]])
+    return _size(directories[_shown(directories)[0]])
 
 
 def _size(tags: Tags) -> tuple[int, int]:
     return int(tags[_ROWS]), int(tags[_COLS])
 
 
-def _chosen(directories: list[Tags]) -> list[int]:
-    """Return the indices of the pages that are neither thumbnails nor masks."""
+def _shown(directories: list[Tags]) -> list[int]:
     return [
         index
         for index, tags in enumerate(directories)

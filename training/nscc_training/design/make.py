@@ -54,6 +54,12 @@ class Frame:
         file = self.target if self._from_file else None
         return compile_source(Source(name, text), Path(), Options(level=self.level, target=file))
 
+    def container(self, name: str, text: str) -> Container:
+        """Return the container of a program; raise Rejected if the program does not fit."""
+        container = self.compiled(name, text).container
+        assert container is not None  # programs that do not fit are rejected
+        return container
+
     @property
     def named(self) -> str | None:
         """The target's name for the program text; None for a file, which is a compiler option
@@ -164,24 +170,17 @@ def design_pattern(
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
         return tile_text(stops, frame.slots, frame.slot_us, frame.named, remark)
 
-    def made_of(stops: Sequence[Sequence[int]]) -> Compiled:
-        return frame.compiled("pattern.nsl", text_of(stops))
-
-    def container_of(stop: int) -> Container:
-        container = made_of([[stop]]).container
-        assert container is not None  # programs that do not fit are rejected
-        return container
-
-    def words_of(pattern: Pattern) -> int:
-        container = made_of(pattern.stops.tolist()).container
-        assert container is not None
-        return container.words_per_frame
+    def container_of(stops: Sequence[Sequence[int]]) -> Container:
+        return frame.container("pattern.nsl", text_of(stops))
 
     ranked = judged(
         frame.chip(), [np.asarray(scene, np.float64) for scene in scenes], frame.slots,
-        frame.slot_us, container_of, progress,
+        frame.slot_us, lambda stop: container_of([[stop]]), progress,
     )  # fmt: skip
-    best = cheapest(ranked, words_of)
+    best = ranked[cheapest(
+        [pattern.mean_db for pattern in ranked],
+        lambda k: container_of(ranked[k].stops.tolist()).words_per_frame,
+    )]  # fmt: skip
     uniform = next(pattern for pattern in ranked if pattern.name == "uniform")
     tile = next(pattern for pattern in ranked if pattern.name == "2 x 2")
     remark = f"The pattern of stops that merging is best behind, of {len(ranked)}: {best.name}."

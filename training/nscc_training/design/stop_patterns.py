@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,19 +104,10 @@ def judged(
     return sorted(results, key=lambda pattern: -pattern.mean_db)
 
 
-class Judged(Protocol):
-    """A pattern or code with its PSNR, in dB."""
-
-    @property
-    def mean_db(self) -> float: ...
-
-
-Candidate = TypeVar("Candidate", bound=Judged)
-
-
-def cheapest(ranked: Sequence[Candidate], words: Callable[[Candidate], int]) -> Candidate:
-    """Return the candidate with the highest PSNR minus the cost of its words, among the best."""
-    return max(ranked[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
+def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
+    """Return the place of the highest PSNR minus the cost of its words, among the first ones."""
+    places = range(min(len(ranked_db), _FINALISTS))
+    return max(places, key=lambda k: ranked_db[k] - _DB_PER_WORD * words(k))
 
 
 def _frames(

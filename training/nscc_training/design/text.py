@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import count
 
-import numpy as np
-from numpy.typing import NDArray
-
 from nscc.chips.target import Target
 from nscc.program.looking import level_steps
 from nscc.source import Source
@@ -55,29 +52,6 @@ def tile_text(
         "open when n < stop",
         "",
         f"pixels stop = tile [{', '.join(rows)}]",
-    ])  # fmt: skip
-
-
-def book_text(
-    opened: NDArray[np.bool_], long: bool, slots: int, slot_us: float, chip: str | None, remark: str
-) -> str:  # fmt: skip
-    """Return the program of a tile of shutters (slots, rows, cols), as a book of those in use.
-
-    With `long`, a second readout is always open."""
-    shutters = opened.reshape(slots, -1).T.astype(int)
-    book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
-    digits = ("".join(map(str, row)) for row in book)
-    shown = ("_".join(row[k : k + 4] for k in range(0, slots, 4)) for row in digits)
-    coded = "open when book[id]"
-    buckets = ["bucket long open when true", f"bucket coded {coded}"]
-    rows = (f"[{', '.join(map(str, row))}]" for row in row_of_place.reshape(opened.shape[1:]))
-    return _formatted([
-        *_head("nsl 1", remark, chip, slots, slot_us),
-        "shutters book [", *(f"    {row}," for row in shown), "]",
-        "code id : row of book",
-        *(buckets if long else [coded]),
-        "",
-        f"pixels id = tile [{', '.join(rows)}]",
     ])  # fmt: skip
 
 

@@ -122,11 +122,6 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) ->
     return replace(motion, speeds=speeds, length=length, contrast=contrast)
 
 
-def bump_name(start: str, divisor: int) -> str:
-    """Return the name of bumps that are open for 1 / `divisor` of the frame."""
-    return f"{start}, 1/{divisor} of the frame"
-
-
 def encoders_by_name(slots: int) -> dict[str, Encoder]:
     """Return the candidate codes by name: bumps, and for 16 slots the searched bits."""
     encoders = {}
@@ -135,7 +130,7 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
         for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
             spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
-            encoders[bump_name(start, divisor)] = make_encoder(spec, start)
+            encoders[f"{start}, 1/{divisor} of the frame"] = make_encoder(spec, start)
     if slots == _SEARCHED.slots:
         encoders["searched"] = make_encoder(_SEARCHED)
         encoders["searched"].load_codes(load_codes(searched_codes()))

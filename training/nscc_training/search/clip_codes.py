@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.source import Source
+from nscc.syntax.format import format_source
 from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
@@ -25,22 +27,22 @@ from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
 from nscc_training.design.stop_patterns import cheapest
-from nscc_training.design.text import book_text
 from nscc_training.metrics import psnr
-from nscc_training.search.choose import bump_name, encoders_by_name
+from nscc_training.programs import Chip, program
+from nscc_training.search.choose import encoders_by_name
+from nscc_training.shutter_spec import ShutterSpec
 
-Bits = NDArray[np.bool_]
 Clip = NDArray[np.floating]
 Progress = Callable[[Sequence["ClipCode"]], Iterable["ClipCode"]]
 
+_BUMPS = "cyclic, 1/{} of the frame"
 _MIXED = ((1, 2), (1, 4), (1, 8), (2, 4), (2, 8))
 """Open fractions of the frame, as divisors, of every other pixel and of the pixels between."""
 _EVERY_OTHER = np.less(RANKS, RANKS.size // 2)
 _EIGHT_STARTS = RANKS.argsort(axis=None)[2 * RANKS % RANKS.size]
 """For each place, the place whose shutter it has in a mixture: each half of the pixels then has
 eight of the sixteen starts of `cyclic`, evenly around the frame."""
-_RANDOM_SIDE = 8
-_OPEN = "always open"
+_USUAL = "always open, one readout"
 _JUDGED_SIDE = 128
 """Rows and columns in the middle of a scene that are reconstructed."""
 
@@ -52,18 +54,25 @@ class ClipCode:
     With `long`, the frame has a second readout that is always open."""
 
     name: str
-    opened: Bits
+    opened: NDArray[np.bool_]
     long: bool = False
     mean_db: float = 0.0
 
-    @property
-    def title(self) -> str:
-        """The name with the number of readouts."""
-        return f"{self.name}, {'two readouts, one always open' if self.long else 'one readout'}"
-
     def text(self, frame: Frame, remark: str = "") -> str:
-        """Return the program of the code."""
-        return book_text(self.opened, self.long, frame.slots, frame.slot_us, frame.named, remark)
+        """Return the program of the code, with a book of its shutters."""
+        slots, *tile = self.opened.shape
+        shutters = self.opened.reshape(slots, -1).T.astype(np.int64)
+        book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
+        spec = ShutterSpec("codebook", slots, (tile[0], tile[1]), None, len(book))
+        codes = {"book": book, "id": row_of_place.reshape(tile)}
+        text = program(spec, codes, Chip(frame.target, frame.slot_us), remark).text
+        if self.long:
+            rule = "open when book"
+            text = text.replace(rule, f"bucket long open when true\nbucket coded {rule}")
+        return format_source(Source("design.nsl", text))
+
+    def container(self, frame: Frame) -> Container:
+        return frame.container("clip.nsl", self.text(frame))
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,17 +88,16 @@ def clip_codes(slots: int) -> list[ClipCode]:
     tiles = {name: encoder.hard().numpy() > 0.5
              for name, encoder in encoders_by_name(slots).items()}  # fmt: skip
     always_open = np.ones((slots, *RANKS.shape), bool)
-    bumps = {k: tiles[bump_name("cyclic", k)].reshape(slots, -1)[:, _EIGHT_STARTS]
-             for k in (2, 4, 8)}  # fmt: skip
+    bumps = {k: tiles[_BUMPS.format(k)].reshape(slots, -1)[:, _EIGHT_STARTS] for k in (2, 4, 8)}
     for longer, shorter in _MIXED:
-        name = f"1/{longer} beside {bump_name('cyclic', shorter)}".replace("1/1", _OPEN)
+        name = f"1/{longer} beside {_BUMPS.format(shorter)}".replace("1/1", "always open")
         tiles[name] = np.where(_EVERY_OTHER, bumps.get(longer, always_open), bumps[shorter])
-    draw = np.random.default_rng(0)
-    tiles["random bits"] = draw.random((slots, _RANDOM_SIDE, _RANDOM_SIDE)) < 0.5
-    codes = [ClipCode(name, opened) for name, opened in tiles.items()]
+    tiles["random bits"] = np.random.default_rng(0).random((slots, 8, 8)) < 0.5
+    single = [ClipCode(f"{name}, one readout", opened) for name, opened in tiles.items()]
     # A second readout that is always open makes such pixels of the first one useless.
-    both = [replace(code, long=True) for code in codes if not code.opened.all(axis=0).any()]
-    return [ClipCode(_OPEN, always_open), *codes, *both]
+    both = [ClipCode(f"{name}, two readouts, one always open", opened, long=True)
+            for name, opened in tiles.items() if not opened.all(axis=0).any()]  # fmt: skip
+    return [ClipCode(_USUAL, always_open), *single, *both]
 
 
 def design_clip(
@@ -97,39 +105,24 @@ def design_clip(
 ) -> ClipDesign:
     """Design the code for clips with the highest PSNR, minus a cost for its words.
 
-    Parameters
-    ----------
-    scenes : sequence of array
-        Light in electrons per slot, (N, rows, cols), at most as large as the array.
-    frame : Frame, optional
-        16 slots by default.
-    progress : callable, optional
-        Called with the codes; returns an iterable over them.
-
-    Returns
-    -------
-    ClipDesign
-
-    Raises
-    ------
-    Rejected
-        NS0824 for a scene without light, and the compiler's errors if no code fits the chip.
-    """
+    `scenes` are light in electrons per slot, (N, rows, cols), at most as large as the array. The
+    frame has 16 slots by default. Raises Rejected: NS0824 for a scene without light, and the
+    compiler's errors if no code fits the chip."""
     frame = frame or Frame(slots=16)
     ranked = _judged(clip_codes(frame.slots), scenes, frame, progress)
-    best = cheapest(ranked, lambda code: _container(code, frame).words_per_frame)
-    remark = f"The code that the decoder for any code is best with, of {len(ranked)}: {best.title}."
+    best = ranked[cheapest([code.mean_db for code in ranked],
+                           lambda k: ranked[k].container(frame).words_per_frame)]  # fmt: skip
+    remark = f"The code that the decoder for any code is best with, of {len(ranked)}: {best.name}."
     text = best.text(frame, remark)
     single = next(code for code in ranked if not code.long)
-    usual = next(code for code in ranked if code.name == _OPEN)
+    usual = next(code for code in ranked if code.name == _USUAL)
     lines = (
-        ("code", best.title),
+        ("code", best.name),
         ("tried", f"{len(ranked)} codes, by the decoder for any code under every effect"),
         ("reached", f"{best.mean_db:.1f} dB PSNR in sRGB"),
-        *(("single", f"{code.title}: {code.mean_db:.1f} dB PSNR in sRGB")
-          for code in (single,) if best.long),
-        ("open", f"{usual.title}: {usual.mean_db:.1f} dB PSNR in sRGB"),
-    )  # fmt: skip
+        ("single", f"{single.name}: {single.mean_db:.1f} dB PSNR in sRGB"),
+        ("open", f"{usual.name}: {usual.mean_db:.1f} dB PSNR in sRGB"),
+    )
     return ClipDesign(text, frame.compiled("clip.nsl", text), lines, best, tuple(ranked))
 
 
@@ -137,35 +130,26 @@ def _judged(
     codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
 ) -> list[ClipCode]:
     """Return the codes that fit the chip with their PSNR, best first; raise the compiler's error if
-    none fits."""
+    not even an always open shutter fits."""
     sensor = frame.chip().sensor
     quick = replace(frame, level=min(frame.level, 1))
     ranked: list[ClipCode] = []
-    refused: Rejected | None = None
     for code in progress(codes):
         try:
-            container = _container(code, quick)
-        except Rejected as error:
-            refused = error
+            container = code.container(quick)
+        except Rejected:
+            if code.name == _USUAL:
+                raise
             continue
         psnr_db = [_psnr_db(container, sensor, scene, k) for k, scene in enumerate(scenes)]
         ranked.append(replace(code, mean_db=float(np.mean(psnr_db))))
-    if refused and not ranked:
-        raise refused
     return sorted(ranked, key=lambda code: -code.mean_db)
-
-
-def _container(code: ClipCode, frame: Frame) -> Container:
-    container = frame.compiled("clip.nsl", code.text(frame)).container
-    assert container is not None  # programs that do not fit are rejected
-    return container
 
 
 def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -> float:
     """Return the PSNR, in sRGB, of the middle of a scene that is exposed and reconstructed."""
-    rows, cols = light_e.shape[1:]
-    target = container.target
-    margins = ((0, 0), (0, target.rows - rows), (0, target.cols - cols))
+    (rows, cols), array = light_e.shape[1:], container.target
+    margins = ((0, 0), (0, array.rows - rows), (0, array.cols - cols))
     light = Light.of_clip(np.pad(light_e, margins, mode="edge").astype(np.float32))
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))
