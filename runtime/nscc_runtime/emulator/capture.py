@@ -15,12 +15,10 @@ DAC (IN reads 0)."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.legality import decoded
@@ -33,6 +31,7 @@ from nscc_runtime.pool import in_parts, threads_of
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
+    from nscc_runtime.emulator.loops import EmulatedProgram
     from nscc_runtime.light import Light
 
 BLOCK = 8192
@@ -57,28 +56,18 @@ def expose(
         return sorted_light(container, light)
     from nscc_runtime.emulator.loops import PixelBlock, expose_block
 
-    words = _decoded(container)
+    table, program = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
     ordered = [readouts[bucket] for bucket in container.buckets]
     pixels = light.shape[0] * light.shape[1]
     exposure = np.empty((len(ordered), pixels), np.float64)
     block = min(BLOCK, (pixels + 63) // 64 * 64)
-    frames = np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), pixels)
     _check_matrix(light)
-    table, registers = words.table, len(words.table.analog)
+    frames, registers = len(light.frames), len(table.analog)
     run = expose_block.bound(
-        words=words.words,
-        operands=words.operands,
-        kernel_start=words.kernel_start,
-        launch_start=words.launch_start,
-        launch_kernel=words.launch_kernel,
-        frames=frames,
-        row_start=np.require(light.row_start, np.int64, ["C", "A"]),
-        frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
-        weight=np.require(light.weight, np.float64, ["C", "A"]),
-        frame_weight=np.bincount(light.frame_index, light.weight, minlength=len(frames)),
-        code_planes=words.code_planes,
-        code_rows=words.code_rows,
+        program=program,
+        light=light.matrix,
+        frame_weight=np.bincount(light.frame_index, light.weight, minlength=frames),
         readout_rows=np.array([table.analog[readout.register] for readout in ordered], np.int64),
         readout_gain=np.array([readout.gain for readout in ordered], np.float64),
         exposure=exposure,
@@ -99,8 +88,8 @@ def expose(
                 pixels=pixels,
                 first=first,
                 length=min(block, end - first),
-                frames=len(frames),
-                code_registers=len(words.code_rows),
+                frames=frames,
+                code_registers=len(program.code_rows),
                 buckets=len(ordered),
                 seed=np.uint64(device_seed & 2**64 - 1),
                 pix=table.analog["PIX"],
@@ -112,45 +101,33 @@ def expose(
     return Exposure(shaped, np.isfinite(shaped))
 
 
-@dataclass(frozen=True, eq=False)
-class _Decoded:
-    """A program's words and codes as the arrays that the compiled loop reads (see `expose_block`).
-    The schedule must be sound (`nscc.words.soundness`)."""
+@OfContainer
+def _decoded(container: Container) -> tuple[ArrayWords, EmulatedProgram]:
+    """Return a program's words and codes for the loop. The schedule must be sound
+    (`nscc.words.soundness`)."""
+    from nscc_runtime.emulator.loops import EmulatedProgram
 
-    table: ArrayWords
-    words: NDArray[np.void]
-    operands: NDArray[np.int64]
-    kernel_start: NDArray[np.int64]
-    launch_start: NDArray[np.int64]
-    launch_kernel: NDArray[np.int64]
-    code_planes: NDArray[np.uint64]
-    code_rows: NDArray[np.int64]
-
-    @classmethod
-    def of(cls, container: Container) -> _Decoded:
-        assert container.pixel_codes is not None  # see `check_program`
-        table, codes = ArrayWords(container.target), container.planes()
-        pixels = container.pixel_codes.size
-        kernel_start = [0]
-        for kernel in decoded(container):
-            # No word reads its own result, so repeating a word changes nothing.
-            kernel_start.append(table.append((op, 0.0) for op, _ in groupby(kernel)))
-        instants = np.array([launch.instant for launch in container.launches], np.int64)
-        kernels = np.array([launch.kernel for launch in container.launches], np.int64)
-        launch_start = np.zeros(container.slots + 2, np.int64)
-        np.cumsum(np.bincount(instants, minlength=container.slots + 1), out=launch_start[1:])
-        return cls(
-            table,
-            *table.table,
-            np.array(kernel_start, np.int64),
-            launch_start,
-            kernels[np.argsort(instants, kind="stable")],
-            packed(np.array([*codes.values()], np.bool_).reshape(len(codes), pixels)),
-            np.array([table.digital[name] for name in codes], np.int64),
-        )
+    assert container.pixel_codes is not None  # see `check_program`
+    table, codes = ArrayWords(container.target), container.planes()
+    pixels = container.pixel_codes.size
+    kernel_start = [0]
+    for kernel in decoded(container):
+        # No word reads its own result, so repeating a word changes nothing.
+        kernel_start.append(table.append((op, 0.0) for op, _ in groupby(kernel)))
+    instants = np.array([launch.instant for launch in container.launches], np.int64)
+    kernels = np.array([launch.kernel for launch in container.launches], np.int64)
+    launch_start = np.zeros(container.slots + 2, np.int64)
+    np.cumsum(np.bincount(instants, minlength=container.slots + 1), out=launch_start[1:])
+    return table, EmulatedProgram(
+        *table.table,
+        np.array(kernel_start, np.int64),
+        launch_start,
+        kernels[np.argsort(instants, kind="stable")],
+        packed(np.array([*codes.values()], np.bool_).reshape(len(codes), pixels)),
+        np.array([table.digital[name] for name in codes], np.int64),
+    )
 
 
-_decoded = OfContainer(_Decoded.of)
 _faults = OfContainer(faults)
 
 

@@ -6,7 +6,7 @@ depend on the block size."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +17,12 @@ from nscc_runtime.emulator.array_loop import (
     row_of,
     run_words,
 )
+from nscc_runtime.light_matrix import LightMatrix
 from nscc_runtime.loop import (
     Bytes,
     Floats,
     Floats32,
     Ints,
-    Ints32,
     Words,
     Written,
     compiled,
@@ -78,17 +78,18 @@ def _start(
 
 
 @compiled
-def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int) -> bool:
+def _same_light(light: LightMatrix, slot: int) -> bool:
     """Return whether a slot has the light of the slot before it."""
     if slot == 0:
         return False
-    before, start, stop = row_start[slot - 1], row_start[slot], row_start[slot + 1]
+    before, start = light.row_start[slot - 1], light.row_start[slot]
+    stop = light.row_start[slot + 1]
     if stop - start != start - before:
         return False
     for k in range(stop - start):
-        if frame_index[before + k] != frame_index[start + k]:
+        if light.frame_index[before + k] != light.frame_index[start + k]:
             return False
-        if weight[before + k] != weight[start + k]:
+        if light.weight[before + k] != light.weight[start + k]:
             return False
     return True
 
@@ -100,6 +101,20 @@ def _add_frame(
     """Add `factor` times the pixels of a frame to the row at `out`."""
     for i in range(length):
         values[out + i] += factor * frames[frame + i]
+
+
+class EmulatedProgram(NamedTuple):
+    """The words of kernel k are words[kernel_start[k] : kernel_start[k + 1]]. Boundary n launches
+    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order. `code_planes`: initial
+    values of the planes numbered `code_rows`."""
+
+    words: Annotated[NDArray[Any], ArrayWord]
+    operands: Ints
+    kernel_start: Ints
+    launch_start: Annotated[Ints, "slots+2"]
+    launch_kernel: Ints
+    code_planes: Annotated[Words, "code_registers code_words"]
+    code_rows: Annotated[Ints, "code_registers"]
 
 
 @record
@@ -122,18 +137,9 @@ class PixelBlock:
 def expose_block(
     block: PixelBlock,
     shape: ArrayShape,
-    words: Annotated[NDArray[Any], ArrayWord],
-    operands: Ints,
-    kernel_start: Ints,
-    launch_start: Annotated[Ints, "slots+2"],
-    launch_kernel: Ints,
-    frames: Annotated[Floats32, "frames pixels"],
-    row_start: Annotated[Ints, "slots+1"],
-    frame_index: Annotated[Ints32, "entries"],
-    weight: Annotated[Floats, "entries"],
+    program: EmulatedProgram,
+    light: LightMatrix,
     frame_weight: Annotated[Floats, "frames"],
-    code_planes: Annotated[Words, "code_registers code_words"],
-    code_rows: Annotated[Ints, "code_registers"],
     readout_rows: Annotated[Ints, "buckets"],
     readout_gain: Annotated[Floats, "buckets"],
     planes: Written[Words],
@@ -145,43 +151,40 @@ def expose_block(
 ) -> None:
     """Expose a block of pixels and write the results into `exposure`.
 
-    `words` from kernel_start[k] to kernel_start[k + 1] - 1 are kernel k. Boundary n launches
-    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order. `row_start`, `frame_index`
-    and `weight` are the matrix of `nscc_runtime.light.Light`. `frame_weight`: the weight of each
-    frame in the light of the whole exposure. `code_planes`: initial values of the planes numbered
-    `code_rows`. `planes` to `charge` are working memory; `values` is 0 at first."""
+    `frame_weight`: the weight of each frame in the light of the whole exposure. `planes` to
+    `charge` are working memory; `values` is 0 at first."""
     slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
     pix, total = row_of(shape, block.pix, 0), shape.total
     for i in range(64 * shape.plane_words):
         values[total + i] = 0.0
     for k in range(block.frames):
-        _add_frame(values, total, frames, k * pixels + first, length, frame_weight[k])
+        _add_frame(values, total, light.frames, k * pixels + first, length, frame_weight[k])
     _start(shape, block.pix, block.seed, first, values, planes)
     for c in range(block.code_registers):
         source = c * ((pixels + 63) // 64) + first // 64
         for g in range((length + 63) // 64):
-            planes[code_rows[c] * shape.plane_words + g] = code_planes[source + g]
+            planes[program.code_rows[c] * shape.plane_words + g] = program.code_planes[source + g]
     for n in range(slots + 1):
-        for at in range(launch_start[n], launch_start[n + 1]):
-            kernel = launch_kernel[at]
+        for at in range(program.launch_start[n], program.launch_start[n + 1]):
+            kernel = program.launch_kernel[at]
             run_words(
-                shape, words, kernel_start[kernel], kernel_start[kernel + 1], operands, values,
-                marks, planes, marked,
+                shape, program.words, program.kernel_start[kernel],
+                program.kernel_start[kernel + 1], program.operands, values, marks, planes, marked,
             )  # fmt: skip
         if n == slots:
             break
-        start, stop = row_start[n], row_start[n + 1]
-        if stop - start == 1 and weight[start] == 1.0:
-            frame = frame_index[start] * pixels + first
+        start, stop = light.row_start[n], light.row_start[n + 1]
+        if stop - start == 1 and light.weight[start] == 1.0:
+            frame = light.frame_index[start] * pixels + first
             for i in range(length):
-                values[pix + i] += frames[frame + i]
+                values[pix + i] += light.frames[frame + i]
             continue
-        if not _same_light(row_start, frame_index, weight, n):
+        if not _same_light(light, n):
             for i in range(length):
                 values[total + i] = 0.0
             for k in range(start, stop):
-                frame = frame_index[k] * pixels + first
-                _add_frame(values, total, frames, frame, length, weight[k])
+                frame = light.frame_index[k] * pixels + first
+                _add_frame(values, total, light.frames, frame, length, light.weight[k])
             for i in range(length):
                 charge[i] = np.float32(values[total + i])
         for i in range(length):
