@@ -45,16 +45,10 @@ def pictures_fault(container: Container) -> str | None:
         replay = PictureReplay(container, forms)
         for op, level in words:
             replay.run(op, level)
-<<<<<<< main
             number += 1
-        return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
-||||||| base
-        return _difference(container, replay, PictureMeaning(pictures, forms), (size.left, size.up))
-=======
         meaning, middle = PictureMeaning(pictures, forms), (size.left, size.up)
         written = {register for op, _ in words for register in op.destinations}
         return _difference(container, written, replay, meaning, middle)
->>>>>>> branch
     except PictureReplayError as wrong:
         return str(wrong)
     except Rejected as rejected:

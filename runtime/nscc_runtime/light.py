@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.light_matrix import LightMatrix
 from nscc_runtime.method_cache import remembered
 from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
 
@@ -257,6 +258,16 @@ class Light:
         return self._summed[0]
 
     @cached_property
+    def matrix(self) -> LightMatrix:
+        """The frames and weights as an argument of compiled loops."""
+        return LightMatrix(
+            np.require(self.frames, np.float32, ["C", "A"]).reshape(len(self.frames), -1),
+            np.require(self.row_start, np.int64, ["C", "A"]),
+            np.require(self.frame_index, np.int32, ["C", "A"]),
+            np.require(self.weight, np.float64, ["C", "A"]),
+        )
+
+    @cached_property
     def _summed(self) -> tuple[NDArray[np.float64], bool]:
         """The value of `sum_e`, and whether some pixel exceeded the limit."""
         weight, count = self.frame_weight, len(self.frames)
@@ -265,9 +276,8 @@ class Light:
             size=Frames(
                 count=count, pixels=total.size, even=bool((weight == weight[0]).all()), most=_MOST_E
             ),
-            frames=np.require(self.frames, np.float32, ["C", "A"]).reshape(count, -1),
-            weight=weight, total_32=np.empty(BLOCK, np.float32), out=total.reshape(-1),
-            capped=capped,
+            frames=self.matrix.frames, weight=weight, total_32=np.empty(BLOCK, np.float32),
+            out=total.reshape(-1), capped=capped,
         )  # fmt: skip
         return total, bool(capped[0])
 

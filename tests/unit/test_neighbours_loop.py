@@ -13,7 +13,7 @@ from nscc.operations import NEIGHBOURS, STEERING, Op, op, pair
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc_runtime.effects import selected
-from nscc_runtime.neighbours.array_words import ArrayWords
+from nscc_runtime.neighbours.array_words import PictureWords
 from nscc_runtime.neighbours.pixels import ArrayPixels
 from nscc_runtime.sensor import default_sensor
 
@@ -83,9 +83,10 @@ def test_random_words_do_the_same(seed: int, obeys_flag: bool) -> None:
         code=code, shape=(ROWS, COLS), exposed=exposed, exposed_by=exposed_by,
     )  # fmt: skip
     reference.run_words(words)
-    contents = ArrayWords(target, words).run((ROWS, COLS), exposed, exposed_by, code)
+    contents = PictureWords(target, words).run((ROWS, COLS), exposed, exposed_by, code)
     for name in ANALOG:
-        np.testing.assert_allclose(contents.register[name], reference.register[name], rtol=1e-12)
-        np.testing.assert_array_equal(contents.cut_by[name], reference.cut_by[name])
+        register, cut_by = contents.register[name].reshape(-1), contents.cut_by[name].reshape(-1)
+        np.testing.assert_allclose(register, reference.register[name], rtol=1e-12)
+        np.testing.assert_array_equal(cut_by, reference.cut_by[name])
     for name in (*target.digital_registers, "FLAG"):
-        np.testing.assert_array_equal(contents.bit(name), reference.bit(name))
+        np.testing.assert_array_equal(contents.bit(name).reshape(-1), reference.bit(name))

@@ -15,23 +15,23 @@ DAC (IN reads 0)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.words.legality import decoded
 from nscc.words.soundness import faults
 from nscc_runtime.container_cache import OfContainer
-from nscc_runtime.emulator.steps import Layout, Steps, steps_of
+from nscc_runtime.emulator.array_words import ArrayWords, packed
 from nscc_runtime.emulator.taps import sorted_light
 from nscc_runtime.interface import Exposure
 from nscc_runtime.pool import in_parts, threads_of
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
+    from nscc_runtime.emulator.loops import EmulatedProgram
     from nscc_runtime.light import Light
 
 BLOCK = 8192
@@ -56,37 +56,30 @@ def expose(
         return sorted_light(container, light)
     from nscc_runtime.emulator.loops import PixelBlock, expose_block
 
-    words = _decoded(container)
+    table, program = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
     ordered = [readouts[bucket] for bucket in container.buckets]
     pixels = light.shape[0] * light.shape[1]
     exposure = np.empty((len(ordered), pixels), np.float64)
     block = min(BLOCK, (pixels + 63) // 64 * 64)
-    frames = np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), pixels)
     _check_matrix(light)
-    program, layout = words.steps, words.layout
+    frames, registers = len(light.frames), len(table.analog)
     run = expose_block.bound(
-        steps=program.steps,
-        operands=program.operands,
-        kernel_start=program.kernel_start,
-        launch_start=program.launch_start,
-        launch_kernel=program.launch_kernel,
-        frames=frames,
-        row_start=np.require(light.row_start, np.int64, ["C", "A"]),
-        frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
-        weight=np.require(light.weight, np.float64, ["C", "A"]),
-        frame_weight=np.bincount(light.frame_index, light.weight, minlength=len(frames)),
-        code_planes=words.code_planes,
-        code_rows=words.code_rows,
-        readout_rows=np.array([layout.rows[readout.register] for readout in ordered], np.int64),
+        program=program,
+        light=light.matrix,
+        frame_weight=np.bincount(light.frame_index, light.weight, minlength=frames),
+        readout_rows=np.array([table.analog[readout.register] for readout in ordered], np.int64),
         readout_gain=np.array([readout.gain for readout in ordered], np.float64),
         exposure=exposure,
+        shape=table.shape(1, block, block, registers),
+        marks=np.empty(0, np.uint8),
+        marked=np.zeros(1, np.int64),
     )
 
     def fill(begin: int, end: int) -> None:
         working = {
-            "planes": np.empty(len(layout.planes) * (block // 64), np.uint64),
-            "rows": np.empty(len(layout.rows) * block, np.float64),
+            "planes": np.empty(len(table.digital) * (block // 64), np.uint64),
+            "values": np.zeros((2 * registers + 5) * block),
             "charge": np.empty(block, np.float32),
         }
         for first in range(begin, end, block):
@@ -95,12 +88,11 @@ def expose(
                 pixels=pixels,
                 first=first,
                 length=min(block, end - first),
-                frames=len(frames),
-                code_registers=len(words.code_rows),
+                frames=frames,
+                code_registers=len(program.code_rows),
                 buckets=len(ordered),
                 seed=np.uint64(device_seed & 2**64 - 1),
-                flag_plane=layout.planes["FLAG"],
-                pix_row=layout.rows["PIX"],
+                pix=table.analog["PIX"],
             )
             run(block=sizes, **working)
 
@@ -109,29 +101,33 @@ def expose(
     return Exposure(shaped, np.isfinite(shaped))
 
 
-@dataclass(frozen=True, eq=False)
-class _Decoded:
-    """A program's words and codes as the arrays that the compiled loop reads. `code_planes`: packed
-    planes of the codes. `code_rows`: the numbers of their registers."""
+@OfContainer
+def _decoded(container: Container) -> tuple[ArrayWords, EmulatedProgram]:
+    """Return a program's words and codes for the loop. The schedule must be sound
+    (`nscc.words.soundness`)."""
+    from nscc_runtime.emulator.loops import EmulatedProgram
 
-    layout: Layout
-    steps: Steps
-    code_planes: NDArray[np.uint64]
-    code_rows: NDArray[np.int64]
+    assert container.pixel_codes is not None  # see `check_program`
+    table, codes = ArrayWords(container.target), container.planes()
+    pixels = container.pixel_codes.size
+    kernel_start = [0]
+    for kernel in decoded(container):
+        # No word reads its own result, so repeating a word changes nothing.
+        kernel_start.append(table.append((op, 0.0) for op, _ in groupby(kernel)))
+    instants = np.array([launch.instant for launch in container.launches], np.int64)
+    kernels = np.array([launch.kernel for launch in container.launches], np.int64)
+    launch_start = np.zeros(container.slots + 2, np.int64)
+    np.cumsum(np.bincount(instants, minlength=container.slots + 1), out=launch_start[1:])
+    return table, EmulatedProgram(
+        *table.table,
+        np.array(kernel_start, np.int64),
+        launch_start,
+        kernels[np.argsort(instants, kind="stable")],
+        packed(np.array([*codes.values()], np.bool_).reshape(len(codes), pixels)),
+        np.array([table.digital[name] for name in codes], np.int64),
+    )
 
-    @classmethod
-    def of(cls, container: Container) -> _Decoded:
-        assert container.pixel_codes is not None  # see `check_program`
-        layout, codes = Layout.of(container.target), container.planes()
-        return cls(
-            layout,
-            steps_of(container, layout),
-            _packed(codes.values(), container.pixel_codes.size),
-            np.array([layout.planes[name] for name in codes], np.int64),
-        )
 
-
-_decoded = OfContainer(_Decoded.of)
 _faults = OfContainer(faults)
 
 
@@ -178,12 +174,3 @@ def check_size(container: Container, light: Light) -> None:
             helps=("prepare the scene for the array and the slots of this program",),
             status=1,
         )
-
-
-def _packed(planes: Iterable[NDArray[np.bool_]], pixels: int) -> NDArray[np.uint64]:
-    """Return planes as 64-bit words: pixel i is bit i % 64 of word i // 64; padding is 0."""
-    packed = [np.packbits(plane.reshape(-1), bitorder="little") for plane in planes]
-    words = np.zeros((len(packed), (pixels + 63) // 64 * 8), np.uint8)
-    for row, data in zip(words, packed, strict=True):
-        row[: data.size] = data
-    return words.view("<u8").astype(np.uint64)

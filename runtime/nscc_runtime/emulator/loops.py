@@ -1,27 +1,28 @@
-"""The compiled loop of the emulator: a block of pixels through a whole frame, step by step.
+"""The compiled loop of the emulator: a block of pixels through a whole frame.
 
-A block is a range of consecutive pixels that starts at a multiple of 64. Its planes are 64-bit
-words: pixel i is bit i % 64 of word i // 64. Its rows are float64. Plane p starts at p * words in
-`planes`, row r at r * 64 * words in `rows`. A pixel's result depends only on that pixel, so results
-do not depend on the block size.
-
-Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which changes
-at most the sign of a zero. Choosing between two computed values becomes a blend and a plain store.
-Choosing the loaded value itself would become a masked store, which takes twice as long (measured on
-AMD Zen 3)."""
+A block is a range of consecutive pixels that starts at a multiple of 64: an array of one row
+(`nscc_runtime.emulator.array_loop`). A pixel's result depends only on that pixel, so results do not
+depend on the block size."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nscc_runtime.emulator.steps import COLUMNS, Step
+from nscc_runtime.emulator.array_loop import (
+    ArrayShape,
+    ArrayWord,
+    row_of,
+    run_words,
+)
+from nscc_runtime.light_matrix import LightMatrix
 from nscc_runtime.loop import (
+    Bytes,
     Floats,
     Floats32,
     Ints,
-    Ints32,
     Words,
     Written,
     compiled,
@@ -29,17 +30,7 @@ from nscc_runtime.loop import (
     record,
 )
 
-_COMBINE, _STORE = int(Step.COMBINE), int(Step.STORE)
-_BUS2, _DIVIDE, _COPY = int(Step.BUS2), int(Step.DIVIDE), int(Step.COPY)
-_COMPARE, _COMPARE_MASKED, _BUS = int(Step.COMPARE), int(Step.COMPARE_MASKED), int(Step.BUS)
-
-_NONE, _SOME, _ALL = 0, 1, 2
-
 _GOLDEN = 0.6180339887498949
-
-_ZERO = np.uint64(0)
-_ONE = np.uint64(1)
-_FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
 
 
 @compiled
@@ -56,230 +47,80 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
 
 
 @compiled
-def _any_all(planes: Words, flag: int, words: int) -> int:
-    """Return `_NONE`, `_SOME` or `_ALL`: how many pixels of the plane at `flag` are 1."""
-    any_bits, all_bits = _ZERO, _FULL
-    for i in range(words):
-        any_bits |= planes[flag + i]
-        all_bits &= planes[flag + i]
-    if any_bits == _ZERO:
-        return _NONE
-    return _ALL if all_bits == _FULL else _SOME
-
-
-@compiled
-def _combine(
-    planes: Words, words: int, out: int, operands: Ints, first: int, count: int, flip: np.uint64
-) -> None:
-    """Set the plane at `out` to the OR of `count` planes operands[first..], XOR `flip`."""
-    if count == 0:
-        for i in range(words):
-            planes[out + i] = flip
-        return
-    a = operands[first] * words
-    if count == 1:
-        for i in range(words):
-            planes[out + i] = planes[a + i] ^ flip
-        return
-    b = operands[first + 1] * words
-    if count == 2:
-        for i in range(words):
-            planes[out + i] = (planes[a + i] | planes[b + i]) ^ flip
-        return
-    for i in range(words):
-        planes[out + i] = planes[a + i] | planes[b + i]
-    for k in range(2, count - 1):
-        a = operands[first + k] * words
-        for i in range(words):
-            planes[out + i] |= planes[a + i]
-    b = operands[first + count - 1] * words
-    for i in range(words):
-        planes[out + i] = (planes[out + i] | planes[b + i]) ^ flip
-
-
-@compiled
-def _bus2(
-    rows: Floats, out: int, a: int, b: int, planes: Words, flag: int, words: int, state: int
-) -> None:
-    """Set the row at `out` to -(a + b) where FLAG = 1; `out` is neither a nor b."""
-    if state == _ALL:
-        for i in range(64 * words):
-            rows[out + i] = -(rows[a + i] + rows[b + i])
-        return
-    for g in range(words):
-        word = planes[flag + g]
-        if word == _ZERO:
-            continue
-        x, y, z = out + 64 * g, a + 64 * g, b + 64 * g
-        for j in range(64):
-            old, new = rows[x + j] + 0.0, -(rows[y + j] + rows[z + j])
-            rows[x + j] = new if (word >> np.uint64(j)) & _ONE else old
-
-
-@compiled
-def _bus(
-    rows: Floats,
-    out: int,
-    operands: Ints,
-    first: int,
-    count: int,
-    planes: Words,
-    flag: int,
-    words: int,
-) -> None:
-    """Set row `out` to -(sum of `count` other rows operands[first..]) where FLAG = 1."""
-    for g in range(words):
-        word = planes[flag + g]
-        if word == _ZERO:
-            continue
-        for j in range(64):
-            i = 64 * g + j
-            old, total = rows[out + i] + 0.0, 0.0
-            for k in range(count):
-                total += rows[operands[first + k] * 64 * words + i]
-            rows[out + i] = -total if (word >> np.uint64(j)) & _ONE else old
-
-
-@compiled
-def _divide(
-    rows: Floats, out: int, a: int, divisor: float, planes: Words, flag: int, words: int
-) -> None:
-    """Set the row at `out` to a / divisor where FLAG = 1; `out` is not a."""
-    for g in range(words):
-        word = planes[flag + g]
-        if word == _ZERO:
-            continue
-        x, y = out + 64 * g, a + 64 * g
-        for j in range(64):
-            old, new = rows[x + j] + 0.0, rows[y + j] / divisor
-            rows[x + j] = new if (word >> np.uint64(j)) & _ONE else old
-
-
-@compiled
-def _compare(
-    rows: Floats,
-    operands: Ints,
-    first: int,
-    count: int,
-    planes: Words,
-    flag: int,
-    words: int,
-    within: int,
-) -> None:
-    """Set FLAG to whether the sum of `count` rows operands[first..] is above 0; with `within`, FLAG
-    stays 0 where it was 0."""
-    for g in range(words):
-        word = _ZERO
-        for j in range(64):
-            i, total = 64 * g + j, 0.0
-            for k in range(count):
-                total += rows[operands[first + k] * 64 * words + i]
-            if total > 0.0:
-                word |= _ONE << np.uint64(j)
-        planes[flag + g] = word & planes[flag + g] if within else word
-
-
-@compiled
-def _run_steps(
-    steps: Ints,
-    first: int,
-    stop: int,
-    operands: Ints,
-    planes: Words,
-    rows: Floats,
-    words: int,
-    flag_plane: int,
-    state: int,
-) -> int:
-    """Run a kernel and return the new `state` of FLAG: `_NONE`, `_SOME` or `_ALL` pixels are 1."""
-    flag, pixels = flag_plane * words, 64 * words
-    for s in range(first, stop):
-        at = s * COLUMNS
-        code, out = steps[at], steps[at + 1]
-        a, b, c = steps[at + 2], steps[at + 3], steps[at + 4]
-        if code == _COMBINE:
-            _combine(planes, words, out * words, operands, a, b, _FULL if c else _ZERO)
-            if out == flag_plane:
-                state = _any_all(planes, flag, words)
-        elif code == _STORE:
-            for i in range(words):
-                old, mask = planes[out * words + i], planes[b * words + i]
-                planes[out * words + i] = old ^ ((old ^ planes[a * words + i]) & mask)
-        elif code == _COPY:
-            for i in range(pixels):
-                rows[out * pixels + i] = rows[a * pixels + i]
-        elif code in (_COMPARE, _COMPARE_MASKED):
-            _compare(rows, operands, a, b, planes, flag, words, code == _COMPARE_MASKED)
-            state = _any_all(planes, flag, words)
-        elif state == _NONE:
-            continue
-        elif code == _BUS2:
-            _bus2(rows, out * pixels, a * pixels, b * pixels, planes, flag, words, state)
-        elif code == _BUS:
-            _bus(rows, out * pixels, operands, a, b, planes, flag, words)
-        elif code == _DIVIDE:
-            _divide(rows, out * pixels, a * pixels, float(b), planes, flag, words)
-    return state
-
-
-@compiled
 def _start(
-    planes: Words,
-    rows: Floats,
-    words: int,
-    flag_plane: int,
-    pix: int,
-    scale: int,
-    seed: np.uint64,
-    first: int,
+    shape: ArrayShape, pix: int, seed: np.uint64, first: int, values: Floats, planes: Words
 ) -> None:
     """Set arbitrary initial values, as `nscc_runtime.emulator.capture` describes them.
 
-    The row at `scale` contains the light of the whole frame, 0 outside the array. The reset level
-    is the row after PIX; the row after that is overwritten."""
-    for p in range(flag_plane + 1):
+    The row `shape.total` contains the light of the whole frame; the row `shape.part` is
+    overwritten. The register after PIX is set to minus the reset level."""
+    words, pixels = shape.plane_words, 64 * shape.plane_words
+    for p in range(shape.flag + 1):
         for g in range(words):
             planes[p * words + g] = _hash(seed, p, first // 64 + g)
-    for i in range((flag_plane + 1) * words, (flag_plane + 3) * words):
-        planes[i] = _ZERO
+    for i in range((shape.flag + 1) * words, (shape.flag + 3) * words):
+        planes[i] = np.uint64(0)
     # One random number u per pixel; the fractional part of K u serves as another for each large K.
-    pixels = 64 * words
-    place = (pix + 2) * pixels
+    uniforms, light = shape.part, shape.total
     for i in range(pixels):
-        bits = _hash(seed, flag_plane + 1, first + i)
-        rows[place + i] = float(np.int64(bits >> np.uint64(11))) * 2.0**-53
+        bits = _hash(seed, shape.flag + 1, first + i)
+        values[uniforms + i] = float(np.int64(bits >> np.uint64(11))) * 2.0**-53
     for r in range(pix + 2):
-        lowest = -1.0 if r < pix else 1.0
+        row, lowest = row_of(shape, r, 0), -1.0 if r < pix else 1.0
+        sign = -1.0 if r > pix else 1.0
         for i in range(pixels):
-            turn = rows[place + i] * (16384.0 * (1.0 + r * _GOLDEN))
+            turn = values[uniforms + i] * (16384.0 * (1.0 + r * _GOLDEN))
             spread = 2.0 * (turn - np.floor(turn)) - 1.0
-            light = rows[scale + i]
             value = abs(spread) + 1.0
-            if light > 0.0:
-                value = light * (0.25 + 0.5 * abs(spread))
-            rows[r * pixels + i] = value * lowest if spread < 0.0 else value
+            if values[light + i] > 0.0:
+                value = values[light + i] * (0.25 + 0.5 * abs(spread))
+            values[row + i] = sign * (value * lowest if spread < 0.0 else value)
 
 
 @compiled
-def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int) -> bool:
+def _same_light(light: LightMatrix, slot: int) -> bool:
     """Return whether a slot has the light of the slot before it."""
     if slot == 0:
         return False
-    before, start, stop = row_start[slot - 1], row_start[slot], row_start[slot + 1]
+    before, start = light.row_start[slot - 1], light.row_start[slot]
+    stop = light.row_start[slot + 1]
     if stop - start != start - before:
         return False
     for k in range(stop - start):
-        if frame_index[before + k] != frame_index[start + k]:
+        if light.frame_index[before + k] != light.frame_index[start + k]:
             return False
-        if weight[before + k] != weight[start + k]:
+        if light.weight[before + k] != light.weight[start + k]:
             return False
     return True
+
+
+@compiled
+def _add_frame(
+    values: Floats, out: int, frames: Floats32, frame: int, length: int, factor: float
+) -> None:
+    """Add `factor` times the pixels of a frame to the row at `out`."""
+    for i in range(length):
+        values[out + i] += factor * frames[frame + i]
+
+
+class EmulatedProgram(NamedTuple):
+    """The words of kernel k are words[kernel_start[k] : kernel_start[k + 1]]. Boundary n launches
+    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order. `code_planes`: initial
+    values of the planes numbered `code_rows`."""
+
+    words: Annotated[NDArray[Any], ArrayWord]
+    operands: Ints
+    kernel_start: Ints
+    launch_start: Annotated[Ints, "slots+2"]
+    launch_kernel: Ints
+    code_planes: Annotated[Words, "code_registers code_words"]
+    code_rows: Annotated[Ints, "code_registers"]
 
 
 @record
 class PixelBlock:
     """A block of pixels, and sizes. `pixels`: number of pixels of the array. `first` (a multiple of
-    64), `length`: the pixels that are exposed. `flag_plane`: FLAG's plane. `pix_row`: PIX's row."""
+    64), `length`: the pixels that are exposed. `pix`: the number of the register PIX."""
 
     slots: int
     pixels: int
@@ -289,87 +130,67 @@ class PixelBlock:
     code_registers: int
     buckets: int
     seed: np.uint64
-    flag_plane: int
-    pix_row: int
+    pix: int
 
 
 @loop
 def expose_block(
     block: PixelBlock,
-    steps: Annotated[Ints, "steps columns"],
-    operands: Ints,
-    kernel_start: Ints,
-    launch_start: Annotated[Ints, "slots+2"],
-    launch_kernel: Ints,
-    frames: Annotated[Floats32, "frames pixels"],
-    row_start: Annotated[Ints, "slots+1"],
-    frame_index: Annotated[Ints32, "entries"],
-    weight: Annotated[Floats, "entries"],
+    shape: ArrayShape,
+    program: EmulatedProgram,
+    light: LightMatrix,
     frame_weight: Annotated[Floats, "frames"],
-    code_planes: Annotated[Words, "code_registers words"],
-    code_rows: Annotated[Ints, "code_registers"],
     readout_rows: Annotated[Ints, "buckets"],
     readout_gain: Annotated[Floats, "buckets"],
     planes: Written[Words],
-    rows: Written[Floats],
+    values: Written[Floats],
+    marks: Written[Bytes],
+    marked: Written[Ints],
     charge: Written[Floats32],
     exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
     """Expose a block of pixels and write the results into `exposure`.
 
-    `row_start`, `frame_index` and `weight` are the matrix of `nscc_runtime.light.Light`.
-    `frame_weight`: the weight of each frame in the light of the whole exposure. `code_planes`:
-    initial values of the planes numbered `code_rows`. `planes`, `rows` and `charge` (block) are
-    working memory, with two planes after FLAG's and four rows after PIX's
-    (`nscc_runtime.emulator.steps.Layout`)."""
+    `frame_weight`: the weight of each frame in the light of the whole exposure. `planes` to
+    `charge` are working memory; `values` is 0 at first."""
     slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
-    seed, flag_plane, pix_row = block.seed, block.flag_plane, block.pix_row
-    words = (length + 63) // 64
-    row_length, pix = 64 * words, pix_row * 64 * words
-    zero, exact = (pix_row + 3) * row_length, (pix_row + 4) * row_length
-
-    for i in range(row_length):
-        rows[exact + i] = 0.0
+    pix, total = row_of(shape, block.pix, 0), shape.total
+    for i in range(64 * shape.plane_words):
+        values[total + i] = 0.0
     for k in range(block.frames):
-        frame_weight_fraction, frame = frame_weight[k], k * pixels + first
-        if frame_weight_fraction != 0.0:
-            for i in range(length):
-                rows[exact + i] += frame_weight_fraction * frames[frame + i]
-    _start(planes, rows, words, flag_plane, pix_row, exact, seed, first)
-    for i in range(row_length):
-        rows[zero + i] = 0.0
+        _add_frame(values, total, light.frames, k * pixels + first, length, frame_weight[k])
+    _start(shape, block.pix, block.seed, first, values, planes)
     for c in range(block.code_registers):
         source = c * ((pixels + 63) // 64) + first // 64
-        for g in range(words):
-            planes[code_rows[c] * words + g] = code_planes[source + g]
-
-    state = _any_all(planes, flag_plane * words, words)
+        for g in range((length + 63) // 64):
+            planes[program.code_rows[c] * shape.plane_words + g] = program.code_planes[source + g]
     for n in range(slots + 1):
-        for at in range(launch_start[n], launch_start[n + 1]):
-            begin, end = kernel_start[launch_kernel[at]], kernel_start[launch_kernel[at] + 1]
-            state = _run_steps(steps, begin, end, operands, planes, rows, words, flag_plane, state)
+        for at in range(program.launch_start[n], program.launch_start[n + 1]):
+            kernel = program.launch_kernel[at]
+            run_words(
+                shape, program.words, program.kernel_start[kernel],
+                program.kernel_start[kernel + 1], program.operands, values, marks, planes, marked,
+            )  # fmt: skip
         if n == slots:
             break
-        start, stop = row_start[n], row_start[n + 1]
-        if stop - start == 1 and weight[start] == 1.0:
-            frame = frame_index[start] * pixels + first
+        start, stop = light.row_start[n], light.row_start[n + 1]
+        if stop - start == 1 and light.weight[start] == 1.0:
+            frame = light.frame_index[start] * pixels + first
             for i in range(length):
-                rows[pix + i] += frames[frame + i]
+                values[pix + i] += light.frames[frame + i]
             continue
-        if not _same_light(row_start, frame_index, weight, n):
+        if not _same_light(light, n):
             for i in range(length):
-                rows[exact + i] = 0.0
+                values[total + i] = 0.0
             for k in range(start, stop):
-                frame, frame_weight_fraction = frame_index[k] * pixels + first, weight[k]
-                for i in range(length):
-                    rows[exact + i] += frames[frame + i] * frame_weight_fraction
+                frame = light.frame_index[k] * pixels + first
+                _add_frame(values, total, light.frames, frame, length, light.weight[k])
             for i in range(length):
-                charge[i] = np.float32(rows[exact + i])
+                charge[i] = np.float32(values[total + i])
         for i in range(length):
-            rows[pix + i] += charge[i]
-
+            values[pix + i] += charge[i]
     for k in range(block.buckets):
-        row, gain, out = readout_rows[k] * row_length, readout_gain[k], k * pixels + first
+        row, gain, out = row_of(shape, readout_rows[k], 0), readout_gain[k], k * pixels + first
         for i in range(length):
             # -0 + 0 is +0.
-            exposure[out + i] = rows[row + i] * gain + 0.0
+            exposure[out + i] = values[row + i] * gain + 0.0

@@ -10,9 +10,9 @@ import numpy as np
 from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.execution.charge_loop import DARK, LIT, Sites
 from nscc_runtime.execution.layout import Numbers, OnDevice
+from nscc_runtime.light_matrix import LightMatrix
 from nscc_runtime.loop import (
     Floats,
-    Floats32,
     Ints,
     Ints32,
     compiled,
@@ -52,14 +52,11 @@ def _rate(numbers: Numbers, total: float, response: float) -> float:
 
 
 @compiled
-def _light(
-    frames: Floats32, row_start: Ints, frame_index: Ints32, weight: Floats, n: int, pixels: int,
-    place: int,
-) -> float:  # fmt: skip
+def _light(light: LightMatrix, n: int, pixels: int, place: int) -> float:
     """Return the light of slot n at a place, in electrons."""
     total = 0.0
-    for k in range(row_start[n], row_start[n + 1]):
-        total += float(frames[frame_index[k] * pixels + place]) * weight[k]
+    for k in range(light.row_start[n], light.row_start[n + 1]):
+        total += float(light.frames[light.frame_index[k] * pixels + place]) * light.weight[k]
     return total
 
 
@@ -77,10 +74,7 @@ def lay_out(
     device: OnDevice,
     places: Annotated[Ints, "sites"],
     lanes: Annotated[Ints32, "rows cols"],
-    frames: Annotated[Floats32, "frames pixels"],
-    row_start: Annotated[Ints, "slots+1"],
-    frame_index: Annotated[Ints32, "shares"],
-    weight: Annotated[Floats, "shares"],
+    light: LightMatrix,
     of_slot: Annotated[Ints32, "lanes slots"],
     of_lane: Annotated[Ints, "lanes 2"],
     sites: Sites,
@@ -107,7 +101,7 @@ def lay_out(
             scales[2 * i + LIT] = response if response > 0.0 else 0.0
     if laying.even:
         for i in range(laying.begin, laying.end):
-            total = _light(frames, row_start, frame_index, weight, 0, pixels, places[i])
+            total = _light(light, 0, pixels, places[i])
             scales[2 * i + LIT] = _rate(numbers, total, scales[2 * i + LIT])
     if laying.counts_dark:
         _draw(laying, device.dark, places, DARK, scales)
@@ -119,7 +113,7 @@ def lay_out(
         for n in range(slots):
             for i in range(first, stop):
                 place = places[i]
-                total = _light(frames, row_start, frame_index, weight, n, pixels, place)
+                total = _light(light, n, pixels, place)
                 rate = _rate(numbers, total, scales[2 * i + LIT])
                 mine = of_slot[lanes[place] * slots + n]
                 for group in range(count):

@@ -109,11 +109,7 @@ def sites_of(
     )
     arrays: dict[str, Any] = {
         "places": places, "lanes": lanes, "of_slot": times.of_slot,
-        "frames": np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
-        "row_start": np.require(light.row_start, np.int64, ["C", "A"]),
-        "frame_index": np.require(light.frame_index, np.int32, ["C", "A"]),
-        "weight": np.require(light.weight, np.float64, ["C", "A"]), "of_lane": of_lane,
-        "sites": sites,
+        "light": light.matrix, "of_lane": of_lane, "sites": sites,
     }  # fmt: skip
     laying_sizes: dict[str, Any] = {
         "pixels": lanes.size, "slots": light.slots, "groups": groups, "even": even, **switches

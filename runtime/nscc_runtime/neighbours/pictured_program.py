@@ -23,7 +23,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.array_words import ArrayContents, ArrayWords
+from nscc_runtime.neighbours.array_words import ArrayContents, PictureWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
 from nscc_runtime.reference.trace import retention_us
@@ -95,7 +95,7 @@ class PicturedProgram:
         values_read = sum(name not in pictures.planes for name in pictures.reads)
         between_us = sum(container.slot_us) + values_read * container.target.readout_us
         is_kept = between_us <= retention_us(self.effects, self.sensor)
-        return {name: pixels.bit(name) & is_kept for name in names}
+        return {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
 
     def _exposed(self, light: Light, seed: int, device_seed: int, number: int) -> Exposure:
         if self.effects.noiseless:
@@ -218,9 +218,9 @@ def reaches_of_frames(container: Container) -> Iterator[Mapping[str, Reach]]:
 
 
 @OfContainer
-def array_words(container: Container) -> ArrayWords:
+def array_words(container: Container) -> PictureWords:
     """Return the words of a container's images and planes for the compiled loop."""
-    return ArrayWords(container.target, picture_words(container))
+    return PictureWords(container.target, picture_words(container))
 
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:

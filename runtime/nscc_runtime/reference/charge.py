@@ -112,13 +112,10 @@ class _Slots(Slots):
         out = np.empty((light.slots, rows, cols))
         add_light(
             sizes=LitSizes(
-                slots=light.slots, pixels=rows * cols, first=self.rows.start * cols,
-                all_pixels=light.shape[0] * cols,
+                slots=light.slots, pixels=light.shape[0] * cols, first=self.rows.start * cols,
+                length=rows * cols,
             ),
-            frames=np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
-            row_start=np.require(light.row_start, np.int64, ["C", "A"]),
-            frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
-            weight=np.require(light.weight, np.float64, ["C", "A"]),
+            light=light.matrix,
             out=out.reshape(light.slots, -1),
         )  # fmt: skip
         return out

@@ -1,0 +1,380 @@
+"""The compiled loop that executes words exactly, without effects, on an array of pixels.
+
+The emulator runs it on blocks of pixels (one row), and programs with images on the whole array.
+
+A plane (a one-bit register) has `plane_words` 64-bit words per row: pixel x is bit x % 64 of word
+x // 64. A register has `length` values per row, at least `cols`. Rows of zeros lie before, between
+and after the registers. If words reach neighbours, `length` is larger than `cols`, so that zeros
+also lie between the rows: values beyond the array are read like all others. `marks` contains the
+saturation marks of the values in the same order. FLAG is 0 beyond the array, so nothing changes
+there.
+
+An operand is three integers: a register, and the columns to the right and the rows down to the
+pixel that is read or written."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.loop import Bytes, Floats, Ints, Words, Written, compiled, inlined, loop, record
+
+BUS, COMPARE, BITS, NEIGHBOURS = range(4)
+_NONE, _SOME, _ALL = range(3)
+_ZERO, _ONE = np.uint64(0), np.uint64(1)
+_FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
+
+
+@record
+class ArrayShape:
+    """The array: `rows`, `cols`, the `length` of a row of values, 64-bit words of a row of a plane.
+
+    `count`: number of words of `run_array_words`. `total`, `part`: indices of two rows of values
+    for intermediate sums. `flag` to `masked` are numbers of planes: `bus`, of half-word pairs;
+    `zero`, of zeros; `mask` is -1 on a chip without a masked register. Values outside `lowest` to
+    `highest` (electrons) get the mark `range_bit`; 0 to record no marks."""
+
+    rows: int
+    cols: int
+    length: int
+    plane_words: int
+    count: int
+    total: int
+    part: int
+    flag: int
+    bus: int
+    zero: int
+    mask: int
+    masked: int
+    obeys_flag: int
+    lowest: float
+    highest: float
+    range_bit: int
+
+
+@record
+class ArrayWord:
+    """A word. Its operands begin at index `operands`, sources first.
+
+    It runs `lag` rows behind the first word. `everywhere`: whether an analog word acts where FLAG
+    is 0, too. `in_e`: the value of IN in electrons if the word reads IN, else 0."""
+
+    kind: int
+    operands: int
+    sources: int
+    destinations: int
+    divisor: int
+    inverted: int
+    everywhere: int
+    lag: int
+    in_e: float
+
+
+OfArrayWords = Annotated[NDArray[Any], ArrayWord]
+
+
+@inlined
+def row_of(shape: ArrayShape, register: int, y: int) -> int:
+    """Return the index where row y of an analog register begins."""
+    return (register * (shape.rows + 1) + y + 1) * shape.length
+
+
+@inlined
+def plane_of(shape: ArrayShape, register: int, y: int) -> int:
+    """Return the index where row y of a plane begins."""
+    return (register * shape.rows + y) * shape.plane_words
+
+
+@inlined
+def _inside(shape: ArrayShape, g: int) -> np.uint64:
+    """Return the mask of the pixels of word g that belong to the array."""
+    pixels = shape.cols - 64 * g
+    if pixels >= 64:
+        return _FULL
+    return (_ONE << np.uint64(pixels)) - _ONE if pixels > 0 else _ZERO
+
+
+@compiled
+def _clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
+    """Set FLAG to 0 beyond the array, in row y."""
+    flag = plane_of(shape, shape.flag, y)
+    for g in range(shape.cols // 64, shape.plane_words):
+        planes[flag + g] &= _inside(shape, g)
+
+
+@compiled
+def _flagged(shape: ArrayShape, planes: Words, y: int) -> int:
+    """Return in how many pixels of a row FLAG is 1: `_NONE`, `_SOME` or `_ALL`."""
+    flag, full = plane_of(shape, shape.flag, y), shape.cols // 64
+    any_bits, unset_bits = _ZERO, _ZERO
+    for g in range(full):
+        any_bits |= planes[flag + g]
+        unset_bits |= ~planes[flag + g]
+    for g in range(full, shape.plane_words):
+        any_bits |= planes[flag + g]
+        unset_bits |= planes[flag + g] ^ _inside(shape, g)
+    if any_bits == _ZERO:
+        return _NONE
+    return _ALL if unset_bits == _ZERO else _SOME
+
+
+@compiled
+def _add(
+    shape: ArrayShape, values: Floats, out: int, a: int, b: int, factor: float, initial_e: float,
+    planes: Words, flag: int, state: int,
+) -> None:  # fmt: skip
+    """Set the row at `out` to `factor` * (`initial_e` + the rows at a and b) where FLAG is 1.
+
+    Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which
+    changes at most the sign of a zero. Choosing between two computed values becomes a blend and a
+    plain store. Choosing the loaded value itself would become a masked store, which takes twice as
+    long (measured on AMD Zen 3)."""
+    if state == _ALL:
+        if b == 0:  # the row of zeros
+            for x in range(shape.cols):
+                values[out + x] = factor * (initial_e + values[a + x])
+            return
+        for x in range(shape.cols):
+            values[out + x] = factor * (initial_e + values[a + x] + values[b + x])
+    elif state == _SOME:
+        for g in range(shape.plane_words):
+            word = planes[flag + g]
+            if word == _ZERO:
+                continue
+            x, y, z = out + 64 * g, a + 64 * g, b + 64 * g
+            for j in range(64):
+                old, new = values[x + j] + 0.0, factor * (initial_e + values[y + j] + values[z + j])
+                values[x + j] = new if (word >> np.uint64(j)) & _ONE else old
+
+
+@inlined
+def _source(shape: ArrayShape, word: ArrayWord, operands: Ints, y: int, s: int) -> int:
+    """Return the index where the row begins that row y reads from source number s; for a missing
+    source that of a row of zeros."""
+    if s >= word.sources:
+        return 0
+    at = word.operands + 3 * s
+    begin: int = row_of(shape, operands[at], y + operands[at + 2]) + operands[at + 1]
+    return begin
+
+
+@inlined
+def _two_terms(
+    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
+) -> tuple[int, int, float]:
+    """Return two rows and a constant whose sum is that of a word's sources in row y."""
+    a, b = _source(shape, word, operands, y, 0), _source(shape, word, operands, y, 1)
+    initial_e = word.in_e
+    for s in range(2, word.sources):
+        # Not in place, because LLVM vectorises only loops over separate rows.
+        out = shape.part if (word.sources - s) % 2 else shape.total
+        _add(shape, values, out, a, b, 1.0, initial_e, planes, 0, _ALL)
+        a, b, initial_e = out, _source(shape, word, operands, y, s), 0.0
+    return a, b, initial_e
+
+
+@compiled
+def _mark(
+    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, marks: Bytes, y: int,
+    result: int, marked: Ints,
+) -> None:  # fmt: skip
+    """Set the marks at `shape.total` to those of a word's sources in row y, with
+    `range_bit` where the row at `result` is beyond the range."""
+    outside = 0
+    for x in range(result, result + shape.cols):
+        outside |= (values[x] < shape.lowest) | (values[x] > shape.highest)
+    if outside:
+        marked[0] = 1
+    if not marked[0]:
+        return
+    total = shape.total
+    for x in range(shape.cols):
+        value = values[result + x]
+        is_outside = value < shape.lowest or value > shape.highest
+        marks[total + x] = shape.range_bit if is_outside else 0
+    for s in range(word.sources):
+        source = _source(shape, word, operands, y, s)
+        for x in range(shape.cols):
+            marks[total + x] |= marks[source + x]
+
+
+@compiled
+def _store_marks(
+    shape: ArrayShape, word: ArrayWord, out: int, flag: int, source: int, planes: Words,
+    marks: Bytes,
+) -> None:  # fmt: skip
+    """Set the marks of the row at `out` to those of the row at `source` where FLAG is 1."""
+    for x in range(shape.cols):
+        if word.everywhere or (planes[flag + x // 64] >> np.uint64(x % 64)) & _ONE:
+            marks[out + x] = marks[source + x]
+
+
+@compiled
+def _store(
+    shape: ArrayShape, word: ArrayWord, register: int, y: int, source: int, values: Floats,
+    marks: Bytes, planes: Words, marked: Ints,
+) -> None:  # fmt: skip
+    """Set row y of a register to the row at `source` where FLAG is 1."""
+    out, flag = row_of(shape, register, y), plane_of(shape, shape.flag, y)
+    state = _ALL if word.everywhere else _flagged(shape, planes, y)
+    _add(shape, values, out, source, 0, 1.0, 0.0, planes, flag, state)
+    if marked[0]:
+        _store_marks(shape, word, out, flag, source, planes, marks)
+
+
+@compiled
+def _bus(
+    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, marks: Bytes, planes: Words,
+    y: int, marked: Ints,
+) -> None:  # fmt: skip
+    """Write minus the sum of the sources, over the divisor, to the destinations."""
+    first, total = word.operands + 3 * word.sources, shape.total
+    halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
+    flag, state = plane_of(shape, shape.flag, y), _ALL
+    # A word writes no register that it reads, so a single destination needs no intermediate sum.
+    direct = word.destinations == 1 and halves
+    direct = direct and operands[first + 1] == 0 and operands[first + 2] == 0
+    out = total
+    if direct:
+        out = row_of(shape, operands[first], y)
+        state = _ALL if word.everywhere else _flagged(shape, planes, y)
+        if state == _NONE:
+            return
+    a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
+    factor = -1.0 / word.divisor if halves else -1.0
+    _add(shape, values, out, a, b, factor, initial_e, planes, flag, state)
+    if not halves:
+        for x in range(total, total + shape.cols):
+            values[x] /= word.divisor
+    if shape.range_bit:
+        _mark(shape, word, operands, values, marks, y, out, marked)
+    if direct:
+        if marked[0]:
+            _store_marks(shape, word, out, flag, total, planes, marks)
+        return
+    down = 0
+    for at in range(first, first + 3 * word.destinations, 3):
+        down = operands[at + 2]
+        if 0 <= y + down < shape.rows:
+            source = total - operands[at + 1]
+            _store(shape, word, operands[at], y + down, source, values, marks, planes, marked)
+    if (down > 0 and y == 0) or (down < 0 and y == shape.rows - 1):
+        # No bus reaches this row.
+        _store(shape, word, operands[first], y, 0, values, marks, planes, marked)
+
+
+@compiled
+def _compare(
+    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
+) -> None:
+    """Set FLAG to 1 where a sum is above 0; with `obeys_flag`, only where FLAG was 1."""
+    a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
+    flag = plane_of(shape, shape.flag, y)
+    for g in range(shape.plane_words):
+        above = _ZERO
+        for j in range(64):
+            if initial_e + values[a + 64 * g + j] + values[b + 64 * g + j] > 0.0:
+                above |= _ONE << np.uint64(j)
+        planes[flag + g] = above & planes[flag + g] if shape.obeys_flag else above
+    _clear_flag_outside(shape, planes, y)
+
+
+@compiled
+def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
+    """Write the OR of the sources, or its inverse, to the destinations."""
+    first, bus = word.operands, plane_of(shape, shape.bus, y)
+    flip = _FULL if word.inverted else _ZERO
+    a = plane_of(shape, operands[first] if word.sources else shape.zero, y)
+    b = plane_of(shape, operands[first + 3] if word.sources > 1 else shape.zero, y)
+    for g in range(shape.plane_words):
+        planes[bus + g] = planes[a + g] | planes[b + g]
+    for s in range(2, word.sources):
+        a = plane_of(shape, operands[first + 3 * s], y)
+        for g in range(shape.plane_words):
+            planes[bus + g] |= planes[a + g]
+    # The masked destination comes first, so that the mask still has its old value.
+    for d in range(word.destinations):
+        register = operands[first + 3 * (word.sources + d)]
+        out = plane_of(shape, register, y)
+        if shape.mask >= 0 and register == shape.masked:
+            mask = plane_of(shape, shape.mask, y)
+            for g in range(shape.plane_words):
+                old, new = planes[out + g], planes[bus + g] ^ flip
+                planes[out + g] = old ^ ((old ^ new) & planes[mask + g])
+        else:
+            for g in range(shape.plane_words):
+                planes[out + g] = planes[bus + g] ^ flip
+        if register == shape.flag:
+            _clear_flag_outside(shape, planes, y)
+
+
+@compiled
+def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
+    """Write the OR of the bits of those neighbours that the steering registers choose.
+
+    The first operand is the destination, the second the source. All further operands steer."""
+    first, bus, last = word.operands, plane_of(shape, shape.bus, y), shape.cols - 1
+    for g in range(shape.plane_words):
+        planes[bus + g] = _ZERO
+    for at in range(first + 6, first + 3 * word.sources, 3):
+        steering, right = plane_of(shape, operands[at], y), operands[at + 1]
+        row = y + operands[at + 2]
+        source = plane_of(shape, operands[first + 3], row)
+        for g in range(shape.plane_words):
+            seen, outside = _ZERO, _ZERO
+            if row < 0 or row >= shape.rows:
+                outside = _FULL
+            elif right > 0:
+                seen = planes[source + g] >> _ONE
+                if g + 1 < shape.plane_words:
+                    seen |= planes[source + g + 1] << np.uint64(63)
+                outside = _ONE << np.uint64(last % 64) if g == last // 64 else _ZERO
+            elif right < 0:
+                seen = planes[source + g] << _ONE
+                if g:
+                    seen |= planes[source + g - 1] >> np.uint64(63)
+                outside = _ONE if g == 0 else _ZERO
+            else:
+                seen = planes[source + g]
+            seen = seen | outside if word.inverted else seen & ~outside
+            planes[bus + g] |= planes[steering + g] & seen
+    out = plane_of(shape, operands[first], y)
+    for g in range(shape.plane_words):
+        planes[out + g] = planes[bus + g]
+
+
+@compiled
+def run_words(
+    shape: ArrayShape, words: OfArrayWords, first: int, stop: int, operands: Ints, values: Floats,
+    marks: Bytes, planes: Words, marked: Ints,
+) -> None:  # fmt: skip
+    """Run the words `first` to `stop` - 1 in their order.
+
+    A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
+    word: the neighbouring rows that it reads are then complete, and no earlier word still needs the
+    rows that it overwrites."""
+    for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
+        for w in range(first, stop):
+            word = words[w]
+            y = step - word.lag
+            if y < 0 or y >= shape.rows:
+                continue
+            if word.kind == BUS:
+                _bus(shape, word, operands, values, marks, planes, y, marked)
+            elif word.kind == COMPARE:
+                _compare(shape, word, operands, values, planes, y)
+            elif word.kind == NEIGHBOURS:
+                _look(shape, word, operands, planes, y)
+            else:
+                _write_bits(shape, word, operands, planes, y)
+
+
+@loop
+def run_array_words(
+    shape: ArrayShape, words: Annotated[NDArray[Any], ArrayWord, "count"], operands: Ints,
+    values: Written[Floats], marks: Written[Bytes], planes: Written[Words], marked: Written[Ints],
+) -> None:  # fmt: skip
+    """Run all words on the array. marked[0] is 1 once any value has a saturation mark."""
+    run_words(shape, words, 0, shape.count, operands, values, marks, planes, marked)

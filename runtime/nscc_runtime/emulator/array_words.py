@@ -1,0 +1,139 @@
+"""Translate words into tables for the compiled loop `nscc_runtime.emulator.array_loop`.
+
+`nscc.operations` defines the words; this file only lists their operands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
+from nscc_runtime.emulator import array_loop as loop
+
+_KINDS = {
+    WordEffect.RESET_PIX: loop.BUS,
+    WordEffect.BUS: loop.BUS,
+    WordEffect.FLAG_ANALOG: loop.COMPARE,
+    WordEffect.FLAG_ALL: loop.BITS,
+    WordEffect.FLAG_DIGITAL: loop.BITS,
+    WordEffect.DIGITAL: loop.BITS,
+    WordEffect.DIGITAL_NEIGHBOURS: loop.NEIGHBOURS,
+}
+_FLAGS = (WordEffect.FLAG_ALL, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ANALOG)
+Operand = tuple[int, int, int]
+
+
+class ArrayWords:
+    """Words of a target as the loop reads them.
+
+    `analog`, `digital`: the numbers of registers by name. The last two analog registers are PIX
+    and minus its reset level. SELECT contains zeros, because no address matches."""
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        analog = (*target.analog_registers, "PIX", "level")
+        self.analog = {name: number for number, name in enumerate(analog)}
+        digital = (*target.digital_registers, "FLAG", "SELECT", "bus")
+        self.digital = {name: number for number, name in enumerate(digital)}
+        self._rows: list[tuple[float, ...]] = []
+        self._operands: list[Operand] = []
+        self._known: dict[Op, tuple[int, ...]] = {}
+
+    def append(self, words: Iterable[tuple[Op, float]]) -> int:
+        """Append words, each with the value of IN in electrons. Return the number of all words."""
+        lag, vertical = 0, False
+        for op, in_e in words:
+            if op.operation.effect is WordEffect.NONE:
+                continue
+            if op not in self._known:
+                self._known[op] = self._translated(op)
+            *columns, reaches = self._known[op]
+            before, vertical = vertical, bool(reaches)
+            # A word reads and writes at most one row beside its own.
+            lag += 2 * (before or vertical)
+            self._rows.append((*columns, lag, in_e if "IN" in op.sources else 0.0))
+        return len(self._rows)
+
+    @property
+    def table(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:
+        """All words and their operands, as arrays for the loop."""
+        words = np.array(self._rows, np.dtype(loop.ArrayWord))
+        return words, np.array(self._operands, np.int64).reshape(-1)
+
+    def shape(
+        self, rows: int, cols: int, length: int, registers: int, range_bit: int = 0
+    ) -> loop.ArrayShape:
+        """Return the shape of an array of the first `registers` analog registers; `length` and
+        `range_bit`: see `ArrayShape`."""
+        target, last = self.target, registers * (rows + 1)
+        guarded = None not in (target.mask_register, target.masked_register)
+        return loop.ArrayShape(
+            rows=rows, cols=cols, length=length, plane_words=-(-cols // 64),
+            count=len(self._rows), total=(last + 1) * length, part=(last + 3) * length,
+            flag=self.digital["FLAG"], bus=self.digital["bus"], zero=self.digital["SELECT"],
+            mask=self.digital[target.mask_register or ""] if guarded else -1,
+            masked=self.digital[target.masked_register or ""] if guarded else -1,
+            obeys_flag=int(target.where_obeys_flag), lowest=target.register_min_e,
+            highest=target.register_max_e, range_bit=range_bit,
+        )  # fmt: skip
+
+    def _translated(self, op: Op) -> tuple[int, ...]:
+        """Return the columns of a word from `kind` to `everywhere`, and whether it reaches another
+        row; append its operands."""
+        row, effect = op.operation, op.operation.effect
+        sources, destinations = self._of_effect(op)
+        first = 3 * len(self._operands)
+        self._operands += [*sources, *destinations]
+        # "unknown" is taken as "yes": the chip that resets less.
+        resets = effect is WordEffect.RESET_PIX
+        return (
+            _KINDS[effect], first, len(sources), len(destinations), row.divisor,
+            effect is WordEffect.FLAG_ALL or (row.inverted and row.phase is not Phase.WRITE),
+            resets and self.target.reset_honours_flag == "no",
+            any(down for *_, down in (*sources, *destinations)),
+        )  # fmt: skip
+
+    def _of_effect(self, op: Op) -> tuple[list[Operand], list[Operand]]:
+        """Return the sources and the destinations of a word."""
+        effect, phase = op.operation.effect, op.operation.phase
+        if effect is WordEffect.RESET_PIX:
+            return [(self.analog["level"], 0, 0)], [(self.analog["PIX"], 0, 0)]
+        if effect in (WordEffect.BUS, WordEffect.FLAG_ANALOG):
+            read = [self._analog(name) for name in op.sources if name != "IN"]
+            return read, [self._analog(name) for name in op.destinations]
+        if effect is WordEffect.DIGITAL_NEIGHBOURS:
+            named = self._digital((op.destinations[0], op.sources[0]))
+            return [*named, *((self.digital[name], *step) for name, step in STEERING.items())], []
+        sources = ("bus",) if phase is Phase.WRITE else op.sources
+        destinations = ("bus",) if phase is Phase.READ else op.destinations
+        if effect in _FLAGS:
+            destinations = ("FLAG",)
+        masked = self.target.masked_register
+        return self._digital(sources), self._digital(
+            sorted(destinations, key=lambda name: name != masked)
+        )
+
+    def _analog(self, name: str) -> Operand:
+        if name in NEIGHBOURS:
+            return (self.analog["NEWS"], *STEPS[name])
+        return self.analog[name], 0, 0
+
+    def _digital(self, names: Iterable[str]) -> list[Operand]:
+        return [(self.digital[name], 0, 0) for name in names]
+
+
+def packed(planes: NDArray[np.bool_]) -> NDArray[np.uint64]:
+    """Return planes (.., cols) as 64-bit words: pixel x is bit x % 64 of word x // 64."""
+    octets = np.packbits(planes, axis=-1, bitorder="little")
+    words = np.zeros((*planes.shape[:-1], -(-planes.shape[-1] // 64) * 8), np.uint8)
+    words[..., : octets.shape[-1]] = octets
+    return words.view("<u8").astype(np.uint64)
+
+
+def unpacked(words: NDArray[np.uint64], cols: int) -> NDArray[np.bool_]:
+    """Return the planes (.., `cols`) of 64-bit words."""
+    octets = words.astype("<u8").view(np.uint8)
+    return np.unpackbits(octets, axis=-1, count=cols, bitorder="little").view(np.bool_)
