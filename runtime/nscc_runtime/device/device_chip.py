@@ -153,7 +153,7 @@ class DeviceChip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        if container is not None and container.pictures is not None:
+        if container is not None and container.pictures is not None and container.keeps_states:
             self._reaches = beyond_reaches(container, self._reaches)
         request, program_lost = (
             FrameRequest(self._number, 0, program, target.rows * target.cols),
@@ -176,7 +176,7 @@ class DeviceChip:
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(converter_of(container) if container else target)
         frame = frame_of(
-            fetched.data, request.channels, shape, sensor, target, container, self._reaches
+            fetched.data, request.channels, shape, sensor, target, container, self._reaches or None
         )
         return Shot(frame, captured)
 

@@ -169,8 +169,8 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
     if states:
         objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
     if reported:
-        named = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
-        objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, named)))
+        report_rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
+        objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, report_rows)))
     objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
     if sets_in:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))

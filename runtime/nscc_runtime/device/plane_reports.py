@@ -59,6 +59,6 @@ def split_reports(
         data, report = data[: -report_bytes(most)], data[-report_bytes(most) :]
         places = np.frombuffer(report, "<u2", 2 * most).reshape(most, 2)
         count, *box = _SUMMARY.unpack_from(report, _COORDINATES * most)
-        found = places[: min(count, most)].astype(np.int32)
-        summaries[register] = count, box if count else NO_BOX, found
+        places = places[: min(count, most)]
+        summaries[register] = count, box if count else NO_BOX, places.astype(np.int32)
     return data, summaries

@@ -33,10 +33,10 @@ def reported(report: PlaneReport, summary: PlaneSummary) -> dict[str, NDArray[An
     if report.kind == "box":
         return {name: np.array(box, np.int32)}
     events = np.full((report.most, 2), -1, np.int32)
-    told = min(count, report.most)
-    events[:told] = places[:told]
+    sent = min(count, report.most)
+    events[:sent] = places[:sent]
     return {
         name: events,
-        f"{name}_count": np.array(told, np.int32),
+        f"{name}_count": np.array(sent, np.int32),
         f"{name}_overflow": np.array(count > report.most),
     }
