@@ -71,6 +71,7 @@ def expose(
         kernel_start=program.kernel_start,
         launch_start=program.launch_start,
         launch_kernel=program.launch_kernel,
+        used_rows=program.used_rows,
         frames=frames,
         row_start=np.require(light.row_start, np.int64, ["C", "A"]),
         frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),

@@ -232,8 +232,11 @@ def _start(
     scale: int,
     seed: np.uint64,
     first: int,
+    used_rows: Ints,
 ) -> None:
     """Set arbitrary initial values, as `nscc_runtime.emulator.capture` describes them.
+
+    Rows r with used_rows[r] = 0 are not set, because no word uses them.
 
     The row at `scale` contains the light of the whole frame, 0 outside the array. The reset level
     is the row after PIX; the row after that is overwritten."""
@@ -249,6 +252,8 @@ def _start(
         bits = _hash(seed, flag_plane + 1, first + i)
         rows[place + i] = float(np.int64(bits >> np.uint64(11))) * 2.0**-53
     for r in range(pix + 2):
+        if used_rows[r] == 0:
+            continue
         lowest = -1.0 if r < pix else 1.0
         for i in range(pixels):
             turn = rows[place + i] * (16384.0 * (1.0 + r * _GOLDEN))
@@ -301,6 +306,7 @@ def expose_block(
     kernel_start: Ints,
     launch_start: Annotated[Ints, "slots+2"],
     launch_kernel: Ints,
+    used_rows: Ints,
     frames: Annotated[Floats32, "frames pixels"],
     row_start: Annotated[Ints, "slots+1"],
     frame_index: Annotated[Ints32, "entries"],
@@ -317,6 +323,7 @@ def expose_block(
 ) -> None:
     """Expose a block of pixels and write the results into `exposure`.
 
+    `used_rows`: 1 for rows that words use, else 0.
     `row_start`, `frame_index` and `weight` are the matrix of `nscc_runtime.light.Light`.
     `frame_weight`: the weight of each frame in the light of the whole exposure. `code_planes`:
     initial values of the planes numbered `code_rows`. `planes`, `rows` and `charge` (block) are
@@ -335,7 +342,7 @@ def expose_block(
         if frame_weight_fraction != 0.0:
             for i in range(length):
                 rows[exact + i] += frame_weight_fraction * frames[frame + i]
-    _start(planes, rows, words, flag_plane, pix_row, exact, seed, first)
+    _start(planes, rows, words, flag_plane, pix_row, exact, seed, first, used_rows)
     for i in range(row_length):
         rows[zero + i] = 0.0
     for c in range(block.code_registers):

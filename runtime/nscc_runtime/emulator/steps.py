@@ -74,13 +74,15 @@ class Steps:
     """A container's kernels and schedule for the compiled loops.
 
     `steps` int64 (steps, COLUMNS): kernel k is steps[kernel_start[k] : kernel_start[k + 1]].
-    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order."""
+    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order.
+    `used_rows`: 1 for each row that words use, else 0."""
 
     steps: NDArray[np.int64]
     operands: NDArray[np.int64]
     kernel_start: NDArray[np.int64]
     launch_start: NDArray[np.int64]
     launch_kernel: NDArray[np.int64]
+    used_rows: NDArray[np.int64]
 
 
 def steps_of(container: Container, layout: Layout) -> Steps:
@@ -89,7 +91,9 @@ def steps_of(container: Container, layout: Layout) -> Steps:
     translator = _Translator(container.target, layout)
     rows: list[tuple[int, ...]] = []
     kernel_start = [0]
+    used = {"PIX", "reset", *(readout.register for readout in container.readouts)}
     for kernel in decoded(container):
+        used |= {name for op in kernel for name in (*op.sources, *op.destinations)}
         first = len(rows)
         for op in kernel:
             for step in translator.steps(op):
@@ -108,6 +112,7 @@ def steps_of(container: Container, layout: Layout) -> Steps:
         kernel_start=np.array(kernel_start, np.int64),
         launch_start=launch_start,
         launch_kernel=kernels[np.argsort(instants, kind="stable")],
+        used_rows=np.array([name in used for name in layout.rows], np.int64),
     )
 
 

@@ -111,7 +111,7 @@ class ArrayWords:
         """Return the contents of registers after the words.
 
         Before the words, registers hold `exposed` (electrons) with the marks `exposed_by`, and the
-        bits of `code`. All other registers hold 0."""
+        bits of `code`. All other registers hold 0, and have no marks."""
         target, pixels = self.target, shape[0] * shape[1]
         allocate = np.empty if self._live <= {*exposed, *code, "IN"} else np.zeros
         size = len(self.analog) * pixels
@@ -123,7 +123,9 @@ class ArrayWords:
         cut_by = dict(zip(self.analog, marks[:size].reshape(-1, pixels), strict=True))
         bit = dict(zip(self.digital, bits.reshape(-1, pixels), strict=True))
         for name, exposure in exposed.items():
-            register[name][:], cut_by[name][:] = exposure, exposed_by[name]
+            register[name][:] = exposure
+        for name, by in exposed_by.items():
+            cut_by[name][:] = by
         for name, plane in code.items():
             bit[name][:] = plane
         guarded = None not in (target.mask_register, target.masked_register)
@@ -138,6 +140,6 @@ class ArrayWords:
             ),
             words=self._rows, operands=self._operands_table, values=values, marks=marks, bits=bits,
             total=np.empty(shape[1]), mark=np.empty(shape[1], np.uint8),
-            marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
+            marked=np.array([bool(exposed_by)], np.int64),
         )  # fmt: skip
         return ArrayContents(register, cut_by, bit)

@@ -170,11 +170,13 @@ class PicturedProgram:
         for readout in container.readouts:
             index = container.buckets.index(readout.bucket)
             values = exposure.exposure_e[index].reshape(-1)
-            marks = exposure.saturated_by
-            by = np.zeros(values.shape, np.uint8) if marks is None else marks[index].reshape(-1)
             beyond = values > pictures.limits_e[readout.bucket] * (1 + 1e-9)
+            by = beyond.view(np.uint8) * np.uint8(RANGE_BIT)
+            if exposure.saturated_by is not None:
+                by |= exposure.saturated_by[index].reshape(-1)
             exposed[readout.register] = values / readout.gain
-            exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
+            if by.any():
+                exposed_by[readout.register] = by
         code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept_bits
         if self.effects.noiseless:
             words = array_words(container)

@@ -30,8 +30,8 @@ _DRAWS = 2
 class ArrayPixels(WordPixels):
     """All pixels of an array of `shape` (rows, columns); all other arrays are (pixels,).
 
-    `exposed`: analog registers after the exposure, in electrons. `exposed_by`: their saturation
-    marks. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
+    `exposed`: analog registers after the exposure, in electrons. `exposed_by`: the saturation
+    marks of registers that have any. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
     register."""
 
     shape: tuple[int, int]
@@ -52,8 +52,7 @@ class ArrayPixels(WordPixels):
         self.number, self.after_us, self.in_e = 0, 0.0, 0.0
         pixels = len(self.places)
         self._uncut = np.zeros(pixels, np.uint8)
-        cut = {name: by for name, by in self.exposed_by.items() if by.any()}
-        self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
+        self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **self.exposed_by}
 
     def bit(self, name: str) -> Bits:
         return np.asarray(self.digital.read(name) == 1)
