@@ -31,8 +31,8 @@ class ArrayPixels(WordPixels):
     """All pixels of an array of `shape` (rows, columns); all other arrays are (pixels,).
 
     `exposed`: analog registers after the exposure, in electrons. `exposed_by`: the saturation
-    marks of registers that have any. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
-    register."""
+    marks of registers that have any. `code`: digital registers after the exposure. `cut_by`: the
+    saturation marks of every register."""
 
     shape: tuple[int, int]
     exposed: Mapping[str, Values]
