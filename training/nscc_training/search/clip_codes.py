@@ -7,7 +7,7 @@ the clips that the decoder for any code, which was trained for none of them, rec
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,14 +26,13 @@ from nscc_training.code_choices import RANKS
 from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
-from nscc_training.design.stop_patterns import cheapest
+from nscc_training.design.stop_patterns import Progress, cheapest
 from nscc_training.metrics import psnr
 from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name
 from nscc_training.shutter_spec import ShutterSpec
 
 Clip = NDArray[np.floating]
-Progress = Callable[[Sequence["ClipCode"]], Iterable["ClipCode"]]
 
 _BUMPS = "cyclic, 1/{} of the frame"
 _MIXED = ((1, 2), (1, 4), (1, 8), (2, 4), (2, 8))
@@ -65,6 +64,8 @@ class ClipCode:
         book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
         spec = ShutterSpec("codebook", slots, (tile[0], tile[1]), None, len(book))
         codes = {"book": book, "id": row_of_place.reshape(tile)}
+        if self.opened.all():  # one shutter needs no code
+            spec, codes = ShutterSpec("a", slots, (1, 1)), {}
         text = program(spec, codes, Chip(frame.target, frame.slot_us), remark).text
         if self.long:
             rule = "open when book"
@@ -132,11 +133,10 @@ def _judged(
     """Return the codes that fit the chip with their PSNR, best first; raise the compiler's error if
     not even an always open shutter fits."""
     sensor = frame.chip().sensor
-    quick = replace(frame, level=min(frame.level, 1))
     ranked: list[ClipCode] = []
-    for code in progress(codes):
+    for code in (codes[number] for number in progress(range(len(codes)))):
         try:
-            container = code.container(quick)
+            container = code.container(replace(frame, level=min(frame.level, 1)))
         except Rejected:
             if code.name == _USUAL:
                 raise
