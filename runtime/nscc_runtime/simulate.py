@@ -245,8 +245,6 @@ def _exposing(
 
         _say_compiling(listener, expose_block, "emulator")
         return partial(_exact, container, light, sensor, request)
-    elif container.target.streamed:
-        from nscc_runtime.reference.stream import stream_frames as frames
     else:
         from nscc_runtime.reference import frames
     _say_compiling(listener, *((loop, "emulator") if noiseless else (fill_normals, "noise")))

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects.parts import Exchange, Moving, Saturates
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.execution.chip import SimulatedChip, chip_of
+from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.sums import SlotWeights
 from nscc_runtime.light import Light
@@ -105,10 +106,8 @@ class _Search:
         """Charge that each pixel receives from its neighbours by crosstalk, in electrons."""
         gained_e, total_e = np.zeros(self.light.shape), self._total_e
         if self.chip.kept_effects.find_part(Exchange) is not None:
-            gained_e[1:] += total_e[:-1]
-            gained_e[:-1] += total_e[1:]
-            gained_e[:, 1:] += total_e[:, :-1]
-            gained_e[:, :-1] += total_e[:, 1:]
+            for pixels, neighbours in NEIGHBOURS:
+                gained_e[pixels] += total_e[neighbours]
             gained_e *= self.chip.exchanged
         return gained_e.reshape(-1)
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.execution.charge_loop import Sites
 from nscc_runtime.execution.layout import Numbers, OnDevice
+from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.site_loop import Laying, lay_out
 from nscc_runtime.light import Light
 from nscc_runtime.pool import in_parts
@@ -38,10 +39,8 @@ def needed_places(
     inside.reshape(-1)[chosen] = True
     is_needed = inside.copy()
     if beside:
-        is_needed[1:] |= inside[:-1]
-        is_needed[:-1] |= inside[1:]
-        is_needed[:, 1:] |= inside[:, :-1]
-        is_needed[:, :-1] |= inside[:, 1:]
+        for pixels, neighbours in NEIGHBOURS:
+            is_needed[pixels] |= inside[neighbours]
     return np.flatnonzero(is_needed)
 
 

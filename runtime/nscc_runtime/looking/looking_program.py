@@ -39,6 +39,7 @@ from nscc_runtime.looking.path_loop import (
     run_paths,
 )
 from nscc_runtime.looking.paths import Paths, paths_of
+from nscc_runtime.loop import Bound
 from nscc_runtime.method_cache import remembered
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
@@ -127,46 +128,13 @@ class LookingProgram:
         begins = paths.begins(loaded, scene.light.shape)
         if among is not None:
             begins = np.where(among, begins, -1)  # these pixels have ended already
-        return _LookingFrame(self, paths, scene, effects, seeds, frame).rows(
-            rows, begins, fall, threads
-        )
-
-    def _paths(self, effects: Selection) -> Paths | str:
-        """Return the paths under `effects`, or the reason why they cannot be found."""
-        return paths_of(self.container, retention_us(effects, self.sensor))
-
-    @remembered
-    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> LoopProgram:
-        """Return the words for the loop; `starts` are the first slots of the intervals."""
-        return program_of(self.container, paths.words, starts)
-
-
-@dataclass(frozen=True, eq=False)
-class _LookingFrame:
-    """One frame of a program that looks, on a scene."""
-
-    program: LookingProgram
-    paths: Paths
-    scene: Scene
-    effects: Selection
-    seeds: tuple[int, int]
-    frame: int
-
-    @cached_property
-    def intervals(self) -> Intervals:
-        return Intervals.of(self.program.container, every_slot=self.effects.noiseless)
-
-    def rows(
-        self, rows: range, begins: NDArray[np.int64], fall: Callable[[range], Fallen], threads: int
-    ) -> Executed:
-        """Return consecutive rows; `begins` (rows, cols): first segment of each pixel."""
-        cols = self.scene.light.shape[1]
-        shape = (len(self.program.container.buckets), len(rows), cols)
+        intervals = Intervals.of(self.container, every_slot=effects.noiseless)
+        pace, bound = intervals.paced(scene, effects), self._bound(paths, intervals, effects, seeds)
+        cols = scene.light.shape[1]
+        shape = (len(self.container.buckets), len(rows), cols)
         exposure, saturated_by = np.empty(shape), np.empty(shape, np.uint8)
         valid, ends = np.empty(shape[1:], np.bool_), np.empty(shape[1:], np.int32)
-        pace = self.intervals.paced(self.scene, self.effects)
-        bound = self._bound
-        step = max(1, _CELLS // (len(self.intervals) * cols))
+        step = max(1, _CELLS // (len(intervals) * cols))
 
         def fill(first: int, stop: int) -> None:
             for top in range(first, stop, step):
@@ -174,62 +142,57 @@ class _LookingFrame:
                 out_rows = slice(top, top + len(part_rows))
                 of_array = slice(part_rows.start, part_rows.stop)
                 fallen = fall(part_rows)
-                results = self._loop(
-                    bound, fallen.charge, pace(of_array, fallen.light), begins[of_array], part_rows
+                charge = Charge(
+                    np.require(fallen.charge.reshape(len(intervals), -1), np.float64, ["C"]),
+                    np.require(pace(of_array, fallen.light), np.float64, ["C"]),
                 )
-                exposure[:, out_rows], saturated_by[:, out_rows], ends[out_rows] = results
+                exposure[:, out_rows], saturated_by[:, out_rows], ends[out_rows] = self._loop(
+                    bound, paths, charge, begins[of_array], part_rows.start * cols, frame
+                )
                 valid[out_rows] = fallen.valid
 
         in_parts(fill, len(rows), threads)
-        endings = self.paths.endings.items()
+        endings = paths.endings.items()
         planes = {name: bits.astype(np.bool_)[ends] for name, bits in endings}
         is_valid = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, is_valid, saturated_by), planes)
 
-    @cached_property
-    def _bound(self) -> Callable[..., None]:
-        """The loop, bound to the arguments that all rows share."""
-        container, paths = self.program.container, self.paths
-        seed, device_seed = self.seeds
+    def _bound(
+        self, paths: Paths, intervals: Intervals, effects: Selection, seeds: tuple[int, int]
+    ) -> Bound:
+        """Return the loop, bound to the arguments that all rows share."""
         return run_paths.bound(
-            switches=switches_of(container, self.effects),
-            numbers=numbers_of(container, self.program.sensor, self.effects),
-            device=device_of(device_seed),
-            keys=PathKeys(**draws_keys(PathKeys, seed, WORD_DRAWS)),
-            program=self.program.loop_words(paths, self.intervals.starts),
+            switches=switches_of(self.container, effects),
+            numbers=numbers_of(self.container, self.sensor, effects),
+            device=device_of(seeds[1]),
+            keys=PathKeys(**draws_keys(PathKeys, seeds[0], WORD_DRAWS)),
+            program=self.loop_words(paths, intervals.starts),
             segments=Segments(paths.start, paths.acting, paths.following),
-            readouts=readouts_of(container),
+            readouts=readouts_of(self.container),
         )
 
     def _loop(
-        self,
-        bound: Callable[..., None],
-        charge: NDArray[np.float64],
-        pace: NDArray[np.float64],
-        begins: NDArray[np.int64],
-        rows: range,
-    ) -> tuple[NDArray[Any], ...]:
+        self, bound: Bound, paths: Paths, charge: Charge, begins: NDArray[np.int64],
+        first_place: int, frame: int,
+    ) -> tuple[NDArray[Any], ...]:  # fmt: skip
         """Return exposures and saturation marks (buckets, rows, cols), and endings (rows, cols)."""
-        container, pixels = self.program.container, begins.size
+        container, pixels = self.container, begins.size
         sizes = PathSizes(
             pixels=pixels,
-            first_place=rows.start * begins.shape[1],
-            intervals=len(self.intervals),
-            segments=len(self.paths.following),
-            steps=len(self.paths.words),
+            first_place=first_place,
+            intervals=len(charge.electrons),
+            segments=len(paths.following),
+            steps=len(paths.words),
             numbered=most_destinations(container.target),
-            paces=pace.shape[1],
-            frame=self.frame,
+            paces=charge.pace.shape[1],
+            frame=frame,
         )
         out = np.empty((len(container.buckets), pixels))
         marked = np.empty(out.shape, np.uint8)
         ends = np.empty(pixels, np.int32)
         bound(
-            sizes=sizes, begins=begins.reshape(-1), out=out, marked=marked, ends=ends,
-            charge=Charge(
-                np.require(charge.reshape(len(charge), -1), np.float64, ["C"]),
-                np.require(pace, np.float64, ["C"]),
-            ),
+            sizes=sizes, begins=begins.reshape(-1), charge=charge, out=out, marked=marked,
+            ends=ends,
             of_word=WordKeys(
                 reads=np.empty(sizes.steps, np.uint64),
                 resets=np.empty(sizes.steps, np.uint64),
@@ -246,3 +209,12 @@ class _LookingFrame:
         )  # fmt: skip
         shape = (len(out), *begins.shape)
         return out.reshape(shape), marked.reshape(shape), ends.reshape(begins.shape)
+
+    def _paths(self, effects: Selection) -> Paths | str:
+        """Return the paths under `effects`, or the reason why they cannot be found."""
+        return paths_of(self.container, retention_us(effects, self.sensor))
+
+    @remembered
+    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> LoopProgram:
+        """Return the words for the loop; `starts` are the first slots of the intervals."""
+        return program_of(self.container, paths.words, starts)

@@ -167,12 +167,6 @@ class ArrayPixels(WordPixels):
     def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
         """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
         rows, cols = self.shape
-        moved = np.full(self.shape, beyond, values.dtype)
-        here = _overlap(rows, -down), _overlap(cols, -right)
-        moved[here] = values.reshape(self.shape)[_overlap(rows, down), _overlap(cols, right)]
-        return moved.reshape(-1)
-
-
-def _overlap(size: int, step: int) -> slice:
-    """Return the indices below `size` that are still in range after subtracting `step`."""
-    return slice(max(0, step), size + min(0, step))
+        padded = np.full((rows + 2, cols + 2), beyond, values.dtype)
+        padded[1:-1, 1:-1] = values.reshape(self.shape)
+        return padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols].reshape(-1)

@@ -26,6 +26,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.reference.charge import Fallen, Groups, charge_of_rows
 from nscc_runtime.reference.noise import SpreadNoise
+from nscc_runtime.reference.stream import expose_stream
 from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, ByName, WeightModel, backward, orthonormal
 from nscc_runtime.reference.words import (
@@ -140,14 +141,17 @@ def frames(
     count: int = 1,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`. Raises
-    Rejected, before the first frame, for programs and light that cannot run."""
+    """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`, also of
+    chips without logic. Raises Rejected, before the first frame, for programs and light that cannot
+    run."""
     check(container, light)
-    reference = Reference.of(container, sensor, effects)
-    scene = scene_of(container, light)
-    seeds = seed, device_seed
+    scene, seeds = scene_of(container, light), (seed, device_seed)
+    streamed = container.target.streamed
+    reference = None if streamed else Reference.of(container, sensor, effects)
 
     def expose(number: int) -> Exposure:
+        if reference is None:
+            return expose_stream(container, scene, sensor, effects, seeds, number, threads)
         return reference.expose(scene, *seeds, number, threads)
 
     return converted_frames(expose, container, sensor, effects, seeds, count)

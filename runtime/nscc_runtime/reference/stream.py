@@ -7,7 +7,7 @@ collected while planes are loaded, this is the chip's dead time."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,14 +18,10 @@ from nscc.words.stream import Stream
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
-from nscc_runtime.emulator.capture import check
-from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
-from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals
-from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.words import Marked, converted_frames, in_rows
+from nscc_runtime.reference.words import Marked, in_rows
 
 Values = NDArray[np.float64]
 
@@ -44,29 +40,6 @@ def absent_effects(container: Container, effects: Selection) -> Mapping[str, str
         for effect in effects.effects
         if not stages & effect.reference.keys()
     }
-
-
-def stream_frames(
-    container: Container,
-    light: Light,
-    sensor: Sensor,
-    effects: Selection,
-    *,
-    seed: int = 0,
-    device_seed: int = 0,
-    count: int = 1,
-    threads: int | None = None,
-) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 of `light` with converter codes. Raises Rejected, before the
-    first frame, for programs and light that cannot run."""
-    check(container, light)
-    scene = scene_of(container, light)
-    seeds = seed, device_seed
-
-    def expose(number: int) -> Exposure:
-        return expose_stream(container, scene, sensor, effects, seeds, number, threads)
-
-    return converted_frames(expose, container, sensor, effects, seeds, count)
 
 
 def expose_stream(
