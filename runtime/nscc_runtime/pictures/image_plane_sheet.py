@@ -26,7 +26,6 @@ def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
             shown.append(Image((bits * 255).astype(np.uint8), name, text))
         elif f"image_{name}" in arrays:
             values = arrays[f"image_{name}"]
-            low, high = float(values.min()), float(values.max())
             low, high = (float(value) for value in np.percentile(values, (0.5, 99.5)))
             share = np.clip((values - low) / max(high - low, 1e-30), 0.0, 1.0)
             grey = np.rint(255 * share).astype(np.uint8)
