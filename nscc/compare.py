@@ -134,9 +134,11 @@ def _sent(chip: OnChip) -> str:
 
 
 def _mean_rate(chip: OnChip) -> str:
-    if not chip.sent_bits or not chip.frame_us:
-        return "?" if chip.sent_bits is None else "nothing"
-    return f"{rate_text(chip.bits_per_us or 0.0)}, mean {rate_text(chip.sent_bits / chip.frame_us)}"
+    if not chip.sent_bits:
+        return _sent(chip)
+    assert chip.bits_per_us is not None
+    assert chip.frame_us is not None
+    return f"{rate_text(chip.bits_per_us)}, mean {rate_text(chip.sent_bits / chip.frame_us)}"
 
 
 _ROWS: dict[str, Callable[[OnChip], str]] = {

@@ -42,7 +42,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--update-cases",
         action="store_true",
-        help="Rewrite the expected texts in tests/cases with what nscc says now.",
+        help="Record again the expected texts and figures in tests/cases and tests/data.",
     )
 
 

@@ -26,8 +26,13 @@ PRODUCT = ("nscc", "runtime", "training", "cli")
 COUNT = 40
 MOST_FILES = 8
 """Files of tests that are run for a change, besides those of `RECORDED_RESULTS`."""
-RECORDED_RESULTS = ("tests/e2e/test_cases.py", "tests/e2e/test_examples.py::test_builds_and_proves")
-"""Tests that compare messages and words with recorded ones; they run much, so they come last."""
+RECORDED_RESULTS = (
+    "tests/unit/test_planning_recorded.py", "tests/unit/test_recorded_commands.py",
+    "tests/unit/test_training_recorded.py", "tests/unit/test_pictures.py",
+    "tests/unit/test_training_pictures.py", "tests/e2e/test_cases.py",
+    "tests/e2e/test_examples.py::test_builds_and_proves",
+)  # fmt: skip
+"""Tests that compare results with recorded ones; they run much, so they come last."""
 SECONDS = 600
 """How long the tests of a change may take; a change that makes them hang is noticed."""
 

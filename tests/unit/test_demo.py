@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from conftest import RunNscc
 from PIL import Image
+from recorded import compare_with_recorded
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.examples import START, about, examples
@@ -45,14 +46,17 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_a_photo_becomes_a_sheet_and_a_picture(
-    folder: Path, run_nscc: RunNscc, monkeypatch: pytest.MonkeyPatch
+    folder: Path, run_nscc: RunNscc, monkeypatch: pytest.MonkeyPatch, update_cases: bool
 ) -> None:
     """What the sheet counts is what its files hold, and its commands make the same files."""
     drawn = []
 
-    def image_sheet(rows: list[list[Any]], *arguments: Any) -> Any:
+    def image_sheet(rows: list[list[images.Image]], title: str, *arguments: Any) -> Any:
         drawn.append([[image.title for image in row] for row in rows])
-        return images.image_sheet(rows, *arguments)
+        compare_with_recorded(
+            panels_of(rows, title), "figures/a_demo", update_cases, share=0.01, spare=0.2
+        )
+        return images.image_sheet(rows, title, *arguments)
 
     monkeypatch.setattr("nscc_training.demo.sheet.image_sheet", image_sheet)
     outcome = run_nscc(["demo", "photo.jpg", "-o", "out", "--tone", "log"], folder)
@@ -86,6 +90,18 @@ def test_a_photo_becomes_a_sheet_and_a_picture(
         assert found["image"].shape[:2] == (192, 256)
     with np.load(made / "picture_frame.npz") as now:
         assert now["frame"].shape == (1, 192, 256)
+
+
+def panels_of(rows: list[list[images.Image]], title: str) -> str:
+    """The texts of a sheet, without times of this machine, and means of its pictures."""
+    lines = [title]
+    for image in (image for row in rows for image in row):
+        values = np.asarray(image.values, float)
+        sides = (values[: len(values) // 2], values[:, : values.shape[1] // 2])
+        means = " ".join(f"{part.mean():.4f}" for part in (values, *sides))
+        note = re.sub(r"[0-9.e-]+\N{NO-BREAK SPACE}s", "some s", image.note)
+        lines.append(f"{image.title}: {note}: {values.shape} means {means}")
+    return "\n".join(lines) + "\n"
 
 
 def test_light_of_high_range_is_counted_as_protocols_do(folder: Path, run_nscc: RunNscc) -> None:

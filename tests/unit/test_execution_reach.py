@@ -51,3 +51,9 @@ def test_noise_leaves_less_room() -> None:
 def test_noise_alone_may_be_enough() -> None:
     program = program_of("codebook", reset_noise_e=1e5)
     assert (program.reach.least_e[0] == 0).all()
+
+
+@pytest.mark.parametrize("bias_lsb", [-1000.0, 1000.0])
+def test_a_fixed_error_of_either_sign_may_be_enough(bias_lsb: float) -> None:
+    program = program_of("codebook", analog_bias_lsb=bias_lsb)
+    assert (program.reach.least_e[0] == 0).all()

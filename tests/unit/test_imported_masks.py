@@ -7,10 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from nscc_command import invoke
+from scipy.io import savemat
 
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.imported_masks import ImportedMask, import_mask
+from nscc_training.mask_files import read_mask
 
 RNG = np.random.default_rng(0)
 N = np.arange(8)
@@ -49,8 +51,8 @@ def test_the_class_that_holds_a_mask(tmp_path: Path, kind: str) -> None:
     mask = MASKS[kind]
     found, shutters = imported(tmp_path, mask)
     if kind == "e":  # for these bits a list of them takes as many words
-        more = [reason for reason in found.reasons if "words a slot instead of" in reason]
-        assert more == [f"class e: {found.words_per_slot:g} words a slot instead of "
+        more = [reason for reason in found.reasons if "words a slot, not fewer than" in reason]
+        assert more == [f"class e: {found.words_per_slot:g} words a slot, not fewer than "
                         f"{found.words_per_slot:g}"]  # fmt: skip
     else:
         assert found.kind == kind, found
@@ -123,3 +125,22 @@ def test_the_command_and_pixels(tmp_path: Path) -> None:
     np.savez(tmp_path / "other.npz", mask=MASKS["c"])
     refused = invoke([*line, "other.npz", "--codes", "open"], tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0847"])
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".mat"])
+def test_the_only_array_of_a_file_is_its_mask(suffix: str, tmp_path: Path) -> None:
+    """Whatever its name; one of several must have the name `mask`."""
+    mask = MASKS["b"].astype(float)
+
+    def read(**arrays: np.ndarray) -> np.ndarray:
+        path = tmp_path / f"a{suffix}"
+        if suffix == ".npz":
+            np.savez(path, **arrays)
+        else:
+            savemat(path, arrays)
+        return read_mask(path)
+
+    np.testing.assert_array_equal(read(S=mask), mask)
+    np.testing.assert_array_equal(read(S=1 - mask, mask=mask), mask)
+    with pytest.raises(Rejected, match="NS0845"):
+        read(S=mask, T=mask)

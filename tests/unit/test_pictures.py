@@ -13,6 +13,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 import pytest
+from drawn_figures import compare_figure
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
@@ -21,19 +22,28 @@ from PIL import Image as PillowImage
 
 import nscc
 from nscc.chips.load import builtin_target
+from nscc.compiler import compile_file
+from nscc.emit.looking_network import network_of
+from nscc.pipeline import Options
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
+from nscc_runtime.effects import selected
 from nscc_runtime.merge import BucketReadout
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.frame_sheet import frame_sheet
+from nscc_runtime.pictures.gate_sheet import gate_sheet
+from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.looking_chart import course_sheet
-from nscc_runtime.pictures.picture_colours import LOOKS, Look, contrast, look, looking
+from nscc_runtime.pictures.picture_colours import LOOKS, MARKERS, Look, contrast, look, looking
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Choice, Decision
+from nscc_runtime.scenes import load_scene
+from nscc_runtime.sensor import default_sensor
+from nscc_runtime.simulate import Request, simulate
 from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,
@@ -141,9 +151,38 @@ def container(codes: int, buckets: int, slots: int, shape: tuple[int, int] | Non
     )  # fmt: skip
 
 
+def example(name: str) -> Path:
+    return Path(__file__).parents[2] / "examples" / f"{name}.nsl"
+
+
 def looking_program(name: str) -> Container:
-    path = Path(__file__).parents[2] / "examples" / f"{name}.nsl"
-    return nscc.compile(path, level=0).container
+    return nscc.compile(example(name), level=0).container
+
+
+def gates(name: str) -> Figure:
+    compiled = compile_file(example(name), Options(level=0))
+    assert compiled.lowered is not None
+    return gate_sheet(network_of(compiled.lowered), f"{name}.nsl")
+
+
+def images_and_planes() -> Figure:
+    """The results of programs that read their neighbours: a bucket, an image, a plane, events."""
+    text = """nsl 3
+frame 1 slots of 1ms
+bucket lit open when true
+outside 0
+kernel around = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16
+image smooth = around(lit)
+plane bright = lit > 40%
+read lit, smooth, bright
+report events bright at most 2000
+"""
+    program = nscc.compile(text, target=replace(builtin_target("scamp5"), rows=24, cols=32))
+    light = load_scene("builtin:hdr", slot_us=program.container.slot_us, rows=24, cols=32)
+    sensor = default_sensor(program.container.target)
+    made = simulate(program.container, light, sensor, Request(selected("none")))
+    assert program.container.pictures is not None
+    return image_plane_sheet(program.container.pictures, made.frame.first, "spots.nsl")
 
 
 def readout(rows: int, cols: int, name: str = "frame") -> BucketReadout:
@@ -175,6 +214,9 @@ KINDS: dict[str, Callable[[], Figure]] = {
     "a pixel that looks": partial(course_sheet, looking_program("float_pixel"), "a.nsl"),
     "looks of kept states": partial(course_sheet, looking_program("auto_exposure"), "a.nsl"),
     "looks everywhere": partial(course_sheet, looking_program("first_light"), "a.nsl"),
+    "gates": partial(gates, "class_b"),
+    "gates of looks": partial(gates, "first_light"),
+    "images and planes": images_and_planes,
     "a frame": partial(frame_sheet, [readout(256, 256)], "a.nsl"),
     "frames": partial(frame_sheet, [readout(2, 90, "b0"), readout(2, 90, "b1")], "a.nsl"),
     "images": partial(
@@ -185,14 +227,21 @@ KINDS: dict[str, Callable[[], Figure]] = {
 }
 
 
+LONG = ("many lines", "studies")
+"""Descriptions of these pictures are long, and show little that those of others do not."""
+
+
 @pytest.mark.parametrize("name", KINDS)
-def test_pictures(name: str) -> None:
-    """No text lies on another or leaves the picture; the same picture has the same bytes."""
+def test_pictures(name: str, update_cases: bool) -> None:
+    """No text lies on another or leaves the picture; the same picture has the same bytes, and shows
+    what was recorded."""
     with sheet.style():
         figure = KINDS[name]()
         figure.draw_without_rendering()
         boxes = [(t.get_text(), t.get_window_extent()) for t in written(figure)]
         whole = figure.get_tightbbox().transformed(figure.dpi_scale_trans)
+    if name not in LONG:
+        compare_figure(figure, name, update_cases)
     assert boxes
     for text, box in boxes:
         assert whole.x0 - 1 <= box.x0 <= box.x1 <= whole.x1 + 1, f"{text!r} leaves the picture"
@@ -355,3 +404,22 @@ def test_looks_differ_in_colours_only() -> None:
 def test_series_differ_in_colour_or_marker(chosen: Look) -> None:
     looks = [tuple(chosen.of(i).values()) for i in range(42)]
     assert len(set(looks)) == 42
+
+
+@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
+def test_series_repeat_their_colours_and_markers(chosen: Look) -> None:
+    colours, markers = len(chosen.series), len(MARKERS)
+    for number in range(3 * colours * markers):
+        style = chosen.of(number)
+        assert style["color"] == chosen.series[number % colours]
+        assert style["marker"] == MARKERS[number % markers]
+        assert style == chosen.of(number + colours * markers)
+
+
+@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
+def test_small_type_keeps_as_much_of_its_colour_as_can_be_read(chosen: Look) -> None:
+    """A colour that can be read is not changed; the paper's own colour becomes one that can be."""
+    for colour in (*chosen.series, chosen.paper):
+        shade = chosen.type_in(colour)
+        assert contrast(shade, chosen.paper) >= 4.5
+        assert (shade == colour) == (contrast(colour, chosen.paper) >= 4.5)

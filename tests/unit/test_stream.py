@@ -23,8 +23,10 @@ from nscc.prove.stream_proof import prove_stream
 from nscc.shutter_program import ShutterProgram
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
+from nscc.words.readout import converter_of
 from nscc.words.stream import DRAIN, Stream, schedule
 from nscc_runtime.expected import expected_noise
+from nscc_runtime.sensor import default_sensor
 
 CHIP = replace(load_target("dual-tap", Path()), rows=6, cols=11, name="small")
 DRAINED = replace(CHIP, drain=True)
@@ -258,6 +260,22 @@ def test_the_expected_noise_is_that_of_frames() -> None:
     assert light_e.min() >= 0
     assert found[0] == pytest.approx(np.sqrt(np.mean(spread**2)), rel=0.08)
     assert found[1] ** 2 - found[0] ** 2 == pytest.approx(15000.0)
+
+
+def test_the_expected_noise_is_a_mean_over_pixels() -> None:
+    """Of squares; three of eleven columns count 3 / 11, not one half as their code of two."""
+    sensor = default_sensor(converter_of(built(STOPS).container)).changed(dark_current_e_per_s=1e6)
+
+    def dark_e2(stop: str) -> float:
+        rule = "code stop : 1..8\nopen when n < stop\npixels stop = "
+        found = expected_noise(built(FRAME + rule + stop).container, sensor)
+        assert found is not None
+        return found[0] ** 2
+
+    short_e2, long_e2 = dark_e2("1"), dark_e2("8")
+    assert long_e2 > 1.2 * short_e2
+    mixed_e2 = dark_e2("8 if x % 4 == 0 else 1")
+    assert mixed_e2 == pytest.approx((8 * short_e2 + 3 * long_e2) / 11, rel=1e-6)
 
 
 def test_a_file_has_the_keys_of_its_kind(tmp_path: Path) -> None:

@@ -188,6 +188,15 @@ def test_quantiles_are_those_of_numpy(count: int, part: float, seed: int) -> Non
     np.testing.assert_allclose(found, np.quantile(values, part, axis=1), rtol=1e-9, atol=1e-12)
 
 
+@given(st.integers(1, 300), st.floats(0, 1), st.integers(0, 2**32 - 1))
+def test_each_row_has_its_own_quantile(count: int, part: float, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    values, parts = rng.normal(size=(3, count)), [part, 0.0, 1.0]
+    found = quantiles(torch.from_numpy(values), torch.tensor(parts, dtype=torch.float64))
+    wanted = [np.quantile(row, each) for row, each in zip(values, parts, strict=True)]
+    np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-12)
+
+
 def panorama(path: Path, seed: int) -> None:
     import cv2
 

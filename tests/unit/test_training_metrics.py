@@ -133,6 +133,11 @@ def test_no_mean_of_bad_scores(bad: list[float]) -> None:
         metrics.finite_mean(bad)
 
 
+def test_equal_pictures_have_no_part_in_a_mean() -> None:
+    assert metrics.finite_mean([30.0, math.inf, 20.0]) == 25.0
+    assert metrics.finite_mean([math.inf, math.inf]) == math.inf
+
+
 @pytest.mark.parametrize("bad", [[], [math.nan], [0.01, math.nan], [math.inf, 0.1], [-1.0]])
 def test_no_frame_scores_of_bad_errors(bad: list[float]) -> None:
     with pytest.raises(ValueError, match="a mean"):

@@ -14,7 +14,14 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.operations import op
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
-from nscc.words.assembly_text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
+from nscc.words.assembly_text import (
+    ranges_text,
+    read_integer,
+    read_ranges,
+    read_slots,
+    read_time_us,
+    slots_text,
+)
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.cost import frame_cost
 from nscc.words.diff import differences
@@ -294,3 +301,14 @@ def test_at_most_fifty_faults_of_a_text_are_shown(wrong: int, shown: int) -> Non
         assemble_words(Source("a.asm", text), Path())
     unknown = [each for each in raised.value.diagnostics if each.code == "NS0710"]
     assert len(unknown) == shown
+
+
+def test_integers_have_64_bits_and_fields_of_words_32() -> None:
+    """The last number that is read, and the first that is not."""
+    for last, beyond in ((2**63 - 1, 2**63), (-(2**63), -(2**63) - 1)):
+        assert read_integer(str(last)) == last
+        assert read_integer(str(beyond)) is None
+    text = HAND.replace("    all\n", "    .word 0 0 0 0 {}\n")
+    words = assembled(text.format(2**32 - 1)).kernels[1].words
+    assert (0, 0, 0, 0, 2**32 - 1) in [tuple(map(int, word)) for word in words]
+    assert [each.code for each in rejected(text.format(2**32))] == ["NS0714"]

@@ -97,7 +97,7 @@ def import_mask(
             helps=("use fewer slots or fewer different shutters, or a target with more registers",),
         )
     words, best = min(fitting, key=lambda pair: pair[0])
-    reasons += [f"class {candidate.kind}: {other_words:g} words a slot instead of {words:g}"
+    reasons += [f"class {candidate.kind}: {other_words:g} words a slot, not fewer than {words:g}"
                 for other_words, candidate in fitting if candidate is not best]  # fmt: skip
     return ImportedMask(best.text, best.codes, best.kind, best.tile, words, tuple(reasons))
 

@@ -40,7 +40,7 @@ class Look:
     def type_in(self, colour: str) -> str:
         """Return the colour, mixed with ink until small type in it is legible on the background."""
         mixed = (_mix(colour, self.ink, step / 20) for step in range(21))
-        return next((shade for shade in mixed if contrast(shade, self.paper) >= _LEGIBLE), self.ink)
+        return next(shade for shade in mixed if contrast(shade, self.paper) >= _LEGIBLE)
 
     def on(self, colour: str) -> str:
         """Return the more legible type colour, ink or paper, on an area of a colour."""
