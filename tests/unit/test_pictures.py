@@ -182,7 +182,7 @@ report events bright at most 2000
     sensor = default_sensor(program.container.target)
     made = simulate(program.container, light, sensor, Request(selected("none")))
     assert program.container.pictures is not None
-    return image_plane_sheet(program.container.pictures, made.frame.first, "spots.nsl")
+    return image_plane_sheet(made.frame.first, program.container.buckets_read, "spots.nsl")
 
 
 def readout(rows: int, cols: int, name: str = "frame") -> BucketReadout:
