@@ -45,7 +45,7 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
         free.remove(target.mask_register)  # the mask is the last choice for code bits
     codes = len([name for name in names if name in planes])
     after_codes = sorted(free[codes:], key=lambda name: name not in spared)
-    places.update(zip(names, free[:codes] + after_codes, strict=False))
+    places.update(zip(names, (free[:codes] + after_codes)[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
         **dict.fromkeys(states, "state: open"),

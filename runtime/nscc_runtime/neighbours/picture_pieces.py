@@ -6,6 +6,7 @@ those of a chip whose array has the size of the picture. Reports refer to the jo
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import islice
 
 import numpy as np
 
@@ -65,11 +66,12 @@ def with_reports(frame: Frame, container: Container, placement: Placement) -> Fr
     for report in pictures.reports:
         planes = frame.told[f"plane_{report.plane}"]
         repeats = planes.reshape(-1, *planes.shape[-2:])
+        all_reaches = islice(reaches_of_frames(container), len(repeats))
         arrays = [
             reported(
                 report, summary_of(bits & ~placement.repeated(reaches[report.plane].margin(shape)))
             )
-            for bits, reaches in zip(repeats, reaches_of_frames(container), strict=False)
+            for bits, reaches in zip(repeats, all_reaches, strict=True)
         ]
         for key, values in arrays[0].items():
             told[key] = values if planes.ndim == 2 else np.stack([each[key] for each in arrays])

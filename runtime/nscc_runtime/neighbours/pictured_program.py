@@ -63,8 +63,8 @@ class PicturedProgram:
         check_adc(self.container.target)
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
         all_reaches = reaches_of_frames(self.container)
-        for number, (light, reaches) in enumerate(zip(lights, all_reaches, strict=False)):
-            seeds = seed, device_seed
+        for number, light in enumerate(lights):
+            reaches, seeds = next(all_reaches), (seed, device_seed)
             frame, kept_bits = self.next_frame(light, kept_bits, reaches, seeds, number)
             yield frame
 

@@ -23,7 +23,7 @@ def image_plane_sheet(frame: Frame, buckets: Sequence[str], title: str) -> Figur
     arrays = frame.told
     shown = [
         Image(codes, f"{name}", "bucket, as read out")
-        for name, codes in zip(buckets, frame.frame, strict=False)
+        for name, codes in zip(buckets, frame.frame[: len(buckets)], strict=True)
     ]
     for key, values in arrays.items():
         kind, _, name = key.partition("_")
