@@ -214,19 +214,19 @@ def _summed(first: Program, second: Program) -> Program:
 
 
 def _places_to_add(program: Program) -> list[int]:
-    """Return the words with room for a source whose results are read by the last word alone."""
-    last = program[-1]
-    places = []
-    for number, word in enumerate(program[:-1]):
-        later = program[number + 1 :]
-        read = ["NEWS" if name in NEIGHBOURS else name for w in later for name in w.sources]
-        written = {name for w in later for name in w.destinations}
-        is_read_once = [read.count(name) for name in word.destinations] == [1]
-        is_read_last = word.destinations[0] in last.sources and not written & {*word.destinations}
-        has_room = len(word.sources) < (2 if NEIGHBOURS.keys() & word.sources else 4)
-        if has_room and is_read_once and is_read_last and not (word.halves or last.halves):
-            places.append(number)
-    return places
+    """Return the words with room for a source whose results are read by the last word alone.
+
+    NEWS is left out: it is written several times, and neighbours read it."""
+    read = [name for word in program for name in word.sources]
+    return [
+        number
+        for number, word in enumerate(program[:-1])
+        if not (word.halves or program[-1].halves)
+        and word.destinations[0] != "NEWS"
+        and word.destinations[0] in program[-1].sources
+        and read.count(word.destinations[0]) == 1
+        and len(word.sources) < (2 if NEIGHBOURS.keys() & word.sources else 4)
+    ]
 
 
 def _woven(first: Program, second: Program, places: list[int]) -> Program:
