@@ -220,6 +220,7 @@ def _places_to_add(program: Program) -> list[int]:
         number
         for number, word in enumerate(program[:-1])
         if not word.halves
+        and word.destinations[0] != "NEWS"
         and word.destinations[0] in program[-1].sources
         and read.count(word.destinations[0]) == 1
         and len(word.sources) < (2 if NEIGHBOURS.keys() & word.sources else 4)
