@@ -130,7 +130,7 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
         upload = upload_of(container, bytes(32))
         taken = Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, upload, 1)))
     assert isinstance(taken, FetchedFrame)
-    assert taken.data == EmulatedChip(lambda _: light, target).exposure(container, 3)
+    assert taken.data == EmulatedChip(lambda _: light, target).execute(container, 3).frame
 
 
 @pytest.fixture(

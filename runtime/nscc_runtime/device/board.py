@@ -59,22 +59,28 @@ class EmulatedChip:
 
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
-        if container.pictures is not None:
-            return self._pictured(container, self._light[1], channels)
-        exact, planes = self._executed(container, self._light[1])
-        frame = read_out(exact, self.target, self._converting(container))
-        chunks = [in_columns(frame.frame)] if channels & Channel.CODES else []
+        light = self._light[1]
+        if container.pictures is None:
+            exact, planes = self._executed(container, light)
+            frame = read_out(exact, self.target, self._converting(container))
+            codes, exposures = [*frame.frame], [*frame.exposure_e]
+            sent_planes = [planes[name] for name in container.state_planes]
+        else:
+            codes, exposures, sent_planes = self._pictured(container, light)
+            planes = container.planes()
+        chunks = [in_columns(values) for values in codes] if channels & Channel.CODES else []
         if channels & Channel.EXPOSURE:
-            chunks.append(in_columns(frame.exposure_e.astype("<f8")))
-        packed = {name: packed_plane(plane) for name, plane in planes.items()}
+            chunks += [in_columns(values.astype("<f8")) for values in exposures]
         if channels & Channel.STATES:
-            chunks += [packed[name] for name in container.state_planes]
-        return ExecutedFrame(
-            b"".join(chunks), {name: packed[name] for name in container.code_registers}
-        )
+            chunks += map(packed_plane, sent_planes)
+        kept = {name: packed_plane(planes[name]) for name in container.code_registers}
+        return ExecutedFrame(b"".join(chunks), kept)
 
-    def _pictured(self, container: Container, light: Light, channels: int) -> ExecutedFrame:
-        """Return a frame whose images and planes are computed after the exposure."""
+    def _pictured(
+        self, container: Container, light: Light
+    ) -> tuple[list[NDArray[Any]], list[NDArray[Any]], list[NDArray[np.bool_]]]:
+        """Return the codes and electrons of buckets and images, and the planes that are read, of a
+        frame whose images and planes are computed after the exposure."""
         from nscc_runtime.effects import selected
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
         from nscc_runtime.sensor import default_sensor
@@ -83,18 +89,12 @@ class EmulatedChip:
         sensor = self.sensor or default_sensor(self.target)
         program = PicturedProgram(container, sensor, selected("none"))
         (frame,) = program.frames(light, 0, self.device_seed, 1)
-        images = container.pictures.images_read
-        told = frame.told
-        codes = [*frame.frame, *(told[f"image_codes_{name}"] for name in images)]
-        exposures = [*frame.exposure_e, *(told[f"image_{name}"] for name in images)]
-        planes = [bits for name, bits in told.items() if name.startswith("plane_")]
-        chunks = [in_columns(each) for each in codes] if channels & Channel.CODES else []
-        if channels & Channel.EXPOSURE:
-            chunks += [in_columns(each.astype("<f8")) for each in exposures]
-        if channels & Channel.STATES:
-            chunks += [packed_plane(each) for each in planes]
-        code = {name: packed_plane(plane) for name, plane in container.planes().items()}
-        return ExecutedFrame(b"".join(chunks), code)
+        images, told = container.pictures.images_read, frame.told
+        return (
+            [*frame.frame, *(told[f"image_codes_{name}"] for name in images)],
+            [*frame.exposure_e, *(told[f"image_{name}"] for name in images)],
+            [bits for name, bits in told.items() if name.startswith("plane_")],
+        )
 
     def _converting(self, container: Container) -> Sensor:
         """Return the sensor with this program's code scale, not spread if registers forbid it."""
@@ -111,9 +111,6 @@ class EmulatedChip:
             + program_sensor.adc_offset_lsb
             - common.adc_offset_lsb,
         )
-
-    def exposure(self, container: Container, channels: int) -> bytes:
-        return self.execute(container, channels).frame
 
     def _executed(
         self, container: Container, light: Light
