@@ -38,6 +38,9 @@ class ExecutedFrame:
     planes: Mapping[str, bytes]
 
 
+Arrays = list[NDArray[Any]]
+
+
 @dataclass
 class EmulatedChip:
     """A chip that exposes frames of `scene` with the emulator; slots of equal lengths see equal
@@ -59,23 +62,31 @@ class EmulatedChip:
 
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
-        if container.pictures is not None:
-            return self._pictured(container, self._light[1], channels)
-        exact, planes = self._executed(container, self._light[1])
-        frame = read_out(exact, self.target, self._converting(container))
-        chunks = [in_columns(frame.frame)] if channels & Channel.CODES else []
+        light = self._light[1]
+        if container.pictures is None:
+            exact, planes = self._executed(container, light)
+            frame = read_out(exact, self.target, self._converting(container))
+            codes, exposures = [*frame.frame], [*frame.exposure_e]
+            sent_planes = [planes[name] for name in container.state_planes]
+            kept = {name: planes[name] for name in container.code_registers}
+        else:
+            codes, exposures, sent_planes, kept = self._pictured(container, light)
+        chunks = [in_columns(values) for values in codes] if channels & Channel.CODES else []
         if channels & Channel.EXPOSURE:
-            chunks.append(in_columns(frame.exposure_e.astype("<f8")))
-        packed = {name: packed_plane(plane) for name, plane in planes.items()}
+            chunks += [in_columns(values.astype("<f8")) for values in exposures]
         if channels & Channel.STATES:
-            chunks += [packed[name] for name in container.state_planes]
+            chunks += map(packed_plane, sent_planes)
         return ExecutedFrame(
-            b"".join(chunks), {name: packed[name] for name in container.code_registers}
+            b"".join(chunks), {name: packed_plane(bits) for name, bits in kept.items()}
         )
 
-    def _pictured(self, container: Container, light: Light, channels: int) -> ExecutedFrame:
-        """Return a frame whose images and planes are computed after the exposure. States continue
-        from the code registers."""
+    def _pictured(
+        self, container: Container, light: Light
+    ) -> tuple[Arrays, Arrays, Arrays, dict[str, NDArray[np.bool_]]]:
+        """Return the codes and electrons of buckets and images, the planes that are read, and the
+        registers that are kept, of a frame whose images and planes are computed after the exposure.
+
+        States continue from the code registers."""
         from nscc.words.reach import beyond_reaches
         from nscc_runtime.effects import selected
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
@@ -85,19 +96,12 @@ class EmulatedChip:
         frame, kept_bits = program.next_frame(
             light, {}, beyond_reaches(container), (0, self.device_seed), 0
         )
-        images = container.pictures.images_read
-        told = frame.told
-        codes = [*frame.frame, *(told[f"image_codes_{name}"] for name in images)]
-        exposures = [*frame.exposure_e, *(told[f"image_{name}"] for name in images)]
-        planes = [bits for name, bits in told.items() if name.startswith("plane_")]
-        chunks = [in_columns(each) for each in codes] if channels & Channel.CODES else []
-        if channels & Channel.EXPOSURE:
-            chunks += [in_columns(each.astype("<f8")) for each in exposures]
-        if channels & Channel.STATES:
-            chunks += [packed_plane(each) for each in planes]
-        code = container.planes() | kept_bits
-        return ExecutedFrame(
-            b"".join(chunks), {name: packed_plane(bits) for name, bits in code.items()}
+        images, told = container.pictures.images_read, frame.told
+        return (
+            [*frame.frame, *(told[f"image_codes_{name}"] for name in images)],
+            [*frame.exposure_e, *(told[f"image_{name}"] for name in images)],
+            [bits for name, bits in told.items() if name.startswith("plane_")],
+            container.planes() | kept_bits,
         )
 
     def _converting(self, container: Container) -> Sensor:
