@@ -50,6 +50,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     schedule = lowered.schedule
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
+    stored, executed = _words(compiled)
     if compiled.container is not None and compiled.container.pictures is not None:
         from nscc.emit.picture_report import picture_rows
 
@@ -61,8 +62,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
         ("analog", ledger(lowered.plan.registers)),
         (
             "words",
-            f"{schedule.words_stored} stored of {program.target.store_words}, "
-            f"{schedule.words_total} a frame",
+            f"{stored} stored of {program.target.store_words}, {executed} a frame",
         ),
         (
             "time",
@@ -100,12 +100,23 @@ def cost_text(compiled: Compiled) -> str:
         )
     lowered = compiled.lowered
     assert lowered is not None
-    target, schedule = lowered.program.target, lowered.schedule
+    target, (stored, executed) = lowered.program.target, _words(compiled)
     launches = lowered.shortest_slot_launches
     launched = counted(launches, "kernel launch", "kernel launches")
     return (
-        f"  words  {schedule.words_total} a frame, at most {max(lowered.words_per_boundary)} in a "
-        f"slot, {schedule.words_stored} stored of {target.store_words}\n"
+        f"  words  {executed} a frame, at most {max(lowered.words_per_boundary)} in a slot, "
+        f"{stored} stored of {target.store_words}\n"
         f"  time   shortest legal slot {time_text(lowered.shortest_slot_us)}, "
         f"with {launched} of {time_text(target.launch_us)}"
     )
+
+
+def _words(compiled: Compiled) -> tuple[int, int]:
+    """Return how many words a chip stores, and how many it executes in a frame.
+
+    Only a container has the words of images and planes."""
+    if compiled.container is not None:
+        return compiled.container.words_stored, compiled.container.words_per_frame
+    assert compiled.lowered is not None
+    schedule = compiled.lowered.schedule
+    return schedule.words_stored, schedule.words_total
