@@ -70,13 +70,13 @@ class Declarations:
         """Whether the shutters depend on more than the code and the slot."""
         if self.keeps_planes:
             return False
-        reads = () if self.pictures or self.reports else self.reads
+        reads = () if self.has_pictures else self.reads
         return bool(self.senses or self.states or self.nexts or reads or self.reset)
 
     @property
     def keeps_planes(self) -> bool:
         """Whether states step on images and planes, after the last slot."""
-        return bool(self.states and self.pictures and not (self.senses or self.reset))
+        return bool(self.states and self.has_pictures and not (self.senses or self.reset))
 
     @property
     def has_pictures(self) -> bool:

@@ -215,3 +215,11 @@ def test_next_reads_planes_as_images_do() -> None:
     assert program(looked).machine is not None
     source = Source("p.nsl", text)
     assert format_source(Source("p.nsl", format_source(source))) == format_source(source)
+
+
+def test_a_state_may_follow_the_neighbours_alone() -> None:
+    """Without an image or plane statement, too."""
+    kernel = "outside 0 kernel k = [[1, 1, 1]]"
+    checked = program(f"{ONE} {kernel} state h : bit = 1 kept next h = not any(h, k) read h")
+    assert checked.pictures is not None
+    assert [state.name for state in checked.pictures.states] == ["h"]
