@@ -22,7 +22,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.array_words import ArrayContents, PictureWords
+from nscc_runtime.neighbours.picture_words import ArrayContents, PictureWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.sensor import default_sensor
@@ -178,7 +178,7 @@ class PicturedProgram:
             exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
         code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept_bits
         if self.effects.noiseless:
-            words = array_words(container)
+            words = prepared_words(container)
             return words.run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
@@ -195,7 +195,7 @@ _words, _beyond_reaches = OfContainer(picture_words), OfContainer(beyond_reaches
 
 
 @OfContainer
-def array_words(container: Container) -> PictureWords:
+def prepared_words(container: Container) -> PictureWords:
     """Return the words of a container's images and planes for the compiled loop."""
     return PictureWords(container.target, picture_words(container))
 
