@@ -23,7 +23,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.array_words import ArrayContents, PictureWords
+from nscc_runtime.neighbours.picture_words import ArrayContents, PictureWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
 from nscc_runtime.reference.trace import retention_us
@@ -191,7 +191,7 @@ class PicturedProgram:
             exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
         code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept_bits
         if self.effects.noiseless:
-            words = array_words(container)
+            words = prepared_words(container)
             return words.run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
@@ -218,7 +218,7 @@ def reaches_of_frames(container: Container) -> Iterator[Mapping[str, Reach]]:
 
 
 @OfContainer
-def array_words(container: Container) -> PictureWords:
+def prepared_words(container: Container) -> PictureWords:
     """Return the words of a container's images and planes for the compiled loop."""
     return PictureWords(container.target, picture_words(container))
 
