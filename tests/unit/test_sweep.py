@@ -22,10 +22,10 @@ from nscc.emit.report import report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc_training.scene_files import files_in
-from nscc_training.sweep import compiling
+from nscc_training.sweep import compiling, run_sweep
 from nscc_training.sweep.grid import read_grid
 from nscc_training.sweep.kinds import key_of
-from nscc_training.sweep.point import PointRow
+from nscc_training.sweep.point import GridPoint, PointRow
 from nscc_training.sweep.store import POINTS, rows_in, store_in
 
 STOPS = """
@@ -511,3 +511,21 @@ def test_means_are_of_the_items_that_have_a_score() -> None:
     ]
     assert means_of(items) == {"psnr_db": 25.0, "dark_psnr_db": 13.0}
     assert means_of([{"file": "a", "crop": None, "frame": 0, "dark_psnr_db": None}]) == {}
+
+
+def test_links_are_named_by_several_processes_at_once(tmp_path: Path) -> None:
+    """And a link of another grid goes."""
+    names = [f"point{number}" for number in range(30)]
+    keys = {GridPoint("part", "design", name, {}): f"{name:x<20}" for name in names}
+    (tmp_path / "points").mkdir()
+    for key in keys.values():
+        (tmp_path / "points" / f"{key[:16]}.nsl").write_text(key)
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "programs/old.nsl").symlink_to("../points/old.nsl")
+    with ThreadPoolExecutor(8) as pool:
+        for _ in pool.map(lambda _: run_sweep._name(tmp_path, keys), range(40)):
+            pass
+    links = sorted((tmp_path / "programs").iterdir())
+    assert [(link.stem, link.read_text()) for link in links] == sorted(
+        (point.name, key) for point, key in keys.items()
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, chdir, nullcontext
+from contextlib import AbstractContextManager, chdir, nullcontext, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import sleep
@@ -290,11 +290,10 @@ def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) ->
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Make named links to the outputs of the grid's points; remove the links of other grids."""
-    for name in _NAMED.values():
-        for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
-            old.unlink()
-    links: set[Path] = set()
+    """Make named links to the outputs of the grid's points; remove the links of other grids.
+
+    Other processes may do the same for the same grid at the same time."""
+    links: dict[Path, str] = {}
     for point, key in keys.items():
         output_path = _output_path(out, point, key)
         if output_path is None or not output_path.exists():
@@ -302,6 +301,12 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
         link = out / _NAMED[point.kind] / (point.name + output_path.suffix)
         if link in links:
             link = link.with_name(f"{link.stem}_{key[:8]}{output_path.suffix}")
-        links.add(link)
         link.parent.mkdir(parents=True, exist_ok=True)
-        os.symlink(os.path.relpath(output_path, link.parent.resolve()), link)
+        links[link] = os.path.relpath(output_path, link.parent.resolve())
+    for name in _NAMED.values():
+        for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
+            if links.get(old) != os.readlink(old):
+                old.unlink(missing_ok=True)
+    for link, target in links.items():
+        with suppress(FileExistsError):
+            os.symlink(target, link)
