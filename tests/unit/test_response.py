@@ -109,3 +109,22 @@ def test_the_merge_tells_light_everywhere(taken: tuple[Capture, Light]) -> None:
     blind = total_e > 4e6
     assert blind.any()
     assert np.median(light[blind]) > 30000.0 / (4 * 125e-6)
+
+
+@pytest.mark.parametrize(
+    ("codes", "shape", "window"),
+    [
+        ("(x % 2 + 2 * (y % 3)) % 5", (24, 20), (3, 2)),
+        ("(x * x * x + y * y) % 23 % 5", (24, 20), (3, 3)),
+        ("(x * x * x + x) % 5 + 0 * y", (2, 40), (1, 5)),
+    ],
+)
+def test_pixels_are_merged_over_a_tile_and_without_a_small_one_with_their_neighbours(
+    codes: str, shape: tuple[int, int], window: tuple[int, int]
+) -> None:
+    rule = "code stop : 1..8\nopen when n < stop\n"
+    text = f"nsl 1\nframe 8 slots of 1ms\n{rule}pixels stop = 1 + {codes}\n"
+    container = program(text, "auto", *shape)
+    frames = capture(container, np.full((8, *shape), 500.0, np.float32), effects="none")
+    (readout,) = readouts(container, frames, frames.response)
+    assert readout.window == window

@@ -9,6 +9,7 @@ from plan_cases import case, moving_light
 from nscc.diagnostics.arguments import WrongArgument
 from nscc_runtime import capture
 from nscc_runtime.noise import RATE_CAP, key, normals, poisson, uniforms
+from nscc_runtime.torch_device import check_device
 
 torch = pytest.importorskip("torch")
 
@@ -65,6 +66,11 @@ def test_a_device_that_is_none_is_told(device: object) -> None:
     program = case("b edges", 8, rows=ROWS, cols=COLS)
     with pytest.raises(WrongArgument, match="torch"):
         capture(program, np.ones((8, ROWS, COLS), np.float32), torch_device=device)
+
+
+def test_the_reason_why_torch_cannot_use_a_device_is_told() -> None:
+    with pytest.raises(WrongArgument, match="= Expected one of cpu"):
+        check_device("nscc_runtime.capture", "abacus")
 
 
 @pytest.mark.parametrize("rate", [16.0, 40.0, 1000.0, 3e5])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -341,3 +342,11 @@ def test_the_decoders_of_a_run(tmp_path: Path) -> None:
     assert (done.status, done.err) == (0, "")
     for name in ("merged", "any", "f32", "bf16"):
         assert name in done.out
+
+
+def test_shot_noise_is_a_share_of_the_signal() -> None:
+    """That of counts about 400 electrons is 5 %."""
+    counts = np.random.default_rng(1).poisson(400.0, 100_000)
+    bench = SimpleNamespace(ideal_e=np.full((1, 4, 4), 400.0), signal_e=400.0)
+    found = Bench.shot_percent.func(bench)  # type: ignore[attr-defined]
+    assert found == pytest.approx(100 * counts.std() / counts.mean(), rel=0.02)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -88,6 +89,9 @@ def test_builtin_cases_have_all_classes() -> None:
     }
     assert classes == {"b", "c", "d", "e", "codebook"}
     assert len({c.name for c in builtin_cases()}) == len(builtin_cases())
+    book = re.findall(r"\b[01]{16}\b", builtin_cases()[-1].source.text)
+    assert len(set(book)) == len(book) == 64
+    assert 0.4 < "".join(book).count("1") / (64 * 16) < 0.6
 
 
 @pytest.fixture
