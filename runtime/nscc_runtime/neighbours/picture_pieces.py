@@ -64,10 +64,11 @@ def with_reports(frame: Frame, container: Container, placement: Placement) -> Fr
     for report in pictures.reports:
         planes = frame.told[f"plane_{report.plane}"]
         repeats = planes.reshape(-1, *planes.shape[-2:])
-        arrays = [
-            reported(report, bits & ~placement.repeated(reaches[report.plane].margin(shape)))
-            for bits, reaches in zip(repeats, reaches_of_frames(container), strict=False)
-        ]
+        frame_reaches = reaches_of_frames(container)
+        arrays = []
+        for bits in repeats:
+            margin = next(frame_reaches)[report.plane].margin(shape)
+            arrays.append(reported(report, bits & ~placement.repeated(margin)))
         for key, values in arrays[0].items():
             told[key] = values if planes.ndim == 2 else np.stack([each[key] for each in arrays])
     return replace(frame, told=told)

@@ -60,12 +60,11 @@ class PicturedProgram:
         """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
-        for number, (light, reaches) in enumerate(
-            zip(lights, reaches_of_frames(self.container), strict=False)
-        ):
+        frame_reaches = reaches_of_frames(self.container)
+        for number, light in enumerate(lights):
             exposure = self._exposed(light, seed, device_seed, number)
             pixels = self._computed(exposure, (seed, device_seed), number, kept_bits)
-            yield self._frame_of(pixels, exposure, (seed, device_seed), number, reaches)
+            yield self._frame_of(pixels, exposure, (seed, device_seed), number, next(frame_reaches))
             kept_bits = self._bits_of_next_frame(pixels)
 
     def _start_bits(self, pixels: int) -> Planes:

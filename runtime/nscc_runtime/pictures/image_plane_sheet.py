@@ -21,9 +21,10 @@ def image_plane_sheet(frame: Frame, buckets: Sequence[str], title: str) -> Figur
 
     `buckets` are the names of the frame's buckets."""
     arrays = frame.told
+    names = [*map(str, buckets), *(f"bucket {n}" for n in range(len(buckets), len(frame.frame)))]
     shown = [
-        Image(codes, f"{name}", "bucket, as read out")
-        for name, codes in zip(buckets, frame.frame, strict=False)
+        Image(codes, names[number], "bucket, as read out")
+        for number, codes in enumerate(frame.frame)
     ]
     for key, values in arrays.items():
         kind, _, name = key.partition("_")
