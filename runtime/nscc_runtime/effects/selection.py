@@ -74,9 +74,10 @@ class Selection:
         ]
 
     @remembered
-    def names(self, kind: type[Part]) -> frozenset[str]:
-        """Return the names of the effects that have a part of a kind in sums over slots."""
-        return frozenset(effect.name for effect, _ in self.having(kind))
+    def names(self, *kinds: type[Part]) -> frozenset[str]:
+        """Return the names of the effects that have a part of any of these kinds in sums over
+        slots."""
+        return frozenset(effect.name for kind in kinds for effect, _ in self.having(kind))
 
     @remembered
     def find_part(self, kind: type[P]) -> P | None:

@@ -160,9 +160,8 @@ class SampledExposures:
     def _away(self, summed: SummedScene, frame: int) -> Values:
         """Return the deviations of a frame's photon counts from their means, cached for all sets of
         effects with the same rates."""
-        kept_effects = summed.chip.kept_effects
-        part_types = Counted, Echo, Response, Moving
-        key = summed.chip.array, frame, frozenset[str]().union(*map(kept_effects.names, part_types))
+        effects = summed.chip.kept_effects.names(Counted, Echo, Response, Moving)
+        key = summed.chip.array, frame, effects
         if key not in self._counts:
             self._counts[key] = summed.away(SEED, frame)
         return self._counts[key]

@@ -330,13 +330,8 @@ class SummedTrial(Trial):
         """Return settings that drop these effects, cheapest first. Near saturation they drop those
         of `dropped` that cost time there, or these without crosstalk, or nothing."""
         all_effects = everything()
-        slow_words = all_effects.names(SlowWords) | all_effects.names(LitLevel)
-        costly = (
-            all_effects.names(Counted)
-            | all_effects.names(Exchange)
-            | all_effects.names(SmallErrors)
-        )
-        lacking = (dropped & costly) - slow_words
+        costly = all_effects.names(Counted, Exchange, SmallErrors)
+        lacking = (dropped & costly) - all_effects.names(SlowWords, LitLevel)
         if not self.running or dropped >= self.saturation:
             return [Setting(dropped)]
         options = [lacking, lacking - all_effects.names(Exchange), NONE]
