@@ -158,6 +158,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
                 and decoder_settings.lessons
                 and not decoder_settings.init
             ):
+                torch.manual_seed(seed)  # making the decoder takes more draws the first time
                 decoder.begin_anew()
         except ValueError as error:
             raise invalid_setting("decoder.name", error) from error
