@@ -143,8 +143,11 @@ def test_slots_too_short_for_a_codebook_name_the_rows_that_pass(tmp_path, rows):
     def text(count, slot_us=None):
         return book_program(rows[:count], frame=f"frame 16 slots of {slot_us or tight_us:.3f}us")
 
-    least_us = only_error(tmp_path, text(64, 2.0))["data"]["required"]
-    tight_us = 2 + 0.6 * (least_us - 2)
+    certain = only_error(tmp_path, text(64, 2.0))["data"]
+    assert certain["proved"]
+    certain_us = certain["required"]
+    found_us = only_error(tmp_path, text(64, certain_us + 0.1))["data"]["required"]
+    tight_us = certain_us + 0.6 * (found_us - certain_us)
     error = only_error(tmp_path, text(64))
     assert (error["code"], error["data"]["proved"]) == ("NS0601", False)
     check_rows(tmp_path, error, text, ())
