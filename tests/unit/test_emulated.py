@@ -235,18 +235,23 @@ def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
     assert "no other effects of a chip" in card
 
 
+EFFECTS = "analog,shot,full_well"
+
+
 @pytest.mark.slow
 def test_a_run_under_effects_says_first_what_they_cost(tmp_path: Path) -> None:
     chip = small_target(invoke(["targets", "scamp5", "--toml"], tmp_path).out, 64, 48)
     (tmp_path / "chip.toml").write_text(chip)
     shutter = {"slots": 4, "tile": [2, 2], "target": str(tmp_path / "chip.toml")}
-    run = trained(tmp_path / "r", shutter=shutter, sensor={"effects": "analog,shot"})
+    run = trained(tmp_path / "r", shutter=shutter, sensor={"effects": EFFECTS})
     result = json.loads((run / "result.json").read_text())
     assert list(result)[1] == "headline"
     headline, rows = result["headline"], result["robustness"]
-    assert headline["effects"] == "analog,shot"
+    assert headline["effects"] == EFFECTS
     assert headline["psnr_db"] == rows[0]["psnr_db"] != headline["noise_alone_psnr_db"]
     # A sensor that is off is emulated anew, not the old one with another name.
+    assert len(rows) == 7
+    assert "noise x 2" not in {row["change"] for row in rows}
     assert len({row["psnr_db"] for row in rows}) == len(rows)
     card = (run / "model_card.md").read_text().split("\n\n")[1]
     for key in ("psnr_db", "noise_alone_psnr_db"):

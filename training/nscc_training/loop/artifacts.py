@@ -206,12 +206,16 @@ def _headline(
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Return scores under sensors and exposures that differ from those of training."""
+    """Return scores under sensors and exposures that differ from those of training.
+
+    With effects, changes that no values of the emulated chip express are left out."""
     rows = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(setup.model, key) * factor for key, factor in factors.items()}
         sensor_values = {key: value for key, value in values.items() if key in setup.sensor.values}
         if setup.settings.sensor.effects:
+            if sensor_values.keys() != values.keys():
+                continue
             decode = as_trained(setup, setup.sensor.changed(**sensor_values))
         else:
             decode = by_model(setup, model=replace(setup.model, **values))
