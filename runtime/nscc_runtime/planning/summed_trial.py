@@ -250,7 +250,8 @@ class SummedTrial(Trial):
             for effects in (kept_effects.without(*lacking), kept_effects)
         )
         order = np.searchsorted(self.near_pixels.places, sample.places[sample.near_pixels])
-        just_full = np.minimum(1.0, self.sensor.full_well_e / self.near_pixels.most_e[order])
+        full_e = self.sensor.full_well_e
+        just_full = full_e / np.maximum(self.near_pixels.most_e[order], full_e)
         weight = sample.weight[sample.near_pixels]
         weight = weight * just_full / weight.sum()
         square_e2 = (np.nan_to_num(lacking_e - complete_e) ** 2 * weight).sum(axis=1).max()
