@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import islice
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -123,15 +124,26 @@ def beyond_reaches(
     return {name: reaches.of(pictures.registers[name]) for name in names}
 
 
+def reaches_of_frames(
+    container: Container, first: dict[str, Reach] | None = None
+) -> Iterator[dict[str, Reach]]:
+    """Yield `beyond_reaches` frame by frame, without end; `first` is that of the first frame."""
+    assert container.pictures is not None
+    reaches = beyond_reaches(container) if first is None else first
+    while True:
+        yield reaches
+        if any(reaches[state.name] != Reach() for state in container.pictures.states):
+            reaches = beyond_reaches(container, reaches)
+
+
 def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
     """Return `beyond_reaches` of every frame of a film, up to the frame from which they stay the
     same. Return None if they grow with every further frame."""
     assert container.pictures is not None
-    film = [beyond_reaches(container)]
+    film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
-    for _ in range(len(container.pictures.states) + 1):
-        reaches = beyond_reaches(container, film[-1])
-        if reaches == film[-1]:
+    for reaches in islice(reaches_of_frames(container), len(container.pictures.states) + 2):
+        if film and reaches == film[-1]:
             return film
         film.append(reaches)
     return None

@@ -87,15 +87,12 @@ class EmulatedChip:
         registers that are kept, of a frame whose images and planes are computed after the exposure.
 
         States continue from the code registers."""
-        from nscc.words.reach import beyond_reaches
         from nscc_runtime.effects import selected
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
         assert container.pictures is not None
         program = PicturedProgram(container, self._converting(container), selected("none"))
-        frame, kept_bits = program.next_frame(
-            light, {}, beyond_reaches(container), (0, self.device_seed), 0
-        )
+        frame, kept_bits = program.next_frame(light, {}, None, (0, self.device_seed), 0)
         images, told = container.pictures.images_read, frame.told
         return (
             [*frame.frame, *(told[f"image_codes_{name}"] for name in images)],

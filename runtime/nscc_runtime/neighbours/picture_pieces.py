@@ -14,9 +14,8 @@ from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures
-from nscc.words.reach import Reach, RegisterReaches
+from nscc.words.reach import Reach, RegisterReaches, reaches_of_frames
 from nscc_runtime.frame_file import Frame
-from nscc_runtime.neighbours.pictured_program import reaches_of_frames
 from nscc_runtime.neighbours.plane_summary import reported, summary_of
 from nscc_runtime.scenes.placement import Placement
 

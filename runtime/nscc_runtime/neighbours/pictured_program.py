@@ -16,7 +16,7 @@ from nscc.chips.target import Target
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures
-from nscc.words.reach import Reach, beyond_reaches
+from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
 from nscc_runtime.container_cache import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -62,14 +62,14 @@ class PicturedProgram:
         """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
         kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
-        all_reaches = reaches_of_frames(self.container)
+        all_reaches = reaches_of_frames(self.container, _beyond_reaches(self.container))
         for number, light in enumerate(lights):
             reaches, seeds = next(all_reaches), (seed, device_seed)
             frame, kept_bits = self.next_frame(light, kept_bits, reaches, seeds, number)
             yield frame
 
     def next_frame(
-        self, light: Light, kept_bits: Planes, reaches: Mapping[str, Reach],
+        self, light: Light, kept_bits: Planes, reaches: Mapping[str, Reach] | None,
         seeds: tuple[int, int], number: int,
     ) -> tuple[Frame, Planes]:  # fmt: skip
         """Return frame `number` of a film, and the bits of the states for the next frame.
@@ -111,7 +111,7 @@ class PicturedProgram:
 
     def _frame_of(
         self, pixels: ArrayPixels | ArrayContents, exposure: Exposure, seeds: tuple[int, int],
-        number: int, reaches: Mapping[str, Reach],
+        number: int, reaches: Mapping[str, Reach] | None,
     ) -> Frame:  # fmt: skip
         """Return the frame that is read out after the last word."""
         pictures, buckets = self.pictures, list(self.container.buckets)
@@ -205,16 +205,6 @@ class PicturedProgram:
 
 
 _words, _beyond_reaches = OfContainer(picture_words), OfContainer(beyond_reaches)
-
-
-def reaches_of_frames(container: Container) -> Iterator[Mapping[str, Reach]]:
-    """Yield, frame by frame without end, how far around a pixel each output depends on buses."""
-    assert container.pictures is not None
-    reaches = _beyond_reaches(container)
-    while True:
-        yield reaches
-        if any(reaches[state.name] != Reach() for state in container.pictures.states):
-            reaches = beyond_reaches(container, reaches)
 
 
 @OfContainer
