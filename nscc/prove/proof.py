@@ -18,7 +18,6 @@ from dataclasses import dataclass
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
-from nscc.prove.diagrams import MOST_NODES, TooLarge
 from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import ReplayError
@@ -97,6 +96,7 @@ def _after_frame(container: Container) -> Failure | None:
         return Failure(fault[1], FRAMES, fault[0])
     if container.pictures is None:
         return None
+    from nscc.prove.diagrams import TooLarge
     from nscc.prove.pictures_proof import pictures_fault
 
     try:
@@ -110,6 +110,8 @@ def proof_too_large(
     name: str, source: Source | None = None, span: Span | None = None
 ) -> Diagnostic:
     """Return the error (NS0544) for an image or a plane whose proof needs too many nodes."""
+    from nscc.prove.diagrams import MOST_NODES
+
     return Diagnostic(
         "NS0544",
         f"`{name}` depends on too many combinations of comparisons to be proved",
