@@ -12,6 +12,7 @@ these, too.
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
@@ -19,6 +20,10 @@ from time import perf_counter, process_time
 
 import numpy as np
 from scipy.ndimage import correlate
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from network_kernels import ANALOGNET2, MAX_POOLED
 
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
@@ -39,17 +44,6 @@ def outer(column: list[int], row: list[int]) -> Rows:
 SOBEL_X, SOBEL_Y = outer([1, 2, 1], [1, 0, -1]), outer([1, 0, -1], [1, 2, 1])
 BOX_3, BOX_5 = outer([1] * 3, [1] * 3), outer([1] * 5, [1] * 5)
 GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], [0, 1, 2, 1, 0]]
-ANALOGNET2 = [
-    [[0, 0, 0], [-3, 1, 0], [-3, 0, 2]],
-    [[-4, -1, 1], [-1, 2, 0], [1, 1, 0]],
-    [[-1, 2, 0], [-1, 1, -3], [0, -3, 0]],
-]
-MAX_POOLED = [
-    [[1, 1, 0], [0, 0, 0], [1, 0, 0]],
-    [[1, 0, -2], [0, -2, 0], [-1, -2, 1]],
-    [[0, 1, 1], [-2, -2, -1], [0, 0, 0]],
-    [[0, -1, -1], [0, 0, 0], [1, 0, 1]],
-]
 SETS: dict[str, tuple[list[Rows], int, int, int | None]] = {
     "Sobel x": ([SOBEL_X], 1, 7, 10),
     "Prewitt x": ([outer([1] * 3, [1, 0, -1])], 1, 7, 8),

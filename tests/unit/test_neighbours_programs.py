@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from network_kernels import ANALOGNET2, MAX_POOLED
 from scipy.ndimage import correlate
 
 from nscc.chips.load import builtin_target
@@ -154,31 +155,18 @@ def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **key
 
 
 SOBEL_X, SOBEL_Y = outer([1, 2, 1], [1, 0, -1]), outer([1, 0, -1], [1, 2, 1])
-NETWORK = [
-    [[0, 0, 0], [-3, 1, 0], [-3, 0, 2]],
-    [[-4, -1, 1], [-1, 2, 0], [1, 1, 0]],
-    [[-1, 2, 0], [-1, 1, -3], [0, -3, 0]],
-]
-
-
-MAX_POOLED = [
-    [[1, 1, 0], [0, 0, 0], [1, 0, 0]],
-    [[1, 0, -2], [0, -2, 0], [-1, -2, 1]],
-    [[0, 1, 1], [-2, -2, -1], [0, 0, 0]],
-    [[0, -1, -1], [0, 0, 0], [1, 0, 1]],
-]
 
 
 def test_kernels_of_one_exposure_share_words() -> None:
     assert words_of([SOBEL_X, SOBEL_Y], 1) <= 13
-    assert words_of(NETWORK, 4) <= 36
-    apart = sum(words_of([rows], 4) for rows in NETWORK)
-    assert words_of(NETWORK, 4) < apart
+    assert words_of(ANALOGNET2, 4) <= 36
+    apart = sum(words_of([rows], 4) for rows in ANALOGNET2)
+    assert words_of(ANALOGNET2, 4) < apart
 
 
 def test_kernels_share_halvings_and_are_computed_in_the_best_order() -> None:
     assert words_of(MAX_POOLED, 4, level=2) <= 31
-    assert words_of(NETWORK, 4, level=2) <= 30
+    assert words_of(ANALOGNET2, 4, level=2) <= 30
 
 
 def test_divided_values_are_shared_by_kernels_alone() -> None:
@@ -207,7 +195,7 @@ def test_a_large_box_is_two_lines() -> None:
     assert words_of([outer([1] * 7, [1] * 7)], 64) <= 24
 
 
-@pytest.mark.parametrize("kernels", [[SOBEL_X], [SOBEL_X, SOBEL_Y], NETWORK])
+@pytest.mark.parametrize("kernels", [[SOBEL_X], [SOBEL_X, SOBEL_Y], ANALOGNET2])
 def test_chips_whose_news_does_not_keep_its_value(kernels: list[list[list[int]]]) -> None:
     # The proof forgets NEWS when a neighbour reads it.
     assert words_of(kernels, 4, news_read_keeps=False) > words_of(kernels, 4)
