@@ -21,10 +21,10 @@ class StepLoss(nn.Module):
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
         self.encoder, self.decoder = setup.encoder, setup.decoder
-        self._parts, self._ranks = setup, ranks
+        self._setup, self._ranks = setup, ranks
 
     def forward(self, batch: Batch, step: int) -> Tensor:
-        setup, settings, rank = self._parts, self._parts.settings, self._ranks.rank
+        setup, settings, rank = self._setup, self._setup.settings, self._ranks.rank
         seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
         place = (seed, 7, step)
