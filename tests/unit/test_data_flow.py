@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from drawn_figures import compare_figure
 
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.pictures.data_flow import DataFlow, flow_graph
-from nscc_runtime.pictures.sheet import png_of
+from nscc_runtime.pictures.sheet import png_of, style
 from nscc_runtime.pictures.shutter_sheet import CHART_INCHES, shutter_sheet
 
 TEXT = """
@@ -69,3 +70,10 @@ def test_a_program_is_drawn_the_same_each_time(container: Container) -> None:
     drawn = png_of(shutter_sheet, container, "p.nsl")
     assert drawn == png_of(shutter_sheet, container, "p.nsl")
     assert len(drawn) > 20_000
+
+
+def test_the_drawing_is_what_was_recorded(container: Container, update_cases: bool) -> None:
+    with style():
+        figure = shutter_sheet(container, "p.nsl")
+        figure.draw_without_rendering()
+    compare_figure(figure, "data flow", update_cases)

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, run_passes
 from nscc.program.program import Program
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.syntax.parse import parse
+from nscc.words.counts import count_unit
 from nscc.words.pictures import Above, At, Bit, Inverse, Joined, from_plain, to_plain
 
 HEAD = "nsl 3 frame 4 slots of 1ms "
@@ -148,6 +152,27 @@ def test_too_large_values_have_ways_out_that_compile() -> None:
     assert "assume exposure <= 25%" in found.helps[1]
     program(ONE + "assume exposure <= 25% " + kernel)
     program(ONE + kernel.replace("]] image", "]] / 4 image"))
+
+
+@pytest.mark.parametrize(
+    ("changed", "steps_available"),
+    [
+        ({}, 126),
+        ({"in_high": 50}, 50),
+        ({"in_low": -40}, 40),
+        ({"register_max_e": 7500.0, "in_step_e": 600.0}, 12),
+        ({"register_min_e": -6000.0, "in_step_e": 600.0}, 10),
+    ],
+)
+def test_counts_fill_the_registers_and_in(changed: dict[str, Any], steps_available: int) -> None:
+    made = program(COUNT + "read c")
+    assert made.pictures is not None
+    target: Target = replace(made.target, **changed)
+    unit = count_unit(made.pictures, target)
+    assert unit is not None
+    assert unit.steps_available == steps_available
+    assert (unit.peak, unit.name) == (5, "c")
+    assert unit.steps == steps_available // 5
 
 
 def test_a_kernel_from_a_file(tmp_path: Path) -> None:
