@@ -17,6 +17,7 @@ from nscc.neighbours.alternatives import with_shared_halvings
 from nscc.neighbours.programs import (
     TURNS,
     UNIT,
+    BusWord,
     Program,
     exact_taps,
     kernel_of,
@@ -24,7 +25,7 @@ from nscc.neighbours.programs import (
     turned,
     turned_taps,
 )
-from nscc.neighbours.synthesis import Synthesis, noise_gain
+from nscc.neighbours.synthesis import Synthesis, noise_gain, reads_news_once
 from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS
 from nscc.pipeline import Options, run_passes
@@ -199,3 +200,21 @@ def test_a_large_box_is_two_lines() -> None:
 def test_chips_whose_news_does_not_keep_its_value(kernels: list[list[list[int]]]) -> None:
     # The proof forgets NEWS when a neighbour reads it.
     assert words_of(kernels, 4, news_read_keeps=False) > words_of(kernels, 4)
+
+
+@pytest.mark.parametrize(
+    ("program", "is_valid"),
+    [
+        ([(("NEWS",), ("A",)), (("B",), ("XN",)), (("C",), ("B",))], True),
+        ([(("NEWS",), ("A",)), (("B",), ("XN",)), (("C",), ("XE",))], False),
+        ([(("NEWS",), ("A",)), (("B",), ("XN",)), (("C",), ("NEWS",))], False),
+        ([(("NEWS",), ("A",)), (("B",), ("NEWS",)), (("C",), ("XN",))], True),
+        ([(("B",), ("XN",)), (("NEWS",), ("A",)), (("C",), ("XE",))], True),
+        ([(("B",), ("XN",)), (("XS",), ("A",)), (("C",), ("XE",))], True),
+        ([(("B",), ("XN",)), (("NEWS",), ("XE",)), (("C",), ("XE",))], False),
+    ],
+)
+def test_reads_of_a_news_that_does_not_keep_its_value(
+    program: list[tuple[tuple[str, ...], tuple[str, ...]]], is_valid: bool
+) -> None:
+    assert reads_news_once(tuple(BusWord(*word) for word in program)) == is_valid

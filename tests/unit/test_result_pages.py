@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from nscc_command import invoke
+from recorded import compare_with_recorded
 
 torch = pytest.importorskip("torch")
 
@@ -169,6 +170,21 @@ def test_the_experiment_defines_every_run_and_every_evaluation() -> None:
     assert {
         path.relative_to(kept).with_suffix("").as_posix() for path in kept.rglob("*.json")
     } == rows
+
+
+TEXTS = (
+    "every-effect/shipped/clips/class-d/learned-from-2x2/unet2d/every-effect/seed0",
+    "every-effect/shipped/stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0",
+    "classes/class-d/learned-from-2x2/classifier/seed0",
+    "deblur-v1/long", "codes-v1/c-quad", "hdr-v1/any",
+)  # fmt: skip
+
+
+def test_texts_of_results(update_cases: bool) -> None:
+    shown = "\n".join(
+        result_text(read_result(shipped_evaluations() / f"{name}.json")) for name in TEXTS
+    )
+    compare_with_recorded(shown, "commands/results", update_cases)
 
 
 def test_one_long_film_does_not_hide_the_others() -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.files import Product
+from nscc.program.problems import counted
 from nscc_training.evaluation.results import mean_of, score_of
 
 
@@ -79,7 +80,7 @@ def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
         finite = [item["psnr_db"] for item in file_items if item["psnr_db"] != "inf"]
         mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
         ssim = sum(item["ssim"] for item in file_items) / len(file_items)
-        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(file_items)} items")
+        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {counted(len(file_items), 'item')}")
     return lines
 
 
