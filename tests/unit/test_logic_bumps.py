@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from improve_oracle import chip, words_of
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
-from marks import slow
 
 import nscc.logic.cube_tables
 from nscc.logic.cube_tables import BumpCubes, number_cubes
@@ -132,7 +131,7 @@ def solved(problem, target):
 
 
 MANY = [3, 4, 5, 7, 8, 15, 16, 17, 24, 31, 32]
-MORE = [slow(n) for n in (33, 37, 40, 47, 48, 52, 55, 56, 57, 63, 64)]
+MORE = [33, 37, 40, 47, 48, 52, 55, 56, 57, 63, 64]
 
 
 @pytest.mark.parametrize("target", [SCAMP, CALLS, PLAIN], ids=["scamp5", "calls", "plain"])
@@ -160,12 +159,12 @@ def test_all_bumps(slots, target):
         lambda a, b: (7 * a + 5 * b) % 3 == 0,
     ],
 )
-@pytest.mark.parametrize("slots", [21, slow(46), slow(60)])
+@pytest.mark.parametrize("slots", [21, 46, 60])
 def test_bumps_with_limits(slots, keep, target):
     assert solved(bumps(slots, keep=keep), target) or (target is PLAIN and slots == 60)
 
 
-@pytest.mark.parametrize("slots", [24, slow(40), slow(64)])
+@pytest.mark.parametrize("slots", [24, 40, 64])
 @pytest.mark.parametrize("kept", [True, False])
 def test_frames_that_outlast_memory(slots, kept):
     """Scratch is lost between demands, and FLAG as well unless it is `kept`."""
@@ -185,7 +184,7 @@ def test_bumps_with_one_free_end_are_left_to_others(keep):
 
 @pytest.mark.parametrize(
     ("slots", "most"),
-    [(16, 56), (24, 90), (32, 124), slow(40, 180), slow(48, 224), slow(56, 320), slow(64, 402)],
+    [(16, 56), (24, 90), (32, 124), (40, 180), (48, 224), (56, 320), (64, 402)],
 )
 def test_words_before_any_improvement(slots, most):
     """Words that refresh planes which no word writes are left out."""
@@ -198,7 +197,7 @@ def test_words_before_any_improvement(slots, most):
 
 
 @pytest.mark.parametrize("slot_us", [1e3, 1e5, 6e5])
-@pytest.mark.parametrize("slots", [20, slow(40), slow(64)])
+@pytest.mark.parametrize("slots", [20, 40, 64])
 def test_words_gather_the_light_of_open_slots(slots, slot_us):
     """Bits fade on this chip, also those of a register that is written in some pixels only."""
     lowered = lowered_as(program_of(slots, slot_us=slot_us), "accumulate")
