@@ -171,12 +171,13 @@ def _pytest(root: Path, arguments: Sequence[str], **more: str) -> int:
     folders = [str(root / name) for name in ("", "cli", "runtime", "training", "tests")]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(folders), **more}
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
-    seconds = None if "COVERING" in more else SECONDS
+    is_recording = "COVERING" in more
+    output = None if is_recording else subprocess.DEVNULL
+    seconds = None if is_recording else SECONDS
     try:
         done = subprocess.run(
-            command, cwd=root, env=environment, timeout=seconds, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )  # fmt: skip
+            command, cwd=root, env=environment, timeout=seconds, stdout=output, stderr=output
+        )
     except subprocess.TimeoutExpired:
         return 1
     return done.returncode

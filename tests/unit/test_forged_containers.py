@@ -43,6 +43,17 @@ open when held == 0 and n < 5
 read held
 pixels late = x % 2
 """
+PICTURED = """nsl 3
+frame 4 slots of 1ms
+open when true
+outside 0
+kernel line = [[1, 1, 1]] / 4
+image i = line(exposure)
+plane p = i > 6%
+state h : bit = 0 kept
+next h = h or p
+read i, h
+"""
 
 
 def built(text: str) -> Container:
@@ -112,6 +123,48 @@ def test_forged_headers_are_refused(
     for line in ("prove a.icw", "run a.icw --scene builtin:dark -o f.npz", "view a.icw -o a.png"):
         outcome = run_nscc(line.split(), tmp_path)
         assert (outcome.status, outcome.codes) == (1, ["NS0707"]), line
+
+
+def _word(value: Any) -> Callable[[dict[str, Any]], object]:
+    """Replace a number in a word of images."""
+    return lambda pictures: pictures["words"][0][0].__setitem__(0, value)
+
+
+def _level(value: Any) -> Callable[[dict[str, Any]], object]:
+    """Replace the level of IN at a launch of images."""
+    return lambda pictures: pictures["launches"][0].__setitem__(1, value)
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (_word(1 << 32), "a word of its pictures is not five 32-bit integers"),
+        (_word(-1), "a word of its pictures is not five 32-bit integers"),
+        (_word(1.0), "a word of its pictures is not five 32-bit integers"),
+        (_word(True), "a word of its pictures is not five 32-bit integers"),
+        (_level(127), "a launch of its pictures is malformed"),
+        (_level(-128), "a launch of its pictures is malformed"),
+        (_level(1.0), "a launch of its pictures is malformed"),
+        (lambda pictures: pictures.update(outside=2), "its pictures are malformed"),
+        (lambda pictures: pictures.update(limits_e={}), "its pictures are malformed"),
+        (lambda pictures: pictures.update(count_steps=-1), "have a negative count step"),
+        (lambda pictures: pictures.update(kernels=[]), "names a kernel that does not exist"),
+        (lambda pictures: pictures["items"].reverse(), "reads a name that is not computed before"),
+        (lambda pictures: pictures.update(reads=[]), "neither read out nor report anything"),
+        (lambda pictures: pictures.update(reads=["z"]), "neither read out nor report anything"),
+        (lambda pictures: pictures["registers"].pop("h"), "lack the register of a state"),
+    ],
+)
+def test_forged_pictures_are_refused(change: Callable[[dict[str, Any]], object], text: str) -> None:
+    pictured = built(PICTURED)
+    assert faults(pictured) == []
+    largest = _word((1 << 32) - 1)
+    from_bytes(forged(pictured, lambda header: largest(header["pictures"])), "a.icw")
+    with pytest.raises(Rejected) as raised:
+        from_bytes(forged(pictured, lambda header: change(header["pictures"])), "a.icw")
+    [error] = raised.value.diagnostics
+    assert error.code == "NS0707"
+    assert text in error.message + "".join(error.notes)
 
 
 @pytest.mark.parametrize("time_us", [np.nan, np.inf, -2.0, 5e-324, 1e300])

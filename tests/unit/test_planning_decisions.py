@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,12 +14,15 @@ from promise import full_frames, outcome, pool, scene
 from reference_programs import exposures, sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.effects import optional, registered
+from nscc_runtime.effects import optional, registered, selected
 from nscc_runtime.light import Light
+from nscc_runtime.planning.decisions import Demands, why_kept
 from nscc_runtime.planning.make import measured_again
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Decision
 from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.tail import Worst
+from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.sensor import Sensor
 
 # What is forced off here breaks its tolerance on purpose, and a capture says so.
@@ -418,3 +423,30 @@ def test_a_plan_of_a_bright_scene_serves_one_where_nothing_saturates() -> None:
     found = again_on(container, dim, sensor, plan)
     assert found.kept.on <= plan.kept.on  # without the well, which is far
     assert found.predicted_e < 50.0
+
+
+@pytest.mark.parametrize(
+    ("changed", "text"),
+    [
+        ({"saved_ns": 0.0}, "costs nothing"),
+        ({"name": "lag"}, "left out, the error would be above 5 e"),
+        ({"then_e": 4.6}, "left out, the error would be 4.6 e"),
+        ({"other_states": 0.25}, "left out, 25.00% would end in other states"),
+        ({"most": Tolerance("9e", 9.0)}, "left out, the worst pixel could be 13 e off"),
+        # The larger of two buckets: twice 3 + 1.5 e2 above 4 e.
+        ({}, "left out, the error could be 5 e: few pixels tell"),
+    ],
+)
+def test_why_an_effect_is_simulated(changed: dict[str, Any], text: str) -> None:
+    alone: Any = SimpleNamespace(
+        other_states=changed.get("other_states", 0.0), worst=Worst(1.0, 12.0),
+        unsure_e2=np.array([3.0, 1.0]),
+    )  # fmt: skip
+    together: Any = SimpleNamespace(
+        worst=Worst(1.0, 5.0), difference=SimpleNamespace(unsure_e2=np.array([1.5, 3.0, 1.0, 2.0]))
+    )
+    demands = Demands(selected("all"), frozenset(), Tolerance("5e", 5.0), changed.get("most"))
+    measured: Any = SimpleNamespace(alone={"read": alone})
+    name, saved_ns = changed.get("name", "read"), changed.get("saved_ns", 1.0)
+    then_e = changed.get("then_e", 4.0)
+    assert why_kept(name, demands, measured, together, saved_ns, then_e) == text

@@ -153,7 +153,7 @@ def _decision(
     elif dropped:
         reason = "" if alone is None else f"{alone.rms_e:.3g} e fits into the tolerance"
     else:
-        reason = _why_kept(name, demands, measured, together, saved_ns, then_e)
+        reason = why_kept(name, demands, measured, together, saved_ns, then_e)
     return Decision(
         name, effect.kind, "dropped" if dropped else "kept", forced, reason,
         None if alone is None else alone.rms_e, None if alone is None else 0.0 - alone.bias_e,
@@ -179,7 +179,7 @@ def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Toget
     return math.sqrt(max(float(square_e2.max(initial=0.0)) + more_e2, 0.0))
 
 
-def _why_kept(
+def why_kept(
     name: str,
     demands: Demands,
     measured: MeasuredEffects,
