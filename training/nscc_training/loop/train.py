@@ -280,7 +280,7 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
     if loss.requires_grad:  # False if neither decoder nor codes learn in this step
         loss.backward()  # type: ignore[no-untyped-call]
     norm = finite_norm(loss, setup, names, step)
-    if clip > 0:
+    if 0 < clip < norm:
         torch.nn.utils.clip_grads_with_norm_(setup.decoder.parameters(), clip, norm)
     for optimizer in state.optimizers:
         optimizer.step()
