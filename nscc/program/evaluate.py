@@ -65,6 +65,13 @@ def fault_at(
     return fault
 
 
+def fault_places(value: Value, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    """Return the places of the broadcast `shape` at which a value has a fault."""
+    if isinstance(value.faults, np.ndarray):
+        return np.broadcast_to(value.faults, shape)
+    return np.full(shape, value.faults is not None)
+
+
 def _value(
     node: tree.Expr,
     arguments: list[Value],

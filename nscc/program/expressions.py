@@ -182,7 +182,9 @@ class _Checker:
     def _name(self, node: tree.Name) -> Type | None:
         meaning = self.scope.get(node.text)
         if meaning is None:
-            self._unknown(node, "anything that can stand here", self._readable())
+            kinds = ("constant", "variable", "failed")
+            readable = [name for name, m in self.scope.items() if m.kind in kinds]
+            self._unknown(node, "anything that can stand here", readable)
             return None
         match meaning.kind:
             case "constant":
@@ -191,7 +193,13 @@ class _Checker:
             case "variable":
                 self.variables.add(node.text)
                 if meaning.wide:
-                    self._too_wide(node)
+                    self._error(
+                        "NS0513",
+                        f"`{node.text}` has too many bits for arithmetic",
+                        node.span,
+                        "a bit field of more than 62 bits",
+                        helps=(f"read single bits: `{node.text}[n]`",),
+                    )
                 return meaning.type
             case "failed":
                 self.sound = False
@@ -205,15 +213,6 @@ class _Checker:
                 self._error("NS0209", message, node.span, "a whole codebook", helps=helps)
                 return None
         assert_never(meaning.kind)
-
-    def _too_wide(self, node: tree.Name) -> None:
-        self._error(
-            "NS0513",
-            f"`{node.text}` has too many bits for arithmetic",
-            node.span,
-            "a bit field of more than 62 bits",
-            helps=(f"read single bits: `{node.text}[n]`",),
-        )
 
     def _base(self, base: tree.Name) -> None:
         meaning = self.scope.get(base.text)
@@ -304,9 +303,6 @@ class _Checker:
     def _error(self, code: str, message: str, span: Span, label: str, **details: Any) -> None:
         self.sound = False
         self.problems.error(code, message, span, label, **details)
-
-    def _readable(self) -> list[str]:
-        return [k for k, m in self.scope.items() if m.kind in ("constant", "variable", "failed")]
 
 
 _CONVERT: dict[Type, tuple[str, ...]] = {

@@ -17,7 +17,7 @@ from nscc.program.problems import Problems
 from nscc.program.program import Field
 from nscc.program.wide import CHUNK_BITS
 from nscc.source import Span
-from nscc.syntax.tree import CodeBits, CodeRange, CodeRow, Name
+from nscc.syntax.tree import CodeBits, CodeRange, CodeRow
 
 
 def make_fields(
@@ -78,35 +78,23 @@ class _Maker:
             return None
         if count > CHUNK_BITS:
             self.declared.wide.add(statement.name.text)
-        place = self._bits_place(statement)
+        # The place of `bit[K]`; the tree only has the place of K.
+        place, text = statement.count.span, self.problems.source.text
+        start = text.rfind("bit", statement.name.span.end, place.start)
+        if start >= 0:
+            place = Span(start, statement.span.end)
         return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
-
-    def _bits_place(self, statement: CodeBits) -> Span:
-        """Return the place of `bit[K]`; the tree only has the place of K."""
-        start = self.problems.source.text.rfind(
-            "bit", statement.name.span.end, statement.count.span.start
-        )
-        return Span(start, statement.span.end) if start >= 0 else statement.count.span
 
     def _row(self, statement: CodeRow) -> Field | None:
         book = statement.book.text
         if book not in self.declared.books:
-            self._no_book(statement.book)
+            helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
+            self.declared.report_other(
+                statement.book, "a codebook", "", self.declared.books, helps, self.problems
+            )
             return None
         digits = self.books[book]
         if digits is None:
             return None
         place = statement.book.span
         return Field(statement.name.text, "row", 0, digits.shape[0] - 1, place, book=book)
-
-    def _no_book(self, book: Name) -> None:
-        name = book.text
-        if name in self.declared.refused:
-            return
-        declared_as = dict(self.declared.declared()).get(name)
-        if declared_as is None:
-            self.problems.unknown("a codebook", name, book.span, self.declared.books)
-            return
-        helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
-        message = f"`{name}` is {declared_as}, not a codebook"
-        self.problems.error("NS0209", message, book.span, declared_as, helps=helps)

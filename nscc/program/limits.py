@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from nscc.program.expressions import Checked, operands
 from nscc.syntax.tree import Index, Name
@@ -62,8 +62,3 @@ def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
             cost *= lengths[axis]
         total += cost
     return total
-
-
-def total_work(exprs: Iterable[Checked], sizes: Mapping[str, tuple[int, int]]) -> int:
-    """Return the number of operations to evaluate several expressions over the same variables."""
-    return sum(work(e, sizes) for e in exprs)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.program.expressions import Checked
-from nscc.program.looking import CheckedNext, Looking
+from nscc.program.looking import Looking
 from nscc.program.names import LOOKS, Declarations
 from nscc.program.open_time import Untold
 from nscc.program.problems import Problems, counted, printable
@@ -83,10 +83,8 @@ def judge_looked_names(
         if state.sense:
             continue
         name, place = state.name, declared.states[state.name].name.span
-        without_its_own = [
-            *rules,
-            *replace(looking, nexts=_nexts_of_other_states(looking, name)).expressions,
-        ]
+        others = {other: step for other, step in looking.nexts.items() if other != name}
+        without_its_own = [*rules, *replace(looking, nexts=others).expressions]
         if name not in declared.nexts:
             problems.note(
                 "NS0355", f"`{name}` always keeps its start value", place, "no `next` changes it"
@@ -96,10 +94,6 @@ def judge_looked_names(
             problems.note("NS0355", f"`{name}` always keeps its start value", place, text)
         elif not state.read and not any(name in checked.variables for checked in without_its_own):
             problems.note("NS0355", f"the state `{name}` is not used", place, "not used")
-
-
-def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, CheckedNext]:
-    return {state: step for state, step in looking.nexts.items() if state != name}
 
 
 def _judge_resets(

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, Value, array, scalar
-from nscc.program.evaluate import bit_count, evaluate, fault_at
+from nscc.program.evaluate import bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
@@ -46,17 +46,9 @@ class Stage:
     steps: NDArray[np.int64]
 
 
-def build_machine(
-    rules: Rules, looking: Looking, codes: CodeArray, target: Target
-) -> tuple[StateMachine, NDArray[np.int32]]:
-    """Return the machine, and the behaviour of every code (codes,).
+class MachineBuilder:
+    """Builds the state machine of checked rules for the compiled codes."""
 
-    Raises NoValue if an expression has no value in a reachable node or a state leaves its range,
-    and TooMuch beyond MOST_TRANSITIONS."""
-    return _Builder(rules, looking, codes, target).build()
-
-
-class _Builder:
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
         self.rules, self.looking, self.codes, self.target = rules, looking, codes, target
         self.looks = looking.looks
@@ -65,16 +57,19 @@ class _Builder:
         for step in looking.nexts.values():
             used = step.value.variables | (step.condition.variables if step.condition else set())
             # A `next` at a look of other senses also reads the latest answer.
-            in_rules |= {s.name for s in looking.senses if s.name in used and self._stale(s)}
+            in_rules |= {
+                s.name for s in looking.senses if s.name in used and set(s.at) != set(self.looks)
+            }
         self.remembered = [sense for sense in looking.senses if sense.name in in_rules]
         self.width = 1 + len(looking.states)
         self.transitions = 0
         self.cells = 0
 
-    def _stale(self, sense: CheckedSense) -> bool:
-        return set(self.looks) != set(sense.at)
-
     def build(self) -> tuple[StateMachine, NDArray[np.int32]]:
+        """Return the machine, and the behaviour of every code (codes,).
+
+        Raises NoValue if an expression has no value in a reachable node or a state leaves its
+        range, and TooMuch beyond MOST_TRANSITIONS."""
         nodes = self._start()
         stages: list[Stage] = []
         comparisons: list[Comparison] = []
@@ -174,10 +169,7 @@ class _Builder:
         data = np.broadcast_to(np.asarray(evaluated.data), shape)
         if evaluated.faults is None:
             return data
-        if isinstance(evaluated.faults, np.ndarray):
-            places = np.broadcast_to(evaluated.faults, shape)
-        else:
-            places = np.ones(shape, np.bool_)
+        places = fault_places(evaluated, shape)
         if needed is not None:
             places = places & needed
         if not places.any():

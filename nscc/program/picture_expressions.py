@@ -16,6 +16,7 @@ from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
+from nscc.words.counts import counts_of
 
 Kind = Literal["image", "plane", "bucket"]
 _FUNCTIONS = ("abs", "agree", "max", "min")
@@ -53,7 +54,8 @@ class Reader(PictureComparer):
             self.kinds[name] = "plane"
         else:
             self.kinds[name] = "image"
-            if (counts := self._counts(node)) is not None:
+            counts = counts_of(node, self.counts, self.kernels)
+            if counts is not None:
                 self.counts[name] = counts
 
     def image(self, expr: tree.Expr) -> p.Value | None:
@@ -100,7 +102,8 @@ class Reader(PictureComparer):
         )  # fmt: skip
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
-        if (self._counts(first) is None) != (self._counts(second) is None):
+        counts = [counts_of(value, self.counts, self.kernels) for value in (first, second)]
+        if counts.count(None) == 1:
             raise self._report(
                 "NS0531", "counts and electrons do not mix", span,
                 "one of the two is a count, made by `agree`",
@@ -295,7 +298,8 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:
-        power = nearest_power(divisor)
+        low = 1 << (divisor.bit_length() - 1)
+        power = low if divisor / low <= 2 * low / divisor else 2 * low
         percent = 100 * abs(divisor / power - 1)
         change = "larger" if power < divisor else "smaller"
         text = f"with `/ {power}` values are {percent:.0f} % {change}: change the levels, too"
@@ -306,9 +310,3 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
         notes=("a word can halve a value; there is no other division",),
         helps=helps, fixes=fixes,
     )  # fmt: skip
-
-
-def nearest_power(number: int) -> int:
-    """Return the power of two whose ratio to a number above 0 is nearest to 1."""
-    low = 1 << (number.bit_length() - 1)
-    return low if number / low <= 2 * low / number else 2 * low

@@ -119,22 +119,12 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
     draft.planes.append(PlaneDraft(register, file, sha256[0] if sha256 else None))
 
 
-def _names(attribute: str) -> Read:
-    """Return the reader of a directive that adds its tokens to a list of the draft."""
-
-    def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-        getattr(draft, attribute).extend(tokens)
-
-    return add
+def _names(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    getattr(draft, attribute).extend(tokens)
 
 
-def _row(attribute: str) -> Read:
-    """Return the reader of a directive that adds its tokens as one row to a list of the draft."""
-
-    def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-        getattr(draft, attribute).append(tuple(tokens))
-
-    return add
+def _row(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    getattr(draft, attribute).append(tuple(tokens))
 
 
 _WAIT = "`.wait 125us x64` (ns, us, ms or s; x64: for 64 slots)"
@@ -150,7 +140,7 @@ DIRECTIVES: dict[str, Directive] = {
     ".kernel": Directive(_kernel, "one name", "`.kernel step`"),
     ".word": Directive(_word, "five integers, each 32-bit", _WORD),
     ".slot": Directive(_slot, "slots and a kernel", _SLOT),
-    ".bucket": Directive(_names("buckets"), "a name", "`.bucket early late`"),
+    ".bucket": Directive(partial(_names, "buckets"), "a name", "`.bucket early late`"),
     ".readout": Directive(
         _readout, "a register, a bucket and a gain", "`.readout A frame -1`"
     ),
@@ -158,13 +148,13 @@ DIRECTIVES: dict[str, Directive] = {
         _plane, "a register and a file",
         '`.plane R3 "codes.npy"`; add `sha256 HEX` to verify the file',
     ),
-    ".load": Directive(_names("load"), "registers", "`.load R1 R2`"),
-    ".fields": Directive(_names("fields"), "names", "`.fields start stop`"),
+    ".load": Directive(partial(_names, "load"), "registers", "`.load R1 R2`"),
+    ".fields": Directive(partial(_names, "fields"), "names", "`.fields start stop`"),
     ".shutter": Directive(
-        _row("shutters"), "contents and slots",
+        partial(_row, "shutters"), "contents and slots",
         "`.shutter 0110 0..15`: contents of the registers, open slots of each bucket",
     ),
-    ".code": Directive(_row("codes"), "a shutter", "`.code 3 16`"),
+    ".code": Directive(partial(_row, "codes"), "a shutter", "`.code 3 16`"),
     ".machine": Directive(partial(_block, "machine"), "its data below", _BELOW),
     ".pictures": Directive(partial(_block, "pictures"), "its data below", _BELOW),
     ".pixels": Directive(
