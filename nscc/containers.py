@@ -20,7 +20,7 @@ from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
 from nscc.program.pixel_codes import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
-from nscc.stream.planes import with_planes
+from nscc.stream.passes import with_planes
 from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container

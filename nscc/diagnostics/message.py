@@ -1,4 +1,6 @@
-"""The type of all errors, warnings and notes."""
+"""The type of all errors, warnings and notes.
+
+The number of printed errors of one text is limited, because users fix a few at a time."""
 
 from __future__ import annotations
 
@@ -8,6 +10,14 @@ from enum import StrEnum
 from typing import Any
 
 from nscc.source import Source, Span
+
+MOST_ERRORS = 20
+
+
+def more_errors(count: int, source: Source) -> Diagnostic:
+    """Return the message (NS0190) with the number of errors that are not printed."""
+    errors = "error" if count == 1 else "errors"
+    return Diagnostic("NS0190", f"and {count} more {errors} in the text", source=source)
 
 
 class Severity(StrEnum):

@@ -12,10 +12,9 @@ from nscc.compiler import CHECK, compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.pipeline import Compiled
 from nscc.program.analyse import target_of
-from nscc.program.books import Digits, make_books
 from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Meaning
-from nscc.program.fields import make_fields
+from nscc.program.fields import Digits, make_books, make_fields
 from nscc.program.looking import Looking, make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems

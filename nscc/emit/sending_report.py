@@ -12,7 +12,7 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.emit.subject import subject
+from nscc.emit.report import subject
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 from nscc.prove.proof import Proof

@@ -116,7 +116,13 @@ class _Finder:
         if least > widest:
             raise GaveUp(f"{count} kinds of shutters leave no register to compute with")
         allowed = self._budget.left
-        quick = self._quick_width()
+        # Estimated steps of a quick search: links of a cascade (each decides two or more points),
+        # times cubes per link, times words of 64 points per cube. The beam of fast searches is
+        # narrower if a single search takes many steps.
+        cascades = max(1, self._points.demanded - self._machine.registers + 2)
+        cubes = min(count * 8, 1 << (self._machine.registers - 2))
+        steps = cascades * (1 + count // 2) * (20 + cubes * self._sets.shape[1] * 8 // 640)
+        quick = int(max(1, min(_QUICK_WIDTH, allowed // (8 * steps))))
         best: _Plan | None = None
         # With two scratch registers and FLAG, a link can use a cube besides the inner value; one
         # scratch register allows one more plane.
@@ -124,7 +130,13 @@ class _Finder:
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
-            for choice in self._first_choices(width):
+            # Predicates without a demand are tried first (edges can be computed from levels), then
+            # demanded ones.
+            numbers = range(len(self._points.bits))
+            undemanded = numbers[self._points.demanded :]
+            orders = [(*undemanded, *numbers), tuple(numbers)] if undemanded else [tuple(numbers)]
+            for order in orders:
+                choice = tuple((number, False) for number in order[:width])
                 most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
                 plan = self._quick(choice, scratch, quick, most)
                 if plan is not None:
@@ -176,28 +188,6 @@ class _Finder:
                 None if problem.answered(i) else (number[demand.predicate], flag_predicate)
             )
         return tasks
-
-    def _quick_width(self) -> int:
-        """Return the beam width of fast searches, smaller if a single search takes many steps."""
-        sets, points = self._sets.shape[1], self._points.bits.shape[1]
-        cascades = max(1, self._points.demanded - self._machine.registers + 2)
-        # Estimated steps of a quick search: links of a cascade (each decides two or more points),
-        # times cubes per link, times words of 64 points per cube.
-        links = points // 2
-        cubes = min(points * 8, 1 << (self._machine.registers - 2))
-        steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
-        return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
-
-    def _first_choices(self, width: int) -> Iterator[_Choice]:
-        """Yield initial choices of planes.
-
-        Predicates without a demand are tried first (edges can be computed from levels), then
-        demanded ones."""
-        numbers = range(len(self._points.bits))
-        undemanded = numbers[self._points.demanded :]
-        if undemanded:
-            yield tuple((number, False) for number in (*undemanded, *numbers)[:width])
-        yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
         """Return a plan of at most `most` words, found with a narrow beam; None if none was

@@ -96,7 +96,11 @@ class _Frame:
         self.scratch = _names("t", solution.scratch)
         self.contents: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
         self.contents |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
-        self.masked = _masked(machine, solution)
+        # If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes
+        # in the masked register. Each of these writes sets the mask, which overwrites t0.
+        used = len(solution.planes) + solution.states + solution.scratch
+        full = machine.masked and used >= machine.registers and solution.masked_pair() is None
+        self.masked = f"p{quietest(solution.writes())}" if full else None
         self._forget(self.scratch)
         self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
 
@@ -148,15 +152,3 @@ class _Frame:
                     if not self.scratch:
                         raise _Wrong(f"{gate} writes the register that needs a free mask")
                     contents["t0"] = None
-
-
-def _masked(machine: Machine, solution: Solution) -> str | None:
-    """Return the plane in the masked register of a solution without masked gates; None if there is
-    none.
-
-    If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes there.
-    Each of these writes sets the mask, which overwrites t0."""
-    used = len(solution.planes) + solution.states + solution.scratch
-    if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
-        return None
-    return f"p{quietest(solution.writes())}"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.logic.problem import GaveUp
-from nscc.looks.encode import LooksEncoding, encodings
+from nscc.looks.encode import encodings
 from nscc.looks.looking_plan import LookingPlan, plan_looks
-from nscc.looks.solve import LookingSolution, solve
-from nscc.looks.word_layout import lay_out_looks
+from nscc.looks.solve import solve
+from nscc.looks.word_layout import LookingLowered, lay_out_looks
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
 from nscc.lower.exposure_plan import LoweringOption, Misfit, frame_time
@@ -21,13 +21,6 @@ from nscc.words.machine import StatePlanes
 
 ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
 """For each level the number of encodings to try, and the largest number until one fits."""
-
-
-@dataclass(frozen=True)
-class LookingLowered(Lowered):
-    """A lowering whose container has a state machine."""
-
-    looking: LookingSolution | None = None
 
 
 def plan_of(
@@ -69,7 +62,7 @@ def lowered_of(
         if lowered is None:
             reasons[f"{encoding.name}: the mask would lose what its register holds"] = None
         else:
-            lowerings.append(_with(lowered, solution))
+            lowerings.append(lowered)
     lowerings.sort(
         key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.places))
     )
@@ -78,34 +71,17 @@ def lowered_of(
     return lowerings, []
 
 
-def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
-    return LookingLowered(
-        lowered.program, lowered.decoding, lowered.schedule, lowered.time, lowered.most_words,
-        solution,
-    )  # fmt: skip
-
-
 def container_of(lowered: Lowered, level: int) -> Container:
     """Return the container, with its state machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
     assert lowered.looking is not None
-    machine = lowered.program.machine
+    looking, machine = lowered.looking, lowered.program.machine
+    places = lowered.schedule.allocation.places
     assert machine is not None
-    return replace(
-        assemble(lowered, level),
-        machine=machine,
-        state_planes=_state_planes(lowered, lowered.looking.encoding),
-    )
-
-
-def _state_planes(lowered: LookingLowered, encoding: LooksEncoding) -> dict[str, StatePlanes]:
-    machine, places = lowered.program.machine, lowered.schedule.allocation.places
-    assert machine is not None
-    assert lowered.looking is not None
     planes = {}
-    encoded_states = zip(machine.states, encoding.states, lowered.looking.registers, strict=True)
+    encoded_states = zip(machine.states, looking.encoding.states, looking.registers, strict=True)
     for state, how, names in encoded_states:
         if state.read or state.is_kept:
             registers = tuple(places[name] for name in names)
             planes[state.name] = StatePlanes(registers, how.values, how.bits)
-    return planes
+    return replace(assemble(lowered, level), machine=machine, state_planes=planes)

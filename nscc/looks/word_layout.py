@@ -5,7 +5,7 @@ IN is set between kernels, so a boundary with comparisons at several levels has 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import chain
 
 import numpy as np
@@ -27,14 +27,28 @@ _MOST_CLEARED = 4
 """Most registers in one CLR of the public library."""
 
 
+@dataclass(frozen=True)
+class LookingLowered(Lowered):
+    """A lowering whose container has a state machine."""
+
+    looking: LookingSolution | None = None
+
+
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
-) -> Lowered | None:
+) -> LookingLowered | None:
     """Lay out the words of a solution over the frame; `most_words` is as in Lowered.
 
     None if the content of the mask's register would be lost."""
     target = plan.program.target
-    general = _general(solution, plan)
+    answers = tuple(
+        (tuple(item for item in items if isinstance(item, Gate)),)
+        for items in solution.items.values()
+    )
+    general = Solution(
+        solution.encoding.name, solution.planes, solution.holders, len(solution.states),
+        solution.scratch, (), answers, (),
+    )  # fmt: skip
     allocation = allocate(general, target)
     if _mask_is_lost(solution, allocation):
         return None
@@ -46,8 +60,10 @@ def lay_out_looks(
     schedule = _schedule(plan, solution, allocation, time, target, apart=False)
     if schedule.words_stored > target.store_words:
         schedule = _schedule(plan, solution, allocation, time, target, apart=True)
-    decoding = Decoding(_exposure_plan(plan), _problem(plan), (), general)
-    return Lowered(plan.program, decoding, schedule, time, most_words)
+    # No demand depends on codes alone.
+    problem = Problem((), len(plan.program.table.shutters), (), False, {})
+    decoding = Decoding(_exposure_plan(plan), problem, (), general)
+    return LookingLowered(plan.program, decoding, schedule, time, most_words, solution)
 
 
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
@@ -69,18 +85,6 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     return False
 
 
-def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:
-    """Return the solution in the form of `nscc.logic`, with gates by boundary."""
-    answers = tuple(
-        (tuple(item for item in items if isinstance(item, Gate)),)
-        for items in solution.items.values()
-    )
-    return Solution(
-        solution.encoding.name, solution.planes, solution.holders, len(solution.states),
-        solution.scratch, (), answers, (),
-    )  # fmt: skip
-
-
 def _schedule(
     plan: LookingPlan,
     solution: LookingSolution,
@@ -96,7 +100,9 @@ def _schedule(
     words before them often repeat at other boundaries."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
-    setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))
+    states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
+    cleared = (states[i : i + _MOST_CLEARED] for i in range(0, len(states), _MOST_CLEARED))
+    setup = (op("all"), *_setup(plan), *(op("CLR", group) for group in cleared))
     boundaries[0].append((None, setup))
     last = max(i for i, word in enumerate(setup) if word == RESET[0])
     for boundary, items in solution.items.items():
@@ -106,7 +112,6 @@ def _schedule(
         allocation,
         time,
     )
-    states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
     for n in time.refresh_at or ():
         to_refresh = (*refreshed, *states)
         if to_refresh and n:
@@ -134,13 +139,6 @@ def _setup(plan: LookingPlan) -> Words:
     if plan.latches:
         level = (op("bus", (plan.reference,), ("PIX",)),)
     return op("bus", (scratch,)), *clear, *RESET, *level
-
-
-def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
-    """Return words that clear the states at the start of a frame."""
-    places = [allocation.places[f"s{i}"] for i in range(len(solution.states))]
-    groups = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
-    return tuple(op("CLR", group) for group in groups)
 
 
 def _kernels(
@@ -208,11 +206,6 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
     if moment.resets:
         steps.append(PlanStep(moment.boundary, "reset", -1, moment.resets, RESET))
     return steps
-
-
-def _problem(plan: LookingPlan) -> Problem:
-    """Return a problem without demands, because no demand depends on codes alone."""
-    return Problem((), len(plan.program.table.shutters), (), False, {})
 
 
 def _analog_writes(plan: LookingPlan) -> tuple[int, int]:

@@ -52,10 +52,13 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
         **dict.fromkeys(scratch, "scratch"),
     }
     by_place = {places[name]: holders[name] for name in (*planes, *states, *scratch)}
+    # Code is loaded into the masked register first, while its mask is 1, and into the mask last.
+    order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
+    order |= {target.masked_register: -1, target.mask_register: len(order)}
     return Allocation(
         places,
         {r: by_place[r] for r in target.digital_registers if r in by_place},
-        _load_order([places[name] for name in planes], target),
+        tuple(sorted((places[name] for name in planes), key=order.__getitem__)),
         tuple(places[name] for name in states),
         target.mask_register,
         target.masked_register,
@@ -75,14 +78,6 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
     if used == len(target.digital_registers):
         places[f"p{quietest(solution.writes())}"] = masked
     return places
-
-
-def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
-    """Return code registers in loading order: the masked one first, while its mask is 1, the mask
-    last."""
-    order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
-    order |= {target.masked_register: -1, target.mask_register: len(order)}
-    return tuple(sorted(registers, key=order.__getitem__))
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:

@@ -55,7 +55,13 @@ def find_gates(
             misfits[plan.lowering] = outcome
         else:
             lowerings.append(outcome)
-    lowerings.sort(key=_rank)
+    # Best first: fits, or distance from fitting; analog writes of an open pixel; words; peak.
+    lowerings.sort(
+        key=lambda lowered: (
+            *lowered.price[:2], lowered.plan.analog_writes[1], lowered.schedule.words_total,
+            max(lowered.words_per_boundary),
+        )
+    )  # fmt: skip
     return Gated(
         planned.program,
         planned.time,
@@ -64,14 +70,6 @@ def find_gates(
         bool(lowerings) and lowerings[0].fits,
         tuple(faults),
     )
-
-
-def _rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
-    """Return a sort key: fits, or distance from fitting; analog writes of an open pixel; words;
-    peak."""
-    misfit, overload, *_ = lowered.price
-    total, largest = lowered.schedule.words_total, max(lowered.words_per_boundary)
-    return misfit, overload, lowered.plan.analog_writes[1], total, largest
 
 
 def lower(
@@ -119,11 +117,11 @@ def lower(
         ]
         searched = known.known is None and bool(problem.demands)
         if level >= 2 and searched and ranked:
-            from nscc.logic.improve import refine  # imports networkx, which `check` does not need
+            from nscc.lower.refine import Refinery  # imports networkx, which `check` does not need
 
+            refinery = Refinery(problem, machine, level, priced, target.store_words)
             try:
-                best = refine(ranked, problem, machine, level, priced, target.store_words)
-                ranked.insert(0, best)
+                ranked.insert(0, refinery.best(ranked))
             except Exception as error:
                 note_fault(error, "improve", level, faults)
         if level > 0 and searched and (level > 1 or not ranked or not ranked[0].fits):

@@ -97,8 +97,14 @@ def schedule(
     # Refreshes inside the frame differ at each boundary. As separate kernels they are stored once,
     # and leave the other kernels of boundaries equal.
     for form in (_merged(boundaries, apart), boundaries):
-        kernels, launches = _shared(form)
-        result = FrameSchedule(allocation, kernels, launches, setup_us, refreshed)
+        number: dict[Words, int] = {}
+        launches = tuple(
+            (n, number.setdefault(segment, len(number)))
+            for n, segments in enumerate(form)
+            for segment in segments
+            if segment
+        )
+        result = FrameSchedule(allocation, tuple(number), launches, setup_us, refreshed)
         if result.words_stored <= target.store_words:
             break
     return result
@@ -175,16 +181,3 @@ def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> 
             run += group_words if alone else [tuple(chain.from_iterable(group_words))]
         merged.append(run)
     return merged
-
-
-def _shared(
-    boundaries: Sequence[Sequence[Words]],
-) -> tuple[tuple[Words, ...], tuple[tuple[int, int], ...]]:
-    """Return one kernel for each distinct segment, and the launches."""
-    number: dict[Words, int] = {}
-    launches: list[tuple[int, int]] = []
-    for n, segments in enumerate(boundaries):
-        for segment in segments:
-            if segment:
-                launches.append((n, number.setdefault(segment, len(number))))
-    return tuple(number), tuple(launches)

@@ -7,12 +7,11 @@ from pathlib import Path
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.program.books import make_books
 from nscc.program.complete import Completion
 from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Meaning, check
 from nscc.program.field_planes import PlaneMaker
-from nscc.program.fields import make_fields
+from nscc.program.fields import make_books, make_fields
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems

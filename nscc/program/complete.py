@@ -10,19 +10,21 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
-from nscc.program.advice import judge_bumps, judge_names, judge_rules
-from nscc.program.classes import Recognised, recognise
-from nscc.program.field_planes import Plane, first_place, pixel_text
-from nscc.program.limits import SURVEY_LIMIT
-from nscc.program.looking import Looking
-from nscc.program.looking_advice import (
+from nscc.program.advice import (
     Excess,
+    judge_bumps,
     judge_looked_names,
     judge_looking,
+    judge_names,
+    judge_rules,
     largest_part,
     most_looks,
     shutters_in_the_dark,
 )
+from nscc.program.classes import Recognised, recognise
+from nscc.program.field_planes import Plane, first_place, pixel_text
+from nscc.program.limits import SURVEY_LIMIT
+from nscc.program.looking import Looking
 from nscc.program.machine import MachineBuilder
 from nscc.program.names import Declarations
 from nscc.program.open_time import with_open_times

@@ -90,7 +90,7 @@ class Declarations:
 
     def declared(self) -> Iterator[tuple[str, str]]:
         """Yield every declared name that expressions may use, with a description."""
-        kinds = {
+        kinds: dict[str, Iterable[str]] = {
             "a let": self.lets, "a field": self.codes, "a codebook": self.books,
             "a sense": self.senses, "a state": self.states, "a kernel": self.kernels,
         }  # fmt: skip

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.proof import Failure, Proof, proof_too_large, prove
+from nscc.prove.proof import Proof, proof_too_large, prove
 from nscc.prove.stream_proof import prove_stream
 from nscc.words.container import Container
 from nscc.words.file import read_container
@@ -41,22 +41,16 @@ def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
     if proof.failure is not None and proof.failure.unproved is not None:
         raise Rejected(proof_too_large(proof.failure.unproved))
     if proof.failure is not None:
+        failure = proof.failure
+        places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}
+        place = ", ".join(f"{kind} {at}" for kind, at in places.items() if at is not None)
         raise rejected(
             "NS0440",
             f"the {subject} of '{path.as_posix()}' do not match its decode table: "
-            f"{proof.failure.reason} ({_failure_place(proof.failure)})",
-            notes=proof.failure.doubts,
+            f"{failure.reason} ({place})",
+            notes=failure.doubts,
             helps=("build the program again; `nscc diff` shows which words changed",),
-            data={
-                "frame": proof.failure.frame,
-                "bucket": proof.failure.bucket,
-                "shutter": proof.failure.shutter,
-            },
+            data=places,
             status=1,
         )
     return proof
-
-
-def _failure_place(failure: Failure) -> str:
-    places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}
-    return ", ".join(f"{kind} {number}" for kind, number in places.items() if number is not None)

@@ -134,10 +134,6 @@ class Forms:
                 self._beyond |= diagrams.support(answer)
         return answer if first > 0 else diagrams.inverse(answer)
 
-    def unknown_bit(self, at: tuple[int, int]) -> int:
-        """Return a bit of a pixel that was never written."""
-        return self.diagrams.new_variable(at)
-
     def depends_beyond(self, value: Form | int) -> bool:
         """Return whether a form, or a bit, depends on light outside the array."""
         if isinstance(value, int):

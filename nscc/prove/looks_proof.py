@@ -107,24 +107,17 @@ class Looks(ReplayPixels):
             if looks:
                 self.node = machine.steps[self.node, self.outcome].astype(np.int64)
                 self.outcome = np.zeros_like(self.node)
-                self._merge(self._readouts())
+                buckets, readouts = self.container.buckets, self.container.readouts
+                self._merge({r.register: buckets.index(r.bucket) for r in readouts})
             if boundary < slots:
-                self._fall(boundary, float(light_e[boundary]))
+                resets = machine.resets[self.node, boundary]
+                self.since = np.where(resets, 0.0, self.since) + light_e[boundary]
+                # The content of a register stays constant, so its rest shrinks as exposures grow.
+                self.due += machine.opens[self.node, :, boundary] * light_e[boundary]
+                self.analog["PIX"][:, 0] += light_e[boundary]
         self.end_frame()
         self._check_end()
         self._next_frame()
-
-    def _readouts(self) -> dict[str, int]:
-        """Return the index of the bucket that is read out of each analog register."""
-        buckets = self.container.buckets
-        return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
-
-    def _fall(self, slot: int, light_e: float) -> None:
-        """Apply the program's resets and the light of a slot."""
-        self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
-        # The content of a register stays constant, so its rest shrinks as exposures grow.
-        self.due += self.machine.opens[self.node, :, slot] * light_e
-        self.analog["PIX"][:, 0] += light_e
 
     def _check_end(self) -> None:
         gains = {readout.bucket: readout for readout in self.container.readouts}
@@ -162,20 +155,17 @@ class Looks(ReplayPixels):
         for number in self.pending:
             comparison = comparisons[number]
             level_e = comparison.level * self.target.electrons_per_step
+            bucket = None if comparison.signal == LIGHT else comparison.signal
+            signal_e = self.since if bucket is None else self.due[:, bucket]
             for above in (False, True):
-                if self._is(total if above else -total, comparison.signal, level_e):
+                value = total if above else -total
+                if self._amounts_to(value, bucket, signal_e - level_e).all():
                     self.pending.remove(number)
                     return self._follow_both(number, above)
         raise ReplayError(
             f"`{word}` compares a sum that is not a signal and its level, at boundary "
             f"{self._boundary}"
         )
-
-    def _is(self, value: Values, signal: int, level_e: float) -> bool:
-        """Return whether a value (lanes, parts) is exactly signal - level in every lane."""
-        if signal == LIGHT:
-            return bool(self._amounts_to(value, None, self.since - level_e).all())
-        return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
 
     def _amounts_to(
         self, value: Values, bucket: int | None, expected_e: Values

@@ -23,9 +23,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.operations import Op, Phase, WordEffect
-from nscc.prove.noise import Noise
 from nscc.truth import columns, members, rows
 from nscc.words.container import Container
+
+
+class Noise:
+    """A pseudo-random stream from a seed, equal on all machines.
+
+    It comes from a counter and the SplitMix64 mixer (Steele, Lea, Flood, OOPSLA 2014). Importing
+    numpy.random would take longer than most proofs."""
+
+    def __init__(self, seed: int) -> None:
+        self._next = seed << 32
+
+    def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
+        """Return distinct values between 1/4 and 1: (rows, columns)."""
+        end = self._next + rows * columns
+        x = np.arange(self._next, end, dtype=np.uint64)
+        self._next = end
+        x *= np.uint64(0x9E3779B97F4A7C15)
+        x ^= x >> np.uint64(30)
+        x *= np.uint64(0xBF58476D1CE4E5B9)
+        x ^= x >> np.uint64(27)
+        x *= np.uint64(0x94D049BB133111EB)
+        x ^= x >> np.uint64(31)
+        unit = (x >> np.uint64(11)).astype(np.float64) * 2.0**-53
+        return (0.25 + 0.75 * unit).reshape(rows, columns)
+
 
 TOLERANCE = 1e-9
 """Largest error of an exposure, relative to the total light of the frame."""

@@ -14,18 +14,59 @@ proved last."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
 from nscc.prove.looks_proof import Looks
-from nscc.prove.noise import Noise
-from nscc.prove.pixels import ReplayError
-from nscc.prove.readout import readout_fault
+from nscc.prove.pixels import Noise, ReplayError
 from nscc.prove.replay import Replay
 from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
+from nscc.words.readout import converter_of, preparation_of
+
+_TOLERANCE = 1e-9
+
+
+def readout_fault(container: Container) -> tuple[str, str] | None:
+    """Return the first bucket that is not read out as the target defines, and the error; None if
+    all are.
+
+    Random values suffice, because the words are linear."""
+    preparation = preparation_of(container)
+    buckets = {readout.register: readout.bucket for readout in container.readouts}
+    for word in preparation.words:
+        fault = target_fault(word, container.target)
+        if fault is not None:
+            return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
+    replay = Replay(replace(container, encoding=container.encoding[:1]), ())
+    replay.start_frame()
+    before = {name: float(replay.analog[name][0, 0]) for name in buckets}
+    replay.set_in(preparation.level or 0)
+    for word in preparation.words:
+        replay.run(word)
+    for register, bucket in buckets.items():
+        wrong_e = float(replay.analog[register][0, 0]) - _converter_input_e(
+            container, before[register]
+        )
+        if not abs(wrong_e) <= _TOLERANCE * container.target.full_well_e:
+            return bucket, "the converted value does not match the meaning of its codes"
+    return None
+
+
+def _converter_input_e(container: Container, exposure_e: float) -> float:
+    """Return the converter input, in electrons, for which the code means `exposure_e`.
+
+    The converter's codes are symmetric around an empty register."""
+    target = converter_of(container)
+    own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
+    middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0
+    if target.conversion == "spread":
+        middle = target.full_well_e / own_e
+    code = exposure_e / target.electrons_per_lsb + target.zero_lsb - target.adc_offset_lsb
+    return (code - middle) * own_e
+
 
 FRAMES = 2
 LIGHT_SEED = 7

@@ -53,19 +53,15 @@ class Replay(ReplayPixels):
         for index, bucket in enumerate(self.container.buckets):
             if bucket not in measured:
                 raise ReplayError("no register is read out", bucket)
-            expected = _sums(table.shutters[:, index, :], light)
+            opens = table.shutters[:, index, :]
+            rows = max(1, (1 << 20) // max(1, opens.shape[1]))  # blocks, to limit the memory
+            blocks = [opens[i : i + rows] @ light for i in range(0, len(opens), rows)]
+            expected = np.concatenate(blocks)
             differs = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
             if differs.any():
                 raise ReplayError(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
         if any(self.read(name) != bits for name, bits in self.code.items()):
             raise ReplayError(WRONG_CODE)
-
-
-def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:
-    """Return shutters @ light, computed in blocks of rows to limit the memory."""
-    rows = max(1, (1 << 20) // max(1, shutters.shape[1]))
-    blocks = [shutters[i : i + rows] @ light for i in range(0, len(shutters), rows)]
-    return np.concatenate(blocks)
 
 
 # Number of slots whose light one float64 can distinguish: powers of four from 1 to 4^23, so that

@@ -74,16 +74,12 @@ def misspelt_statement(
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
-        if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
+        gap = tokens.source.text[tokens.span(index - 1).end : tokens.span(index).start]
+        if "\n" in gap or (index == stuck.token and END in stuck.expected):
             spelling = closest(tokens.text(index), statement_words(tokens.version))
             if spelling is not None:
                 return index, spelling
     return None
-
-
-def _first_on_line(tokens: Tokens, index: int) -> bool:
-    text = tokens.source.text
-    return "\n" in text[tokens.span(index - 1).end : tokens.span(index).start]
 
 
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
@@ -160,12 +156,14 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
         place, actual = Span(end, end), "the end of the file"
         if last < len(tokens.kinds):
             actual = f"the next statement, {shown(tokens.text(last))}"
+    # The innermost open bracket where the parser stopped, if closing it would be valid.
+    opened = _open_brackets(tokens, first, stuck) if stuck.expected & {"]", ")"} else []
     return Diagnostic(
         "NS0107",
         f"in this `{statement}` statement: expected {expected}, found {actual}",
         source=tokens.source,
         label=Label(place, f"expected {expected}"),
-        related=_left_open(tokens, first, stuck),
+        related=tuple(Label(tokens.span(at), "opened here") for at in opened[-1:]),
         notes=_forms(statement),
         helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
         fixes=tuple(_fixes(tokens, first, last, stuck)),
@@ -174,14 +172,6 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
 
 def _forms(statement: str) -> tuple[str, ...]:
     return tuple(f"written as: {form}" for form in FORMS[statement])
-
-
-def _left_open(tokens: Tokens, first: int, stuck: Stuck) -> tuple[Label, ...]:
-    """Return the innermost open bracket where the parser stopped, if closing it would be valid."""
-    opened = _open_brackets(tokens, first, stuck)
-    if not opened or not stuck.expected & {"]", ")"}:
-        return ()
-    return (Label(tokens.span(opened[-1]), "opened here"),)
 
 
 def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:

@@ -12,7 +12,7 @@ from functools import partial
 from itertools import pairwise
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected
-from nscc.diagnostics.many import MOST_ERRORS, more_errors
+from nscc.diagnostics.message import MOST_ERRORS, more_errors
 from nscc.diagnostics.suggest import did_you_mean
 from nscc.source import Source, Span
 from nscc.syntax import tree

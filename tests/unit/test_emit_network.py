@@ -13,8 +13,7 @@ from looks_oracle import Interpreter
 from nscc_command import invoke
 
 from nscc.compiler import compile_source
-from nscc.emit.looking_network import network_of
-from nscc.emit.network import dot_text, gate_network, graphml_bytes, interference
+from nscc.emit.network import dot_text, gate_network, graphml_bytes, interference, network_of
 from nscc.emit.report import report
 from nscc.looks.passes import container_of
 from nscc.pipeline import Options

@@ -179,13 +179,11 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
     yield "const Step schedule[] = {"
     texts = [_row_text(row, count, schedule) for row in schedule.rows]
     if len(texts) <= _COMMENTED_ROWS:
-        yield from remarked(
-            [
-                (f"    {text}", f"boundary {_shortened(row.instants)}")
-                for text, row in zip(texts, schedule.rows, strict=True)
-            ],
-            column=36,
-        )
+        boundaries = [ranges_text(sorted(set(row.instants))) for row in schedule.rows]
+        shown = [text if len(text) <= 50 else text[:46] + " ..." for text in boundaries]
+        remarks = [f"boundary {text}" for text in shown]
+        lines = [f"    {text}" for text in texts]
+        yield from remarked([*zip(lines, remarks, strict=True)], column=36)
     else:
         for start in range(0, len(texts), _ROWS_A_LINE):
             line_rows = schedule.rows[start : start + _ROWS_A_LINE]
@@ -225,8 +223,3 @@ def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
     inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
     for line in lines:
         yield from inserted.get(line.strip(), [line])
-
-
-def _shortened(instants: Sequence[int]) -> str:
-    text = ranges_text(sorted(set(instants)))
-    return text if len(text) <= 50 else text[:46] + " ..."

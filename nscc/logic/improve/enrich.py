@@ -21,7 +21,7 @@ from nscc.logic.improve.code import (
     unflatten,
 )
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.shrink import shrink
+from nscc.logic.improve.rewrite import shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -55,26 +55,18 @@ def _richer(
         planes = (*slim.planes, vector)
         wider = replace(slim, planes=planes, holders=(*slim.holders, HOLDER))
         try:
-            shorter, words = _shortened(wider, problem, machine, budget)
+            run = TrackedRun(*flatten(wider, problem, machine), budget)
+            shrink(run, NEAR)
+            shorter = unflatten(run.frame, run.items)
+            frame, items = flatten(shorter, problem, machine)
+            states_before(frame, items)
         except GaveUp:
             break
         except Illegal:
             continue
-        if words < least:
-            best, least = shorter, words
+        if frame.total(items) < least:
+            best, least = shorter, frame.total(items)
     return best
-
-
-def _shortened(
-    solution: Solution, problem: Problem, machine: Machine, budget: Budget
-) -> tuple[Solution, int]:
-    """Return a shortened solution, and its number of words."""
-    run = TrackedRun(*flatten(solution, problem, machine), budget)
-    shrink(run, NEAR)
-    shorter = unflatten(run.frame, run.items)
-    frame, items = flatten(shorter, problem, machine)
-    states_before(frame, items)
-    return shorter, frame.total(items)
 
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from operator import attrgetter
-from typing import Generic, Protocol, TypeVar
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.balance import balance, words_at
 from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
+from nscc.lower.lowered import Lowered
 
 # Levels differ in steps, not in seconds, so the same input gives the same words everywhere. First
 # every solution gets this many steps, because only then their order is known.
@@ -28,58 +28,27 @@ BEST = {2: 1, 3: 3}
 MOST_KEPT = 2
 
 
-Price = tuple[bool, float, int, int, int]
-"""Sort key of a solution, smallest first; the first item is False if the solution fits."""
-
-
-class Priced(Protocol):
-    """A solution with its costs."""
-
-    @property
-    def solution(self) -> Solution:
-        """Return the gates."""
-
-    @property
-    def price(self) -> Price:
-        """Return the sort key."""
-
-    @property
-    def words_per_boundary(self) -> Sequence[int]:
-        """Return the number of words at each boundary 0..N."""
-
-
-P = TypeVar("P", bound=Priced)
 _PRICE = attrgetter("price")
 
 
-def refine(
-    candidates: Sequence[P],
-    problem: Problem,
-    machine: Machine,
-    level: int,
-    priced: Callable[[Solution], P],
-    store_words: int,
-) -> P:
-    """Return the best candidate after improvement, at levels 2 and 3.
+@dataclass
+class Refinery:
+    """Improvement at levels 2 and 3; `store_words` is the number of words that all kernels may
+    take."""
 
-    `store_words` is the number of words that all kernels may take."""
-    # With more demands than stored words, kernels must repeat: few distinct kernels matter more
-    # than few words.
-    scarce = len(problem.demands) > store_words
-    room = 0 if scarce else int(store_words * ROOM_SHARE)
-    return _Refinery(problem, machine, level, priced, scarce, room).best(candidates)
-
-
-@dataclass(frozen=True)
-class _Refinery(Generic[P]):
     problem: Problem
     machine: Machine
     level: int
-    priced: Callable[[Solution], P]
-    scarce: bool
-    room: int
+    priced: Callable[[Solution], Lowered]
+    store_words: int
 
-    def best(self, candidates: Sequence[P]) -> P:
+    def __post_init__(self) -> None:
+        # With more demands than stored words, kernels must repeat: few distinct kernels matter more
+        # than few words.
+        self.scarce = len(self.problem.demands) > self.store_words
+        self.room = 0 if self.scarce else int(self.store_words * ROOM_SHARE)
+
+    def best(self, candidates: Sequence[Lowered]) -> Lowered:
         """Improve all candidates a little, and the best of them more; return the best result."""
         steps = FIRST_STEPS[self.level]
         first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
@@ -91,7 +60,7 @@ class _Refinery(Generic[P]):
         best = min([*refined, *(improved for improved, _ in first), *candidates], key=_PRICE)
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
-    def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
+    def _first(self, candidate: Lowered, steps: int, patient: bool) -> tuple[Lowered, bool]:
         """Return the improved candidate, and whether equal segments had to stay equal.
 
         Unless `patient`, segments may differ, and a result that does not fit is given up."""
@@ -105,7 +74,7 @@ class _Refinery(Generic[P]):
                 return with_kernels, True
         return improved, False
 
-    def _improve_further(self, candidate: P, keep_kernels: bool) -> P:
+    def _improve_further(self, candidate: Lowered, keep_kernels: bool) -> Lowered:
         steps = MORE_STEPS[self.level]
         if keep_kernels:
             return self._improve_keeping_kernels(candidate.solution, steps)
@@ -117,7 +86,7 @@ class _Refinery(Generic[P]):
     def _improved(self, solution: Solution, steps: int) -> Solution:
         return improve(solution, self.problem, self.machine, Budget(steps))
 
-    def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
+    def _improve_keeping_kernels(self, solution: Solution, steps: int) -> Lowered:
         """Improve a solution so that equal segments stay equal, with and without room for more
         segments."""
         priced_solutions = []
@@ -131,13 +100,13 @@ class _Refinery(Generic[P]):
                 break
         return min(priced_solutions, key=_PRICE)
 
-    def _form(self, solution: Solution) -> P:
+    def _form(self, solution: Solution) -> Lowered:
         """Compute a solution's costs; if it does not fit, also with gates and analog words
         separated."""
         priced = self.priced(solution)
         return min(priced, self.priced(apart(solution)), key=_PRICE) if priced.price[0] else priced
 
-    def _balanced(self, candidate: P) -> P:
+    def _balanced(self, candidate: Lowered) -> Lowered:
         """Reduce the words of the candidate's largest boundary."""
         solution = candidate.solution
         other_words = list(candidate.words_per_boundary)
