@@ -40,7 +40,8 @@ def findings() -> Iterator[Finding]:
     python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
     yield Finding(GOOD, f"Python {python} on {system}")
     yield from _packages()
-    yield _grammar()
+    _tree, problems = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
+    yield Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
     yield _targets()
     yield _cache()
 
@@ -84,11 +85,6 @@ def _import_error(distribution: str) -> str:
     except Exception as error:  # a package may raise anything while it is imported
         return " ".join(f"{type(error).__name__}: {error}".split())[:100]
     return ""
-
-
-def _grammar() -> Finding:
-    _tree, problems = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
-    return Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
 
 
 def _targets() -> Finding:

@@ -85,7 +85,14 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
-            paths = _deciding(root)
+            paths = [root]
+            if not root.is_file():
+                paths = sorted(
+                    Path(folder) / file
+                    for folder, _, files in os.walk(root)
+                    for file in files
+                    if file.endswith(_DECIDES)
+                )
             if not paths:
                 return None
             for path in paths:
@@ -94,18 +101,6 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
     except OSError:
         return None
     return running.hexdigest()
-
-
-def _deciding(root: Path) -> list[Path]:
-    """Return the source and data files under `root` on which the behaviour of its code depends."""
-    if root.is_file():
-        return [root]
-    return sorted(
-        Path(folder) / name
-        for folder, _, names in os.walk(root)
-        for name in names
-        if name.endswith(_DECIDES)
-    )
 
 
 def _token(value: Any, known: dict[int, bytes]) -> bytes:

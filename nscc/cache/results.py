@@ -10,6 +10,7 @@ annotated types or raises ValueError."""
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cache
 from types import NoneType, UnionType
@@ -59,47 +60,31 @@ def _plain(value: Any) -> Any:
 
 def _typed(kind: Any, value: Any) -> Any:
     if kind is int:
-        return _integer(value)
+        if type(value) is int:
+            return value
+        if type(value) is str:
+            return int(value, 16)
+        raise ValueError(f"{value!r:.40} is not an integer")
     if kind in (str, bool, NoneType):
         if type(value) is kind:
             return value
         raise ValueError(f"{value!r:.40} is not a {kind.__name__}")
     origin = get_origin(kind)
     if origin in (UnionType, Union):
-        return _any_of(get_args(kind), value)
+        for member in get_args(kind):
+            with suppress(ValueError):
+                return _typed(member, value)
+        raise ValueError(f"{value!r:.40} is not one of {get_args(kind)}")
     if origin is not tuple and not is_dataclass(kind):
         raise TypeError(f"{kind} cannot be read back from JSON")
     if not isinstance(value, list):
         raise ValueError(f"{value!r:.40} is not a list")
-    if origin is tuple:
-        kinds = get_args(kind)
-        if len(kinds) == 2 and kinds[1] is Ellipsis:
-            return tuple([_typed(kinds[0], member) for member in value])
-        return tuple([_typed(*pair) for pair in _paired(kinds, value)])
-    return kind(*[_typed(*pair) for pair in _paired(_annotations(kind), value)])
-
-
-def _paired(kinds: tuple[Any, ...], values: list[Any]) -> list[tuple[Any, Any]]:
-    if len(kinds) != len(values):
-        raise ValueError(f"{len(values)} values instead of {len(kinds)}")
-    return list(zip(kinds, values, strict=True))
-
-
-def _any_of(kinds: tuple[Any, ...], value: Any) -> Any:
-    for kind in kinds:
-        try:
-            return _typed(kind, value)
-        except ValueError:
-            continue
-    raise ValueError(f"{value!r:.40} is not one of {kinds}")
-
-
-def _integer(value: Any) -> int:
-    if type(value) is int:
-        return value
-    if type(value) is str:
-        return int(value, 16)
-    raise ValueError(f"{value!r:.40} is not an integer")
+    kinds = get_args(kind) if origin is tuple else _annotations(kind)
+    if origin is tuple and len(kinds) == 2 and kinds[1] is Ellipsis:
+        return tuple([_typed(kinds[0], member) for member in value])
+    # zip raises ValueError for another number of values.
+    members = [_typed(*pair) for pair in zip(kinds, value, strict=True)]
+    return tuple(members) if origin is tuple else kind(*members)
 
 
 @cache

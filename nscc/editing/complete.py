@@ -96,12 +96,9 @@ class _Place:
         if statement == "bucket" and "open" in expected:
             yield Offer("open", "word")
         if END in expected:
-            yield from self._statements()
-
-    def _statements(self) -> Iterator[Offer]:
-        for word in statement_words(self.tokens.version):
-            if word not in _ONCE or word not in self.document.tokens.kinds:
-                yield Offer(word, "word", FORMS[word][0])
+            for word in statement_words(self.tokens.version):
+                if word not in _ONCE or word not in self.document.tokens.kinds:
+                    yield Offer(word, "word", FORMS[word][0])
 
     def _names(self, statement: str, begin: int) -> Iterator[Offer]:
         """Yield the names that are visible at this place of a statement."""
@@ -161,7 +158,14 @@ def _in_quotes(
     statement, before = tokens.kinds[begin], tokens.kinds[opening - 1] if opening else ""
     if before == "sha256":
         named = [tokens.text(k)[1:-1] for k in range(begin, opening) if tokens.kinds[k] == "TEXT"]
-        return span, [Offer(text, "digest", f"of {named[0]}") for text in _digest(document, named)]
+        try:
+            path = document.folder / named[0]
+            if path.stat().st_size <= _MOST_HASHED_BYTES:
+                digest = sha256(path.read_bytes()).hexdigest()
+                return span, [Offer(digest, "digest", f"of {named[0]}")]
+        except (OSError, ValueError, IndexError):
+            pass
+        return span, []
     ending = _ENDINGS.get(statement)
     if ending is None:
         return span, []
@@ -179,12 +183,3 @@ def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
     for entry in shown[:_MOST_FILES]:
         if not entry.name.startswith(".") and '"' not in entry.name:
             yield Offer(inside + entry.name + "/" * entry.is_dir(), "file")
-
-
-def _digest(document: Document, named: list[str]) -> Iterator[str]:
-    try:
-        path = document.folder / named[0]
-        if path.stat().st_size <= _MOST_HASHED_BYTES:
-            yield sha256(path.read_bytes()).hexdigest()
-    except (OSError, ValueError, IndexError):
-        return

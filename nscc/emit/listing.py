@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from nscc.emit.sending_report import sending_text, sent_lines
@@ -11,7 +11,7 @@ from nscc.looks.solve import Item
 from nscc.looks.word_layout import LookingLowered
 from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
-from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
 from nscc.program.problems import counted
@@ -135,19 +135,6 @@ def plan_text(plan: ExposurePlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-def planned_text(planned: Planned | LookingPlan | Sending) -> str:
-    """Return all exposure plans, fewest analog writes first, and the reasons why other lowerings
-    have no plan.
-
-    For a program with senses, return its moments; for a chip without logic, the times of its bit
-    planes."""
-    if isinstance(planned, Sending):
-        return sending_text(planned)
-    if isinstance(planned, LookingPlan):
-        return _moments_text(planned)
-    return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
-
-
 def _moments_text(plan: LookingPlan) -> str:
     """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
     and open there."""
@@ -159,17 +146,6 @@ def _moments_text(plan: LookingPlan) -> str:
         texts += [f"{kind} in {v.bit_count()} of {len(moment.before)}" for kind, v in changes if v]
         lines.append(f"boundary {moment.boundary:>4} {'; '.join(texts)}")
     return "\n".join(lines) + "\n"
-
-
-def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
-    """Return the gates of every searched plan as text, best plan first."""
-    if not isinstance(gated, Gated):
-        return "".join(map(looking_gates_text, gated))
-    texts = [
-        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
-        for decoding in gated.decodings
-    ]
-    return "".join(texts) + _misfits_text(gated.misfits)
 
 
 def gates_text(decoding: Decoding, program: Program) -> str:
@@ -247,12 +223,22 @@ def text_after(name: str, value: Any) -> str:
             return print_tree(value.tree, value.source)
         case "program":
             return print_program(value)
+        case "plan" | "schedule" if isinstance(value, Sending):
+            return sending_text(value)
+        case "plan" if isinstance(value, LookingPlan):
+            return _moments_text(value)
         case "plan":
-            return planned_text(value)
+            return "".join(map(plan_text, value.plans)) + _misfits_text(value.misfits)
+        case "gates" if isinstance(value, Gated):
+            texts = [
+                f"lowering {decoding.plan.lowering}\n{gates_text(decoding, value.program)}"
+                for decoding in value.decodings
+            ]
+            return "".join(texts) + _misfits_text(value.misfits)
         case "gates":
-            return gated_text(value)
+            return "".join(map(looking_gates_text, value))
         case "schedule":
-            return sending_text(value) if isinstance(value, Sending) else choice_text(value)
+            return choice_text(value)
         case "words" if value.target.streamed:
             return "".join(f"{line}\n" for line in sent_lines(value))
         case "words":

@@ -172,7 +172,12 @@ class _Checker:
                 self._base(node.base)
                 return "boolean"
             case tree.Call():
-                return self._call(node, operand_types)
+                name = node.function.text
+                if name not in MinMax:
+                    self._unknown(node.function, "a function", MinMax)
+                    return None
+                self._want("integer", operand_types, node.arguments, f"`{name}`")
+                return "integer"
             case tree.Place() | tree.Amount():
                 text = "a level" if isinstance(node, tree.Amount) else "a bit of a neighbour"
                 self._error("NS0531", f"{text} is no integer", node.span, text)
@@ -266,14 +271,6 @@ class _Checker:
             self._mismatch(node.span, message, "integers and booleans do not mix")
             return None
         return then
-
-    def _call(self, node: tree.Call, operand_types: list[Type | None]) -> Type | None:
-        name = node.function.text
-        if name not in MinMax:
-            self._unknown(node.function, "a function", MinMax)
-            return None
-        self._want("integer", operand_types, node.arguments, f"`{name}`")
-        return "integer"
 
     def _want(
         self,

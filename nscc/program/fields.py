@@ -34,17 +34,17 @@ def make_books(
     `slots` is the meaning of N: if it failed, row lengths are not checked and every book is None.
     Reports rows of wrong length or with other digits (NS0310) and errors of files (NS0313, NS0314,
     NS0315)."""
-    return {name: _make(book, slots, base, problems) for name, book in books.items()}
-
-
-def _make(book: Book, slots: Meaning, base: Path, problems: Problems) -> Digits | None:
-    if isinstance(book, BookInline):
-        return _inline(book, slots, problems)
-    try:
-        return _from_file(book, slots, base)
-    except Rejected as wrong:
-        problems.adopt(wrong, book.path.span)
-        return None
+    made: dict[str, Digits | None] = {}
+    for name, book in books.items():
+        if isinstance(book, BookInline):
+            made[name] = _inline(book, slots, problems)
+            continue
+        try:
+            made[name] = _from_file(book, slots, base)
+        except Rejected as wrong:
+            problems.adopt(wrong, book.path.span)
+            made[name] = None
+    return made
 
 
 def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | None:
@@ -90,7 +90,9 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
     file = ArraysFile(base / book.path.value, book.path.value)
     if book.sha256 is not None:
         file.require_sha256(book.sha256.value)
-    key = _key(book, file)
+    key = book.name.text if book.key is None else book.key.text
+    if book.key is None and key not in file.keys and len(file.keys) == 1:
+        (key,) = file.keys
     rows = file.integers(key, most=PROOF_LIMIT, bools=True)
     array_text = f'the array `{clipped(key)}` of "{file.shown}"'
     if slots.kind != "constant":
@@ -107,16 +109,6 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
         raise rejected("NS0310", f"{value_text}; a codebook holds 0 and 1", helps=helps)
     digits: Digits = rows.astype(np.bool_)
     return digits
-
-
-def _key(book: BookFromFile, file: ArraysFile) -> str:
-    """Return the name of the array to read: the stated key, else the book's name, else the only
-    array."""
-    if book.key is not None:
-        return book.key.text
-    if book.name.text not in file.keys and len(file.keys) == 1:
-        return file.keys[0]
-    return book.name.text
 
 
 def make_fields(

@@ -190,7 +190,14 @@ class _Gatherer:
             case tree.Report():
                 declared.reports.append(statement)
             case tree.PixelsExpr() | tree.PixelsTile():
-                self._pixels(statement)
+                field = statement.field
+                first = declared.pixels.setdefault(field.text, statement)
+                if first is not statement:
+                    message = f"the pixel values of `{field.text}` are given twice"
+                    related = (Label(first.field.span, "the first"),)
+                    self.problems.error(
+                        "NS0211", message, field.span, "the second", related=related
+                    )
             case tree.PixelsFromFile():
                 if self._once("pixels from", declared.pixels_file, statement):
                     declared.pixels_file = statement
@@ -283,11 +290,3 @@ class _Gatherer:
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"
         ):
             rules.append(rule)
-
-    def _pixels(self, statement: tree.PixelsExpr | tree.PixelsTile) -> None:
-        name = statement.field.text
-        first = self.declared.pixels.setdefault(name, statement)
-        if first is not statement:
-            message, place = f"the pixel values of `{name}` are given twice", statement.field.span
-            related = (Label(first.field.span, "the first"),)
-            self.problems.error("NS0211", message, place, "the second", related=related)

@@ -70,7 +70,17 @@ def plan_of(
     word_options = [f"--lowering {lowering}"] * (lowering != "auto")
     word_options += ["--max-words-per-slot"] * (most_words is not None)
     if word_options:
-        return NoRoute("", ""), [_no_words(program, word_options)]
+        options = " and ".join(word_options)
+        no_words = Diagnostic(
+            "NS0510",
+            f"{options} does not apply: the pixels of {program.target.name} have no logic and "
+            "run no words",
+            source=program.source,
+            label=Label(program.buckets[0].span),
+            notes=("on this chip, one bit per pixel and slot routes the light",),
+            helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
+        )
+        return NoRoute("", ""), [no_words]
     names = tuple(bucket.name for bucket in program.buckets)
     chosen_route = route(program.table.shutters, names, program.target)
     if isinstance(chosen_route, NoRoute):
@@ -107,16 +117,3 @@ def container_of(sending: Sending) -> Container:
         notes={"class": program.class_name, "codes": program.mode, "lowering": "stream"},
     )
     return laid(container, sending.route)
-
-
-def _no_words(program: Program, word_options: Sequence[str]) -> Diagnostic:
-    options = " and ".join(word_options)
-    return Diagnostic(
-        "NS0510",
-        f"{options} does not apply: the pixels of {program.target.name} have no logic and "
-        "run no words",
-        source=program.source,
-        label=Label(program.buckets[0].span),
-        notes=("on this chip, one bit per pixel and slot routes the light",),
-        helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
-    )

@@ -51,7 +51,11 @@ def late_fault(sending: Sending) -> Diagnostic | None:
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
     # If light waits for the plane, a slot as short as the load time has no light.
-    late = [n for n, us in enumerate(slots_us) if _too_short(us, needed_us, target.pipelined)]
+    late = [
+        n
+        for n, us in enumerate(slots_us)
+        if us < needed_us * (1 - 1e-9) or (not target.pipelined and us <= needed_us)
+    ]
     if not late:
         return None
     worst = min(late, key=slots_us.__getitem__)
@@ -62,6 +66,8 @@ def late_fault(sending: Sending) -> Diagnostic | None:
     if rows:
         fits_text = f"a target of at most {counted(rows, 'row')} fits slots of "
         fewer = (f"{fits_text}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
+    count = int(sum(slots_us) / needed_us)
+    fewer_slots = f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""
     return Diagnostic(
         "NS0508",
         f"slot {worst} is shorter than the loading of its bits: it lasts "
@@ -74,20 +80,8 @@ def late_fault(sending: Sending) -> Diagnostic | None:
             "certain: every slot needs its own bit plane, which is sent row by row",
         ),
         helps=(
-            f"slots of {at_least(needed_us)} {longer_text} are long enough"
-            + _fewer_slots(slots_us, needed_us),
+            f"slots of {at_least(needed_us)} {longer_text} are long enough{fewer_slots}",
             *fewer,
         ),
         data=resource("slot_us", needed_us, slots_us[worst], proved=True),
     )
-
-
-def _too_short(slot_us: float, needed_us: float, pipelined: bool) -> bool:
-    """Return whether a slot is too short, with a tolerance for rounding."""
-    return slot_us < needed_us * (1 - 1e-9) or (not pipelined and slot_us <= needed_us)
-
-
-def _fewer_slots(slots_us: tuple[float, ...], needed_us: float) -> str:
-    """Return a help with the number of equal slots that fit the frame; "" if none fits."""
-    count = int(sum(slots_us) / needed_us)
-    return f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""

@@ -238,23 +238,16 @@ def _pixels(container: Container) -> Iterator[str]:
     if codes is None:
         return
     yield "; the code of every pixel"
-    tile = smallest_tile(codes)
-    if tile is not None:
-        yield f".pixels tile {tile.shape[0]} {tile.shape[1]}"
-        for row in tile.tolist():
+    # The smallest tile whose repetition, cut at the edges, is the plane.
+    rows = _period(codes)
+    cols = _period(codes[:rows].T)
+    if rows * cols <= _LARGEST_TILE:
+        yield f".pixels tile {rows} {cols}"
+        for row in codes[:rows, :cols].tolist():
             yield "| " + " ".join(map(str, row))
         return
     yield f".pixels plane {codes.shape[0]} {codes.shape[1]}"
     yield from base64_lines(codes.astype("<i4").tobytes())
-
-
-def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
-    """Return the smallest tile whose repetition, cut at the edges, is `plane` (rows, cols).
-
-    None if the tile is too large."""
-    rows = _period(plane)
-    cols = _period(plane[:rows].T)
-    return plane[:rows, :cols] if rows * cols <= _LARGEST_TILE else None
 
 
 def _period(plane: NDArray[Any]) -> int:
