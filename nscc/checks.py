@@ -27,7 +27,7 @@ from nscc.words.container import Container
 if TYPE_CHECKING:
     from nscc.looks.looking_plan import LookingPlan, Moment
     from nscc.looks.word_layout import LookingLowered
-    from nscc.stream.sending import Sending
+    from nscc.stream.passes import Sending
     from nscc.words.machine import StateMachine
 
 _ROUNDING = 1e-9

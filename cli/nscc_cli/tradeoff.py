@@ -11,8 +11,8 @@ import click
 from nscc.files import Product
 from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, table_text
+from nscc.tradeoff.stopwatch import processor_name
 from nscc.tradeoff.synthesis import (
     Count,
     builtin_cases,

@@ -11,8 +11,8 @@ from typing import Any
 from nscc import __version__
 from nscc.cache.digest import content, digest, package_digest
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.rows import Rows
+from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli.support import say_done
 
 STORE = ".measurements.sqlite"

@@ -22,8 +22,7 @@ from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
 from nscc.toml.kinds import Several
-from nscc.toml.schema import Key, KeyValues, keys_of
-from nscc.toml.schema_files import file_bytes, file_text, file_values
+from nscc.toml.schema import Key, KeyValues, file_bytes, file_text, file_values, keys_of
 from nscc.toml.toml_text import shown
 
 _MOST_TOLD = 10

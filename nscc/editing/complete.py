@@ -11,8 +11,7 @@ from typing import Literal
 
 from nscc.chips.load import target_names
 from nscc.editing.document import Document
-from nscc.program.names import PREDEFINED
-from nscc.program.scopes import (
+from nscc.program.constants import (
     at_scope,
     constants_scope,
     next_scope,
@@ -20,6 +19,7 @@ from nscc.program.scopes import (
     require_scope,
     rule_scope,
 )
+from nscc.program.names import PREDEFINED
 from nscc.source import Source, Span
 from nscc.syntax.grammar import END
 from nscc.syntax.lexer import Tokens, lex

@@ -17,7 +17,7 @@ from nscc.lower.lowered import Choice, Lowered
 from nscc.program.problems import counted
 from nscc.program.program import Field, Program, SlotGrid
 from nscc.source import Source
-from nscc.stream.sending import Sending
+from nscc.stream.passes import Sending
 from nscc.syntax.tree import File, Node
 from nscc.words.disassembly import disassemble
 

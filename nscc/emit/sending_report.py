@@ -15,7 +15,7 @@ from nscc.emit.report import subject
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 from nscc.prove.proof import Proof
-from nscc.stream.sending import Sending
+from nscc.stream.passes import Sending
 from nscc.words.container import Container
 from nscc.words.stream import DRAIN
 

@@ -13,8 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.capacity import largest_with
-from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
+from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT, largest_with
 
 MOST_DIGITS = 1 << 14
 """Most rows x slots of a codebook that is compiled for a limit; larger codebooks take long."""

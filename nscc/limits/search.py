@@ -10,7 +10,7 @@ from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from nscc.program.capacity import Count, largest_with
+from nscc.program.limits import Count, largest_with
 
 GIVE_UP_AFTER = 2
 """Number of consecutive failing candidates after which larger candidates are skipped."""

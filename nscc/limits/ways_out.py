@@ -27,7 +27,7 @@ from nscc.limits.families import (
 )
 from nscc.limits.search import largest
 from nscc.lower.lowered import Lowered
-from nscc.program.capacity import largest_with
+from nscc.program.limits import largest_with
 from nscc.program.problems import counted
 from nscc.program.program import Codes, Program
 from nscc.source import Source

@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 from nscc.logic.cascade_search import MOST_POINTS, Cascade, Search
 from nscc.logic.cubes import Budget
 from nscc.logic.encodings import describe_demand
-from nscc.logic.gates import Gates
 from nscc.logic.point_sets import Planes, Points, packed
-from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows, set_bits
 
 # More scratch registers leave too few planes.

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
-from nscc.logic.gates import words_of
+from nscc.logic.problem import words_of
 from nscc.truth import union
 
 

@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.logic.digits import Planes, unzipped
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
 
 Cube = tuple[tuple[int, int], ...]
 """Literals (plane, value), in ascending order of planes."""

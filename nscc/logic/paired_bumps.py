@@ -21,8 +21,7 @@ from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.cube_tables import BumpCubes
 from nscc.logic.cubes import Standing
 from nscc.logic.digits import binary_planes
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 

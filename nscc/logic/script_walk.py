@@ -16,8 +16,7 @@ from itertools import chain
 from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, unzipped
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution, quietest
 from nscc.truth import union
 
 

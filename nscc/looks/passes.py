@@ -12,9 +12,8 @@ from nscc.looks.looking_plan import LookingPlan, plan_looks
 from nscc.looks.solve import solve
 from nscc.looks.word_layout import LookingLowered, lay_out_looks
 from nscc.lower import fit
-from nscc.lower.assemble import assemble
 from nscc.lower.exposure_plan import LoweringOption, Misfit, frame_time
-from nscc.lower.lowered import Lowered
+from nscc.lower.lowered import Lowered, assemble
 from nscc.program.program import Program
 from nscc.words.container import Container
 from nscc.words.machine import StatePlanes

@@ -13,8 +13,7 @@ from nscc.logic.problem import Demand, Problem, Solution
 from nscc.lower.exposure_plan import ExposurePlan, Opens
 from nscc.lower.timeline import Timeline
 from nscc.operations import WordEffect
-from nscc.program.program import Program
-from nscc.program.wide import whole_name
+from nscc.program.program import Program, whole_name
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]

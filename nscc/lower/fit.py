@@ -14,7 +14,7 @@ from nscc.lower.exposure_plan import Lowering, Misfit
 from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
-from nscc.program.capacity import bits_needed, capacity_note
+from nscc.program.limits import bits_needed, capacity_note
 from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.source import Span

@@ -8,17 +8,15 @@ from pathlib import Path
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.program.complete import Completion
-from nscc.program.constants import resolve_constants
+from nscc.program.constants import constants_scope, require_scope, resolve_constants, rule_scope
 from nscc.program.expressions import Meaning, check
 from nscc.program.field_planes import PlaneMaker
 from nscc.program.fields import make_books, make_fields
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems
-from nscc.program.program import Codes, Program, SlotGrid
-from nscc.program.scopes import constants_scope, require_scope, rule_scope
+from nscc.program.program import Codes, Program, SlotGrid, chunks_of
 from nscc.program.table import Rules
-from nscc.program.wide import chunks_of
 from nscc.source import Source, Span
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import EqualSlots, File, ListedSlots, TargetByName, TargetFromFile

@@ -28,7 +28,7 @@ from nscc.program.arithmetic import (
 )
 from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
-from nscc.program.wide import CHUNK_BITS, chunk_name
+from nscc.program.program import CHUNK_BITS, chunk_name
 from nscc.syntax import tree
 
 Bindings = Mapping[str, Value]

@@ -15,15 +15,13 @@ from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.arithmetic import array
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.constants import constant
+from nscc.program.constants import constant, constants_scope, pixels_scope
 from nscc.program.evaluate import evaluate, fault_at, fault_places
 from nscc.program.expressions import LIMIT, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
-from nscc.program.program import Field
-from nscc.program.scopes import constants_scope, pixels_scope
-from nscc.program.wide import CHUNK_BITS, chunks_of, chunks_of_bits
+from nscc.program.program import CHUNK_BITS, Field, chunks_of, chunks_of_bits
 from nscc.source import Span
 from nscc.syntax.tree import Int, PixelsExpr, PixelsFromFile, PixelsTile
 

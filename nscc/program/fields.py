@@ -18,8 +18,7 @@ from nscc.program.expressions import Meaning, Scope
 from nscc.program.limits import MOST_BITS, PROOF_LIMIT
 from nscc.program.names import Book, Declarations
 from nscc.program.problems import Problems, clipped, counted
-from nscc.program.program import Field
-from nscc.program.wide import CHUNK_BITS
+from nscc.program.program import CHUNK_BITS, Field
 from nscc.source import Span
 from nscc.syntax.tree import BookFromFile, BookInline, CodeBits, CodeRange, CodeRow
 

@@ -9,12 +9,11 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, array
-from nscc.program.constants import constant
+from nscc.program.constants import at_scope, constant, constants_scope, next_scope
 from nscc.program.evaluate import evaluate
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.names import Declarations, State
 from nscc.program.problems import Problems
-from nscc.program.scopes import at_scope, constants_scope, next_scope
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import machine

@@ -19,8 +19,8 @@ from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
+from nscc.program.program import whole_name
 from nscc.program.table import CodeArray, MissingValue, NoValue, Rules, TooMuch, code_text
-from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, State, StateMachine
 
 MOST_TRANSITIONS = 10**7

@@ -10,13 +10,12 @@ from typing import Any, Literal, cast
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.constants import constant
+from nscc.program.constants import constant, constants_scope
 from nscc.program.expressions import Meaning
 from nscc.program.looking import level_e
 from nscc.program.names import Declarations, State
 from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
 from nscc.program.problems import Problems, clipped, counted
-from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.counts import count_unit

@@ -20,8 +20,7 @@ from nscc.program.limits import (
     work,
 )
 from nscc.program.problems import counted, printable
-from nscc.program.program import Field
-from nscc.program.wide import whole_name
+from nscc.program.program import Field, whole_name
 from nscc.words.container import DecodeTable
 
 CodeArray = NDArray[np.int64]

@@ -6,8 +6,7 @@ from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.proof import Proof, proof_too_large, prove
-from nscc.prove.stream_proof import prove_stream
+from nscc.prove.proof import Proof, proof_too_large, prove, prove_stream
 from nscc.words.container import Container
 from nscc.words.file import read_container
 from nscc.words.legality import decoded

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.replay import shutters
-from nscc.prove.stream_proof import prove_stream
+from nscc.prove.proof import prove_stream, shutters
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 

@@ -41,8 +41,7 @@ from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
 from nscc.words.assembly_text import read_block_line, read_string
 from nscc.words.container import Container, Word
-from nscc.words.directives import DIRECTIVES
-from nscc.words.draft import Draft, Faults, Instruction, TextBlock, Token, shown
+from nscc.words.directives import DIRECTIVES, Draft, Faults, Instruction, TextBlock, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
 

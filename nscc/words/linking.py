@@ -19,7 +19,7 @@ from nscc.source import Span
 from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
-from nscc.words.draft import Draft, Faults, Token, shown
+from nscc.words.directives import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
 from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.pictures import Pictures

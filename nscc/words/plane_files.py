@@ -15,7 +15,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import InvalidArrays, npy_array, npz_arrays
-from nscc.words.draft import Faults, PlaneDraft, shown
+from nscc.words.directives import Faults, PlaneDraft, shown
 
 _LARGEST_FILE = 1 << 28
 

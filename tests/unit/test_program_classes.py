@@ -11,7 +11,7 @@ from program_oracle import program_of
 from nscc.emit.listing import print_program
 from nscc.emit.summary import summary
 from nscc.pipeline import Options, run_passes
-from nscc.program.capacity import bits_needed
+from nscc.program.limits import bits_needed
 from nscc.source import Source
 
 FRAME = "nsl 1 frame 8 slots of 1ms "
