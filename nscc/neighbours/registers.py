@@ -72,25 +72,16 @@ def reuse(
                 map(_is_news, word.sources)
             )
             needed |= {name for name in word.sources if not _is_news(name)}
-    runs_in_order = tuple(numbers[::-1])
-    if news_keeps:
-        runs_in_order = _without_repeated_news(program, runs_in_order, written, contents)
-    return Reuse(runs_in_order, held, tuple(written))
-
-
-def _without_repeated_news(
-    program: Program, numbers: tuple[int, ...], written: list[dict[str, Contents]],
-    contents: Mapping[str, Contents],
-) -> tuple[int, ...]:  # fmt: skip
-    """Return `numbers` without the words that would write to NEWS what NEWS already holds."""
-    news, left = contents.get("NEWS"), []
-    for number in numbers:
-        values = {v for name, v in written[number].items() if _is_news(name)}
-        if len(program[number].destinations) == 1 and values == {news}:
-            continue
-        left.append(number)
-        news = next(iter(values), news)
-    return tuple(left)
+    runs_in_order = numbers[::-1]
+    if news_keeps:  # leave out the words that would write to NEWS what NEWS already holds
+        numbers, runs_in_order, holds = runs_in_order, [], contents.get("NEWS")
+        for number in numbers:
+            values = {v for name, v in written[number].items() if _is_news(name)}
+            if len(program[number].destinations) == 1 and values == {holds}:
+                continue
+            runs_in_order.append(number)
+            holds = next(iter(values), holds)
+    return Reuse(tuple(runs_in_order), held, tuple(written))
 
 
 def _is_news(name: str) -> bool:

@@ -252,24 +252,21 @@ class Completion:
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
         if isinstance(problem, TooMuch):
-            self._too_much(problem, span, mode)
+            reduce_help = "reduce the ranges of the fields, or use fewer slots"
+            self.problems.error(
+                "NS0450",
+                f"too many codes and slots: {problem.message}",
+                span,
+                "needs this many",
+                related=(Label(self.frame.count_span, "the slots"),),
+                helps=(*self._fewer_codes(mode), reduce_help),
+                data=_proved(problem),
+            )
         else:
             for finding in problem.findings:
                 notes, data = (finding.text,), {"count": finding.count}
                 self.problems.error(*finding.fault, notes=notes, data=data)
         return Rejected(self.problems.sorted())
-
-    def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
-        helps = [*self._fewer_codes(mode), "reduce the ranges of the fields, or use fewer slots"]
-        self.problems.error(
-            "NS0450",
-            f"too many codes and slots: {problem.message}",
-            span,
-            "needs this many",
-            related=(Label(self.frame.count_span, "the slots"),),
-            helps=tuple(helps),
-            data=_proved(problem),
-        )
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
         """Return the error (NS0450) for a state machine that is too large, at the place that makes

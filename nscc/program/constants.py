@@ -155,7 +155,15 @@ class _Resolver:
                 order.prepare()
             while ready := order.get_ready():
                 for name in ready:
-                    self._resolve(name)
+                    expr, place = self.exprs[name]
+                    role = "the number of slots" if name == "N" else "a let"
+                    value = constant(expr, self.scope, self.problems, role)
+                    if value is None:
+                        self._learn(name, FAILED)
+                    elif name == "N":
+                        self._slots(value, place)
+                    else:
+                        self._learn(name, Meaning("constant", value))
                     del waiting[name]
                 order.done(*ready)
             if not waiting:
@@ -168,17 +176,6 @@ class _Resolver:
         for name in waiting:
             self._learn(name, FAILED)
         return self.known
-
-    def _resolve(self, name: str) -> None:
-        expr, place = self.exprs[name]
-        role = "the number of slots" if name == "N" else "a let"
-        value = constant(expr, self.scope, self.problems, role)
-        if value is None:
-            self._learn(name, FAILED)
-        elif name == "N":
-            self._slots(value, place)
-        else:
-            self._learn(name, Meaning("constant", value))
 
     def _slots(self, count: int, place: Span) -> None:
         if 1 <= count <= MOST_SLOTS:

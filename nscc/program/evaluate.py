@@ -116,19 +116,17 @@ def _value(
     assert_never(node)
 
 
-def _pick(condition: Data, then: Data, otherwise: Data) -> Data:
-    if isinstance(condition, np.ndarray):
-        return np.where(condition, then, otherwise)
-    return then if condition else otherwise
-
-
 def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
     branches = either(
         faults_where(condition.data, then.faults),
         faults_where(condition.data ^ True, otherwise.faults),
     )
+    if isinstance(condition.data, np.ndarray):
+        data: Data = np.where(condition.data, then.data, otherwise.data)
+    else:
+        data = then.data if condition.data else otherwise.data
     return Value(
-        _pick(condition.data, then.data, otherwise.data),
+        data,
         min(then.low, otherwise.low),
         max(then.high, otherwise.high),
         either(condition.faults, branches),

@@ -186,7 +186,10 @@ class ReplayPixels:
             case WordEffect.RESET_PIX:
                 self._reset()
             case WordEffect.BUS:
-                self._bus(word)
+                lanes, unsure = self._flagged(str(word))
+                value = self.total(word, lanes) / -word.operation.divisor
+                for name in word.destinations:
+                    self._store(name, value, lanes, unsure)
             case WordEffect.FLAG_ALL:
                 self.write("FLAG", (self.everything, 0))
             case WordEffect.FLAG_ANALOG:
@@ -205,12 +208,6 @@ class ReplayPixels:
             unflagged = self.everything & ~self.read("FLAG")[0]
             unsure = members(unflagged, self.lanes) if unflagged else None
         self._store("PIX", self._reset_level, lanes, unsure)
-
-    def _bus(self, word: Op) -> None:
-        lanes, unsure = self._flagged(str(word))
-        value = self.total(word, lanes) / -word.operation.divisor
-        for name in word.destinations:
-            self._store(name, value, lanes, unsure)
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
         self.analog[name][lanes] = value

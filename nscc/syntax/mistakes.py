@@ -59,7 +59,15 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
         if END in stuck.expected and kind == "NAME":
             return unknown_statement(tokens, stuck.token)
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
-            return _reserved(tokens, first, stuck.token)
+            word = tokens.text(stuck.token)
+            return Diagnostic(
+                "NS0113",
+                f"`{word}` is a reserved word and cannot be a name",
+                source=tokens.source,
+                label=Label(tokens.span(stuck.token), "a name is required here"),
+                notes=_forms(tokens.kinds[first]),
+                helps=(f"choose another name, `{word}_` for example",),
+            )
     return _unexpected(tokens, first, last, stuck)
 
 
@@ -131,18 +139,6 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
         label=Label(span),
         helps=() if instead is not None else (hint,),
         fixes=() if instead is None else (Fix(hint, span, instead),),
-    )
-
-
-def _reserved(tokens: Tokens, first: int, token: int) -> Diagnostic:
-    word, statement = tokens.text(token), tokens.kinds[first]
-    return Diagnostic(
-        "NS0113",
-        f"`{word}` is a reserved word and cannot be a name",
-        source=tokens.source,
-        label=Label(tokens.span(token), "a name is required here"),
-        notes=_forms(statement),
-        helps=(f"choose another name, `{word}_` for example",),
     )
 
 

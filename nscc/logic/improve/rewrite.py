@@ -167,12 +167,7 @@ class _Walk:
             self._store(item, value)
             return True
         self.gain += self.frame.words(item)
-        return self._repair(k, item, required & matters, matters & ~required)
-
-    def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Find other sources for operation k, or another gate before it, and update `gain`.
-
-        Returns whether that succeeded."""
+        ones, zeros = required & matters, matters & ~required
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:

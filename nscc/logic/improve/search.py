@@ -150,21 +150,16 @@ def improve(
     frame, items = flatten(solution, problem, machine)
     try:
         if keep_kernels:
-            items = _kernels(frame, items, budget, room)
+            # Shorter kernels leave more room, so all are shortened until nothing is gained.
+            words = frame.total(items) + 1
+            while frame.total(items) < words and budget.left > 0:
+                words = frame.total(items)
+                items = improve_kernels(frame, items, budget, _kernel, room)
         else:
             items = _exhausted(TrackedRun(frame, items, budget), WALK_STEPS, PATIENCE)
     except Illegal:
         return solution
     return settled(frame, items)
-
-
-def _kernels(frame: FrameContext, items: list[Item], budget: Budget, room: int) -> list[Item]:
-    """Shorten kernels until nothing is gained, because shorter kernels leave more room."""
-    words = frame.total(items) + 1
-    while frame.total(items) < words and budget.left > 0:
-        words = frame.total(items)
-        items = improve_kernels(frame, items, budget, _kernel, room)
-    return items
 
 
 def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item]:
