@@ -22,9 +22,8 @@ from nscc.program.constants import (
 from nscc.program.names import PREDEFINED
 from nscc.source import Source, Span
 from nscc.syntax.grammar import END
-from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.lexer import Stuck, Tokens, lex, read
 from nscc.syntax.parse import statement_starts
-from nscc.syntax.statement import Stuck, read
 from nscc.syntax.tree import Bucket
 from nscc.syntax.words import FORMS, reserved, statement_words
 
@@ -59,7 +58,26 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
         return Span(offset, offset), []
     starts = statement_starts(tokens)
     if tokens.kinds[-1:] == ["UNCLOSED"]:
-        return _in_quotes(document, tokens, starts, offset)
+        opening = len(tokens.kinds) - 1
+        span = Span(tokens.span(opening).start + 1, offset)
+        begin = starts[-1] if starts else 0
+        statement, before = tokens.kinds[begin], tokens.kinds[opening - 1] if opening else ""
+        if before == "sha256":
+            named = [
+                tokens.text(k)[1:-1] for k in range(begin, opening) if tokens.kinds[k] == "TEXT"
+            ]
+            try:
+                path = document.folder / named[0]
+                if path.stat().st_size <= _MOST_HASHED_BYTES:
+                    digest = sha256(path.read_bytes()).hexdigest()
+                    return span, [Offer(digest, "digest", f"of {named[0]}")]
+            except (OSError, ValueError, IndexError):
+                pass
+            return span, []
+        ending = _ENDINGS.get(statement)
+        if ending is None:
+            return span, []
+        return span, list(_files(document, document.text[span.start : offset], ending))
     match = _WORD.search(before)
     typed = match.group() if match else ""
     span = Span(offset - len(typed), offset)
@@ -88,7 +106,19 @@ class _Place:
         else:
             expected = Stuck(len(kinds), tuple(self.tokens.lark_tokens[begin:])).expected
         if "NAME" in expected:
-            yield from self._names(statement, begin)
+            kinds, declared = self.tokens.kinds[begin:], self.document.declared
+            last, first = kinds[-1], len(kinds) == 1
+            if last == "exposure":
+                buckets = (rule.name.text for rule in declared.rules if isinstance(rule, Bucket))
+                yield from (Offer(name, "name", "a bucket") for name in buckets)
+            elif statement == "code" and last == "of":
+                yield from (Offer(name, "name", "a codebook") for name in declared.books)
+            elif first and statement == "pixels":
+                yield from (Offer(name, "name", "a field") for name in declared.codes)
+            elif statement == "read" or (first and statement == "next"):
+                yield from (Offer(name, "name", "a state") for name in declared.states)
+            elif not first and last not in ("key", "kept"):
+                yield from self._known(statement, kinds)
         if "TARGET_NAME" in expected:
             yield from (Offer(name, "target", "a chip") for name in target_names())
         words = reserved(self.tokens.version).difference(FORMS)
@@ -99,22 +129,6 @@ class _Place:
             for word in statement_words(self.tokens.version):
                 if word not in _ONCE or word not in self.document.tokens.kinds:
                     yield Offer(word, "word", FORMS[word][0])
-
-    def _names(self, statement: str, begin: int) -> Iterator[Offer]:
-        """Yield the names that are visible at this place of a statement."""
-        kinds, declared = self.tokens.kinds[begin:], self.document.declared
-        last, first = kinds[-1], len(kinds) == 1
-        if last == "exposure":
-            buckets = (rule.name.text for rule in declared.rules if isinstance(rule, Bucket))
-            yield from (Offer(name, "name", "a bucket") for name in buckets)
-        elif statement == "code" and last == "of":
-            yield from (Offer(name, "name", "a codebook") for name in declared.books)
-        elif first and statement == "pixels":
-            yield from (Offer(name, "name", "a field") for name in declared.codes)
-        elif statement == "read" or (first and statement == "next"):
-            yield from (Offer(name, "name", "a state") for name in declared.states)
-        elif not first and last not in ("key", "kept"):
-            yield from self._known(statement, kinds)
 
     def _known(self, statement: str, kinds: Collection[str]) -> Iterator[Offer]:
         declared, constants = self.document.declared, self.document.constants
@@ -145,31 +159,6 @@ class _Place:
                 value = f" = {meaning.value}" if meaning.kind == "constant" else ""
                 description = descriptions.get(name, PREDEFINED.get(name, ""))
                 yield Offer(name, "name", f"{description}{value}".strip())
-
-
-def _in_quotes(
-    document: Document, tokens: Tokens, starts: list[int], offset: int
-) -> tuple[Span, list[Offer]]:
-    """Return completions inside quotes: file names, or the digest of the statement's file after
-    `sha256`."""
-    opening = len(tokens.kinds) - 1
-    span = Span(tokens.span(opening).start + 1, offset)
-    begin = starts[-1] if starts else 0
-    statement, before = tokens.kinds[begin], tokens.kinds[opening - 1] if opening else ""
-    if before == "sha256":
-        named = [tokens.text(k)[1:-1] for k in range(begin, opening) if tokens.kinds[k] == "TEXT"]
-        try:
-            path = document.folder / named[0]
-            if path.stat().st_size <= _MOST_HASHED_BYTES:
-                digest = sha256(path.read_bytes()).hexdigest()
-                return span, [Offer(digest, "digest", f"of {named[0]}")]
-        except (OSError, ValueError, IndexError):
-            pass
-        return span, []
-    ending = _ENDINGS.get(statement)
-    if ending is None:
-        return span, []
-    return span, list(_files(document, document.text[span.start : offset], ending))
 
 
 def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:

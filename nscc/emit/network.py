@@ -52,7 +52,25 @@ def network_of(lowered: Lowered) -> nx.DiGraph:
     """Return the gate network of any program."""
     if isinstance(lowered, LookingLowered) and lowered.looking is not None:
         return _LookingMaker(lowered, lowered.looking).build_network()
-    return gate_network(lowered)
+    solution = lowered.solution
+    maker = NetworkMaker(lowered, solution.encoding)
+    maker.planes(solution.planes, solution.holders)
+    if solution.state_in_flag:
+        maker.plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
+
+    def add(segments: Iterable[Segment], boundary: int) -> None:
+        for gate in chain.from_iterable(segments):
+            maker.gate(gate, boundary)
+
+    add(solution.opening, 0)
+    steps = [step for step in lowered.plan.steps if step.predicate is not None]
+    for step, answer in zip(steps, solution.answers, strict=True):
+        add(answer, step.boundary)
+        maker.demand(step.role, lowered.program.buckets[step.bucket].name, step.boundary)
+    add(solution.closing, lowered.plan.slots)
+    for i in range(len(solution.planes)):
+        maker.end(f"e{i}", f"p{i}", kind="end")
+    return measured(maker.network)
 
 
 class NetworkMaker:
@@ -152,7 +170,16 @@ class _LookingMaker(NetworkMaker):
                     self.gate(item, boundary)
                 elif not isinstance(item, SetIn):
                     self._word(item, boundary, looks)
-        self._ends()
+        # The final values: the restored code, and states that are read out or kept.
+        ended = set()
+        for state, names in zip(self.machine.states, self.solution.registers, strict=True):
+            for bit, name in enumerate(names):
+                if state.read or state.is_kept:
+                    self.end(f"z_{state.name}_{bit}", name, kind="state", state=state.name, bit=bit)
+                    ended.add(name)
+        for i in range(len(self.solution.planes)):
+            if f"p{i}" not in ended:
+                self.end(f"e{i}", f"p{i}", kind="end")
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
@@ -176,41 +203,6 @@ class _LookingMaker(NetworkMaker):
             resets = (node for _, node in self.network.nodes(data=True) if node["kind"] == "demand")
             if not any((node["edge"], node["boundary"]) == ("reset", boundary) for node in resets):
                 self.demand("reset", "", boundary)
-
-    def _ends(self) -> None:
-        """Add the final values: the restored code, and states that are read out or kept."""
-        ended = set()
-        for state, names in zip(self.machine.states, self.solution.registers, strict=True):
-            for bit, name in enumerate(names):
-                if state.read or state.is_kept:
-                    self.end(f"z_{state.name}_{bit}", name, kind="state", state=state.name, bit=bit)
-                    ended.add(name)
-        for i in range(len(self.solution.planes)):
-            if f"p{i}" not in ended:
-                self.end(f"e{i}", f"p{i}", kind="end")
-
-
-def gate_network(lowered: Lowered) -> nx.DiGraph:
-    """Return the network of a program with fixed shutters."""
-    solution = lowered.solution
-    maker = NetworkMaker(lowered, solution.encoding)
-    maker.planes(solution.planes, solution.holders)
-    if solution.state_in_flag:
-        maker.plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
-
-    def add(segments: Iterable[Segment], boundary: int) -> None:
-        for gate in chain.from_iterable(segments):
-            maker.gate(gate, boundary)
-
-    add(solution.opening, 0)
-    steps = [step for step in lowered.plan.steps if step.predicate is not None]
-    for step, answer in zip(steps, solution.answers, strict=True):
-        add(answer, step.boundary)
-        maker.demand(step.role, lowered.program.buckets[step.bucket].name, step.boundary)
-    add(solution.closing, lowered.plan.slots)
-    for i in range(len(solution.planes)):
-        maker.end(f"e{i}", f"p{i}", kind="end")
-    return measured(maker.network)
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:

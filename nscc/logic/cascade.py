@@ -158,7 +158,22 @@ class _Finder:
         for task in self._tasks:
             gates = Gates(self._machine)
             if task is not None:
-                _write(gates, plan.cascades[task], plan.scratch)
+                registers = [*(f"t{i}" for i in range(1, plan.scratch)), "t0"]
+                inner: list[str] = []
+                for link in reversed(plan.cascades[task].links):
+                    sources = inner + ["FLAG"] * link.reads_flag
+                    free = [register for register in registers if register not in sources]
+                    for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
+                        gates.nor(register, _names(set_bits(mask)))
+                        sources.append(register)
+                    sources += _names(link.planes)
+                    if link.to_flag:
+                        gates.load_flag(sources, None)
+                    elif link.negated:
+                        gates.nor("t0", sources)
+                    else:
+                        gates.or_("t0", sources)
+                    inner = ["FLAG" if link.to_flag else "t0"]
             segment = gates.take()
             answers.append((segment,) if segment else ())
         shutters = plan.planes[:, points.shutters]
@@ -302,26 +317,6 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
         _, kinds = np.unique(2 * kinds + plane, return_inverse=True)
         kinds = kinds.reshape(-1)
     return planes
-
-
-def _write(gates: Gates, cascade: Cascade, scratch: int) -> None:
-    """Add the gates of a cascade, innermost link first; the register t0 holds values in scratch."""
-    registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
-    inner: list[str] = []
-    for link in reversed(cascade.links):
-        sources = inner + ["FLAG"] * link.reads_flag
-        free = [register for register in registers if register not in sources]
-        for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
-            gates.nor(register, _names(set_bits(mask)))
-            sources.append(register)
-        sources += _names(link.planes)
-        if link.to_flag:
-            gates.load_flag(sources, None)
-        elif link.negated:
-            gates.nor("t0", sources)
-        else:
-            gates.or_("t0", sources)
-        inner = ["FLAG" if link.to_flag else "t0"]
 
 
 def _names(planes: Iterable[int]) -> list[str]:

@@ -115,18 +115,14 @@ class _Writer:
             segments += [self.gates.take(), *self.planes.turn(falls)]
             self._end(self.planes.read_by(falls))
         else:
-            self._first(step)
+            # Continuing bumps and those that start in the group's first slot are open.
+            gates = self.gates
+            gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
+            if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
+                if self.masked:
+                    gates.nor("t0", [])
+                gates.or_(self.on, [], "t0" if self.masked else None)
         return (*segments, self.gates.take())
-
-    def _first(self, step: int) -> None:
-        """Add the gates of a group's first slot: continuing bumps and those that start in it are
-        open."""
-        gates = self.gates
-        gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
-        if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
-            if self.masked:
-                gates.nor("t0", [])
-            gates.or_(self.on, [], "t0" if self.masked else None)
 
     def _start(self) -> None:
         """Add the gates that add the bumps that start in the group.

@@ -145,8 +145,24 @@ class _Moment:
 
     def items(self) -> list[Item]:
         """Return the words and gates of this boundary."""
-        self._compare()
+        # The answer of each comparison goes to a register, the last answer to FLAG.
         moment = self.moment
+        order = self.plan.machine.order(moment.boundary)
+        signal: int | None = None
+        for position, number in enumerate(order):
+            comparison = moment.comparisons[number]
+            if comparison.signal != signal:
+                signal = comparison.signal
+                self._take_signal(comparison)
+            elif self.target.where_obeys_flag:
+                self.emitted.append(op("all"))
+            self.emitted.append(SetIn(comparison.level))
+            self.emitted.append(op("where", (), (*self.plan.scratched, "IN")))
+            self.board.values[FLAG] = moment.below(number)
+            if position + 1 < len(order):
+                self.board.keep(FLAG)
+                self.emitted += self.board.pop_gates()
+                del self.board.values[FLAG]
         plan, registers = self.plan, self.plan.bucket_registers
         falls: list[tuple[int, tuple[Op, ...]]] = []
         for register, v, copied in zip(registers, moment.falls, moment.copies, strict=True):
@@ -181,27 +197,6 @@ class _Moment:
         update(self.board, self.new_values)
         self.emitted += self.board.pop_gates()
         return renamed(self.emitted)
-
-    def _compare(self) -> None:
-        """Add words for every comparison; its answer goes to a register, the last answer to
-        FLAG."""
-        moment = self.moment
-        order = self.plan.machine.order(moment.boundary)
-        signal: int | None = None
-        for position, number in enumerate(order):
-            comparison = moment.comparisons[number]
-            if comparison.signal != signal:
-                signal = comparison.signal
-                self._take_signal(comparison)
-            elif self.target.where_obeys_flag:
-                self.emitted.append(op("all"))
-            self.emitted.append(SetIn(comparison.level))
-            self.emitted.append(op("where", (), (*self.plan.scratched, "IN")))
-            self.board.values[FLAG] = moment.below(number)
-            if position + 1 < len(order):
-                self.board.keep(FLAG)
-                self.emitted += self.board.pop_gates()
-                del self.board.values[FLAG]
 
     def _take_signal(self, comparison: Comparison) -> None:
         """Add words that write -signal to the scratch register, or to registers whose sum is

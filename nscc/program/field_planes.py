@@ -68,24 +68,21 @@ class PlaneMaker:
         if self.declared.pixels_file is not None:
             self._file(planes, missing)
         elif self.declared.pixels and missing:
-            self._not_given(missing)
+            shown = ", ".join(f"`{name}`" for name in missing)
+            first = self.declared.codes[missing[0]]
+            given_statement = next(iter(self.declared.pixels.values()))
+            self.problems.error(
+                "NS0210",
+                f"the pixel values of {shown} are missing, but other fields have values",
+                first.name.span,
+                "has no `pixels` statement",
+                related=(Label(given_statement.field.span, "given here"),),
+                helps=(
+                    f"add `pixels {missing[0]} = ...`",
+                    "a program without any `pixels` statement is also valid",
+                ),
+            )
         return planes
-
-    def _not_given(self, missing: list[str]) -> None:
-        shown = ", ".join(f"`{name}`" for name in missing)
-        first = self.declared.codes[missing[0]]
-        given_statement = next(iter(self.declared.pixels.values()))
-        self.problems.error(
-            "NS0210",
-            f"the pixel values of {shown} are missing, but other fields have values",
-            first.name.span,
-            "has no `pixels` statement",
-            related=(Label(given_statement.field.span, "given here"),),
-            helps=(
-                f"add `pixels {missing[0]} = ...`",
-                "a program without any `pixels` statement is also valid",
-            ),
-        )
 
     def _expression(self, statement: PixelsExpr) -> Plane | None:
         value = statement.value

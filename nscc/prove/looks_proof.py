@@ -116,10 +116,6 @@ class Looks(ReplayPixels):
                 self.due += machine.opens[self.node, :, boundary] * light_e[boundary]
                 self.analog["PIX"][:, 0] += light_e[boundary]
         self.end_frame()
-        self._check_end()
-        self._next_frame()
-
-    def _check_end(self) -> None:
         gains = {readout.bucket: readout for readout in self.container.readouts}
         for bucket, name in enumerate(self.container.buckets):
             if name not in gains:
@@ -137,9 +133,7 @@ class Looks(ReplayPixels):
         for register, bits in self.code_bits(encoding).items():
             if register not in states and self.read(register) != bits:
                 raise ReplayError(WRONG_CODE)
-
-    def _next_frame(self) -> None:
-        """Set the initial nodes of the next frame from the kept states."""
+        # The kept states define the initial nodes of the next frame.
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
@@ -161,7 +155,15 @@ class Looks(ReplayPixels):
                 value = total if above else -total
                 if self._amounts_to(value, bucket, signal_e - level_e).all():
                     self.pending.remove(number)
-                    return self._follow_both(number, above)
+                    count = self.lanes
+                    self.transitions += 2 * count
+                    if self.transitions > MOST_LANES:
+                        raise ReplayError(f"the proof needs more than {MOST_LANES} transitions")
+                    self.choose(np.tile(np.arange(count), 2))
+                    self.outcome |= np.repeat([0, 1], count) << number
+                    no = (1 << count) - 1
+                    yes = no << count
+                    return (yes, no) if above else (no, yes)
         raise ReplayError(
             f"`{word}` compares a sum that is not a signal and its level, at boundary "
             f"{self._boundary}"
@@ -180,18 +182,6 @@ class Looks(ReplayPixels):
         return (np.abs(value[:, 0] - expected_e) <= TOLERANCE * self.full_e) & (
             owed_once | self.exact
         )
-
-    def _follow_both(self, number: int, above: bool) -> Bits:
-        """Double the lanes; return FLAG, which is 1 if comparison `number` is `above`."""
-        count = self.lanes
-        self.transitions += 2 * count
-        if self.transitions > MOST_LANES:
-            raise ReplayError(f"the proof needs more than {MOST_LANES} transitions")
-        self.choose(np.tile(np.arange(count), 2))
-        self.outcome |= np.repeat([0, 1], count) << number
-        no = (1 << count) - 1
-        yes = no << count
-        return (yes, no) if above else (no, yes)
 
     def _merge(self, readouts: Mapping[str, int]) -> None:
         """Merge equal lanes.

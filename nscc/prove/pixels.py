@@ -184,7 +184,14 @@ class ReplayPixels:
         """Run a word in every lane."""
         match word.operation.effect:
             case WordEffect.RESET_PIX:
-                self._reset()
+                lanes: Lanes = slice(None)
+                unsure = None
+                if self.target.reset_honours_flag != "no":
+                    lanes, unsure = self._flagged("rpix")
+                if self.target.reset_honours_flag == "unknown":
+                    unflagged = self.everything & ~self.read("FLAG")[0]
+                    unsure = members(unflagged, self.lanes) if unflagged else None
+                self._store("PIX", self._reset_level, lanes, unsure)
             case WordEffect.BUS:
                 lanes, unsure = self._flagged(str(word))
                 value = self.total(word, lanes) / -word.operation.divisor
@@ -198,16 +205,6 @@ class ReplayPixels:
                 self.write("FLAG", self._or_sources(word))
             case WordEffect.DIGITAL:
                 self._digital(word)
-
-    def _reset(self) -> None:
-        lanes: Lanes = slice(None)
-        unsure = None
-        if self.target.reset_honours_flag != "no":
-            lanes, unsure = self._flagged("rpix")
-        if self.target.reset_honours_flag == "unknown":
-            unflagged = self.everything & ~self.read("FLAG")[0]
-            unsure = members(unflagged, self.lanes) if unflagged else None
-        self._store("PIX", self._reset_level, lanes, unsure)
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
         self.analog[name][lanes] = value

@@ -9,8 +9,7 @@ from fractions import Fraction
 from nscc.diagnostics.diagnostic import Fix
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
-from nscc.syntax.lexer import Tokens
-from nscc.syntax.statement import Stuck
+from nscc.syntax.lexer import Stuck, Tokens
 
 _UNITS = {
     **dict.fromkeys(("ns", "nsec", "nsecs", "nanosecond", "nanoseconds"), "ns"),

@@ -9,8 +9,7 @@ from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
 from nscc.syntax import habits
 from nscc.syntax.grammar import END, spellings
-from nscc.syntax.lexer import Tokens
-from nscc.syntax.statement import Stuck
+from nscc.syntax.lexer import Stuck, Tokens
 from nscc.syntax.words import (
     FORMS,
     expected_words,

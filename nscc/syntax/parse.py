@@ -17,10 +17,9 @@ from nscc.diagnostics.suggest import did_you_mean
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.build import Builder
-from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.lexer import Tokens, lex, read
 from nscc.syntax.mistakes import misspelt_statement, mistake, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
-from nscc.syntax.statement import read
 from nscc.syntax.words import statement_words
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]

@@ -202,7 +202,22 @@ class Schema(Generic[Row]):
         """Add a valid value to `key_values`; return the error of an invalid value, else None."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
-            return self._unknown(section, name, value, source)
+            known = self.sections.get(section, ())
+            tables = self.tables
+            if not section and name in tables:
+                message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
+                return self.problem(self.codes.wrong_value, message, section, name, source)
+            table = section if section not in self.sections else name
+            if tables and (table == section or (not section and isinstance(value, Mapping))):
+                message = f"a {self.file_kind} has no table {shown(table)}"
+                [help_text] = meant(table, tables, f"the tables are {', '.join(tables)}")
+            else:
+                table_text = (
+                    f"[{section}] of a {self.file_kind}" if section else f"a {self.file_kind}"
+                )
+                message = f"{table_text} has no {self.noun} {shown(name)}"
+                help_text = self._meant(section, name, known)
+            return self.problem(self.codes.unknown, message, section, name, source, help_text)
         try:
             key_values[key.path] = key.kind.read(value)
         except ValueError as reason:
@@ -210,22 +225,6 @@ class Schema(Generic[Row]):
             note = str(reason) or f"{key.path}: {key.meaning}"
             return self.problem(self.codes.wrong_value, message, section, name, source, note=note)
         return None
-
-    def _unknown(self, section: str, name: str, value: Any, source: Source | None) -> Diagnostic:
-        known = self.sections.get(section, ())
-        tables = self.tables
-        if not section and name in tables:
-            message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
-            return self.problem(self.codes.wrong_value, message, section, name, source)
-        table = section if section not in self.sections else name
-        if tables and (table == section or (not section and isinstance(value, Mapping))):
-            message = f"a {self.file_kind} has no table {shown(table)}"
-            [help_text] = meant(table, tables, f"the tables are {', '.join(tables)}")
-        else:
-            table_text = f"[{section}] of a {self.file_kind}" if section else f"a {self.file_kind}"
-            message = f"{table_text} has no {self.noun} {shown(name)}"
-            help_text = self._meant(section, name, known)
-        return self.problem(self.codes.unknown, message, section, name, source, help_text)
 
     def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
         """Return the help for an unknown name in the table `section`, whose names are `known`."""

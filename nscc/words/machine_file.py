@@ -147,24 +147,6 @@ def faults(container: Container) -> Iterator[str]:
     is_sum = (machine.open_us >= shortest_us) & (machine.open_us <= frame_us)
     if not (is_sum | np.isin(machine.open_us, (-1.0, 0.0))).all():
         yield "the open times of its machine are invalid"
-    yield from _step_faults(machine)
-    for comparison in machine.comparisons:
-        if comparison.boundary not in machine.looks:
-            yield f"a comparison at boundary {comparison.boundary}, which is not a look"
-        if not (LIGHT <= comparison.signal < buckets):
-            yield f"a comparison of signal {comparison.signal}"
-        if not target.in_low <= comparison.level <= target.in_high:
-            yield f"a comparison with {comparison.level} steps of IN"
-    behaviours = len(container.encoding)
-    if not np.array_equal(np.unique(machine.behaviour), np.arange(behaviours)):
-        yield "its machine has other behaviours than its encoding"
-    yield from _state_faults(container, machine)
-    for launch in container.launches:
-        if launch.level is not None and not target.in_low <= launch.level <= target.in_high:
-            yield f"a launch sets IN to {launch.level} steps"
-
-
-def _step_faults(machine: StateMachine) -> Iterator[str]:
     for stage in range(machine.stages):
         span = machine.nodes(stage)
         steps = machine.steps[span]
@@ -181,6 +163,20 @@ def _step_faults(machine: StateMachine) -> Iterator[str]:
             yield "a node of its machine leads out of the next stage"
         elif (machine.behaviour[inside] != machine.behaviour[span][:, None]).any():
             yield "a node of its machine leads to another behaviour"
+    for comparison in machine.comparisons:
+        if comparison.boundary not in machine.looks:
+            yield f"a comparison at boundary {comparison.boundary}, which is not a look"
+        if not (LIGHT <= comparison.signal < buckets):
+            yield f"a comparison of signal {comparison.signal}"
+        if not target.in_low <= comparison.level <= target.in_high:
+            yield f"a comparison with {comparison.level} steps of IN"
+    behaviours = len(container.encoding)
+    if not np.array_equal(np.unique(machine.behaviour), np.arange(behaviours)):
+        yield "its machine has other behaviours than its encoding"
+    yield from _state_faults(container, machine)
+    for launch in container.launches:
+        if launch.level is not None and not target.in_low <= launch.level <= target.in_high:
+            yield f"a launch sets IN to {launch.level} steps"
 
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:

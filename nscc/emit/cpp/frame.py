@@ -192,7 +192,18 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
             yield f"{line}  // boundary {first} to {last}"
     yield "};"
     yield ""
-    yield from _expose(schedule, container.target)
+    moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
+    after = template_lines("after" if schedule.in_whole_us else "after_parts")
+    settle = (
+        template_lines("settle", settle=ceil(exact(container.target.in_settle_us)))
+        if schedule.sets_in
+        else []
+    )
+    begin = template_lines("begin_in") if schedule.sets_in else []
+    lines = template_lines("expose")
+    inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
+    for line in lines:
+        yield from inserted.get(line.strip(), [line])
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
@@ -207,19 +218,3 @@ def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
     if schedule.sets_in:
         numbers.append(AS_IT_IS if row.level is None else row.level)
     return f"{{{', '.join(map(str, numbers))}}},"
-
-
-def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
-    """Yield the C++ function that runs a frame."""
-    moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
-    after = template_lines("after" if schedule.in_whole_us else "after_parts")
-    settle = (
-        template_lines("settle", settle=ceil(exact(target.in_settle_us)))
-        if schedule.sets_in
-        else []
-    )
-    begin = template_lines("begin_in") if schedule.sets_in else []
-    lines = template_lines("expose")
-    inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
-    for line in lines:
-        yield from inserted.get(line.strip(), [line])

@@ -52,7 +52,12 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
             read = word
         elif word.operation.phase is Phase.WRITE:
             assert read is not None
-            yield from _in_place(read, word)
+            (register,) = word.destinations
+            other_sources = tuple(name for name in read.sources if name != register)
+            if len(other_sources) < 2 or register not in read.sources:
+                yield from (read, word)
+            else:
+                yield from _accumulate_sources(read.name.partition(".")[0], register, other_sources)
         elif word.name == "WHERE" and len(word.sources) > MOST_SOURCES["WHERE"]:
             if scratch is None:
                 raise _NoRegister
@@ -76,16 +81,6 @@ def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
     else:
         yield op("OR", (register,), sources[:most])
         yield from _accumulate_sources(kind, register, sources[most:])
-
-
-def _in_place(read: Op, write: Op) -> Iterator[Op]:
-    """Yield a read-write pair of words, split if the library has no call for it."""
-    (register,) = write.destinations
-    other_sources = tuple(name for name in read.sources if name != register)
-    if len(other_sources) < 2 or register not in read.sources:
-        yield from (read, write)
-    else:
-        yield from _accumulate_sources(read.name.partition(".")[0], register, other_sources)
 
 
 def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:

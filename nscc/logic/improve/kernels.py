@@ -104,7 +104,16 @@ class _Merger:
             # A symbol that occurs only in this pair needs no separate words after the merge.
             gone = sum(self.words[s] for s in {first, second} if counts[s] == times * uses_per_pair)
             if stored + merged - gone <= room:
-                self._replace(first, second, merged)
+                symbol = len(self.words)
+                self.words.append(merged)
+                self.lengths.append(self.lengths[first] + self.lengths[second])
+                out: list[int] = []
+                for following in self.sequence:
+                    if out and (out[-1], following) == (first, second):
+                        out[-1] = symbol
+                    else:
+                        out.append(following)
+                self.sequence = out
                 return True
         return False
 
@@ -118,18 +127,6 @@ class _Merger:
             if run % 2 == 0 or first != second:
                 pairs[first, second] += 1
         return pairs
-
-    def _replace(self, first: int, second: int, words: int) -> None:
-        symbol = len(self.words)
-        self.words.append(words)
-        self.lengths.append(self.lengths[first] + self.lengths[second])
-        out: list[int] = []
-        for following in self.sequence:
-            if out and (out[-1], following) == (first, second):
-                out[-1] = symbol
-            else:
-                out.append(following)
-        self.sequence = out
 
 
 Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
