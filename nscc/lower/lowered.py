@@ -8,7 +8,6 @@ from functools import cached_property
 from itertools import zip_longest
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
@@ -153,7 +152,12 @@ class Lowered:
             read_slots = [n - 1 for n in reads]
             pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
         elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
-            pix_share = _longest_bump_share(program.table.shutters, share)
+            # The largest light between a rise and its fall, as a fraction of the frame's light.
+            bump = np.zeros(program.table.shutters.shape[:2])
+            pix_share = 0.0
+            for slot, slot_share in enumerate(share):
+                bump = np.where(program.table.shutters[:, :, slot], bump + slot_share, 0.0)
+                pix_share = max(pix_share, float(bump.max(initial=0.0)))
         else:
             pix_share = float(share[: max(reads, default=0)].sum())
             if plan.lowering == "edges":
@@ -193,16 +197,6 @@ def lay_out(
 
 def _reads_pix(step: PlanStep) -> bool:
     return any("PIX" in word.sources for word in step.words)
-
-
-def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64]) -> float:
-    """Return the largest light between a rise and its fall, as a fraction of the frame's light."""
-    bump = np.zeros(shutters.shape[:2])
-    longest = 0.0
-    for slot, slot_share in enumerate(share):
-        bump = np.where(shutters[:, :, slot], bump + slot_share, 0.0)
-        longest = max(longest, float(bump.max(initial=0.0)))
-    return longest
 
 
 def assemble(lowered: Lowered, level: int) -> Container:

@@ -102,7 +102,14 @@ def _value(
         case tree.Binary():
             return ARITHMETIC[node.op](node, *arguments)
         case tree.Compare():
-            return _chain(node, arguments)
+            links = [
+                Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
+                for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
+            ]
+            result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
+            for link in links[1:]:
+                result = _junction(result, link, True)
+            return result
         case tree.IfElse():
             return _chosen(*arguments)
         case tree.Index():
@@ -137,17 +144,6 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
     return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
-
-
-def _chain(node: tree.Compare, arguments: list[Value]) -> Value:
-    links = [
-        Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
-        for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
-    ]
-    result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
-    for link in links[1:]:
-        result = _junction(result, link, True)
-    return result
 
 
 def _extreme(name: str, arguments: list[Value]) -> Value:

@@ -136,55 +136,46 @@ class _Maker:
     def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:
         match statement:
             case CodeRange():
-                return self._range(statement)
+                low = constant(statement.low, self.scope, self.problems, "the start of a range")
+                high = constant(statement.high, self.scope, self.problems, "the end of a range")
+                if low is None or high is None:
+                    return None
+                span = statement.low.span.to(statement.high.span)
+                if low > high:
+                    message = f"the range {low}..{high} is empty"
+                    why = "the first value is larger than the last"
+                    helps = (f"write `{high}..{low}`",) if low - high > 1 else ()
+                    self.problems.error("NS0306", message, span, why, helps=helps)
+                    return None
+                return Field(statement.name.text, "range", low, high, span)
             case CodeBits():
-                return self._bits(statement)
+                count = constant(statement.count, self.scope, self.problems, "the number of bits")
+                if count is None:
+                    return None
+                if not 1 <= count <= MOST_BITS:
+                    message = f"invalid number of bits: {count}"
+                    text = f"a bit field has 1 to {MOST_BITS} bits"
+                    self.problems.error("NS0307", message, statement.count.span, text)
+                    return None
+                if count > CHUNK_BITS:
+                    self.declared.wide.add(statement.name.text)
+                # The place of `bit[K]`; the tree only has the place of K.
+                place, text = statement.count.span, self.problems.source.text
+                start = text.rfind("bit", statement.name.span.end, place.start)
+                if start >= 0:
+                    place = Span(start, statement.span.end)
+                return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
             case CodeRow():
-                return self._row(statement)
+                book = statement.book.text
+                if book not in self.declared.books:
+                    helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
+                    self.declared.report_other(
+                        statement.book, "a codebook", "", self.declared.books, helps, self.problems
+                    )
+                    return None
+                digits = self.books[book]
+                if digits is None:
+                    return None
+                place = statement.book.span
+                return Field(statement.name.text, "row", 0, digits.shape[0] - 1, place, book=book)
         assert_never(statement)
-
-    def _range(self, statement: CodeRange) -> Field | None:
-        low = constant(statement.low, self.scope, self.problems, "the start of a range")
-        high = constant(statement.high, self.scope, self.problems, "the end of a range")
-        if low is None or high is None:
-            return None
-        span = statement.low.span.to(statement.high.span)
-        if low > high:
-            message = f"the range {low}..{high} is empty"
-            why = "the first value is larger than the last"
-            helps = (f"write `{high}..{low}`",) if low - high > 1 else ()
-            self.problems.error("NS0306", message, span, why, helps=helps)
-            return None
-        return Field(statement.name.text, "range", low, high, span)
-
-    def _bits(self, statement: CodeBits) -> Field | None:
-        count = constant(statement.count, self.scope, self.problems, "the number of bits")
-        if count is None:
-            return None
-        if not 1 <= count <= MOST_BITS:
-            message = f"invalid number of bits: {count}"
-            text = f"a bit field has 1 to {MOST_BITS} bits"
-            self.problems.error("NS0307", message, statement.count.span, text)
-            return None
-        if count > CHUNK_BITS:
-            self.declared.wide.add(statement.name.text)
-        # The place of `bit[K]`; the tree only has the place of K.
-        place, text = statement.count.span, self.problems.source.text
-        start = text.rfind("bit", statement.name.span.end, place.start)
-        if start >= 0:
-            place = Span(start, statement.span.end)
-        return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
-
-    def _row(self, statement: CodeRow) -> Field | None:
-        book = statement.book.text
-        if book not in self.declared.books:
-            helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
-            self.declared.report_other(
-                statement.book, "a codebook", "", self.declared.books, helps, self.problems
-            )
-            return None
-        digits = self.books[book]
-        if digits is None:
-            return None
-        place = statement.book.span
-        return Field(statement.name.text, "row", 0, digits.shape[0] - 1, place, book=book)

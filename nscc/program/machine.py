@@ -70,7 +70,15 @@ class MachineBuilder:
 
         Raises NoValue if an expression has no value in a reachable node or a state leaves its
         range, and TooMuch beyond MOST_TRANSITIONS."""
-        nodes = self._start()
+        # Every code with every possible value of its kept states.
+        ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
+        size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
+        self._limit(size)
+        values = [np.arange(low, high + 1) for low, high in ranges]
+        grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
+        columns = [grid.reshape(-1) for grid in grids]
+        columns += [np.zeros(size, np.int64)] * len(self.remembered)
+        nodes = np.stack(columns, axis=1).astype(np.int64)
         stages: list[Stage] = []
         comparisons: list[Comparison] = []
         ends = (*self.looks, self.rules.slots)
@@ -88,17 +96,6 @@ class MachineBuilder:
             stages.append(Stage(nodes, opens, resets, steps))
             nodes, begin = following, end
         return self._joined(stages, tuple(comparisons))
-
-    def _start(self) -> Nodes:
-        """Return every code with every possible value of its kept states."""
-        ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
-        size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
-        self._limit(size)
-        values = [np.arange(low, high + 1) for low, high in ranges]
-        grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
-        columns = [grid.reshape(-1) for grid in grids]
-        columns += [np.zeros(size, np.int64)] * len(self.remembered)
-        return np.stack(columns, axis=1).astype(np.int64)
 
     def _limit(self, added: int) -> None:
         self.transitions += added

@@ -78,7 +78,14 @@ class PictureMaker:
             if node is not None:
                 items.append(Picture(picture.name.text, node))
         states = self._states(reader) if self.declared.keeps_planes else ()
-        reads = self._reads(reader)
+        names = []
+        for name in self.declared.reads.values():
+            kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
+            if name.text in kinds:
+                names.append(name.text)
+            elif name.text not in (*self.declared.refused, *reader.failed):
+                self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
+        reads = tuple(names)
         found = [self._report(statement, reader) for statement in self.declared.reports]
         reports = tuple(report for report in found if report is not None)
         limits = self._limits()
@@ -265,16 +272,6 @@ class PictureMaker:
         return Joined("or", changed, unchanged)
 
     # --- what leaves the chip
-
-    def _reads(self, reader: Reader) -> tuple[str, ...]:
-        names = []
-        for name in self.declared.reads.values():
-            kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
-            if name.text in kinds:
-                names.append(name.text)
-            elif name.text not in (*self.declared.refused, *reader.failed):
-                self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
-        return tuple(names)
 
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         kind, plane = report.kind.text, report.plane.text

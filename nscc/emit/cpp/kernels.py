@@ -22,18 +22,6 @@ from nscc.words.encoding import decode, encode, word_text
 def narrowed(container: Container) -> list[list[Op]] | None:
     """Return the kernels in words that all have calls; None if a WHERE needs a free register."""
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
-    scratch = _unused(container, kernels)
-    try:
-        return [list(_kernel(kernel, scratch)) for kernel in kernels]
-    except _NoRegister:
-        return None
-
-
-class _NoRegister(Exception):
-    """Raised if no register is free."""
-
-
-def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None:
     target = container.target
     used = {r for kernel in kernels for word in kernel for r in (*word.destinations, *word.sources)}
     used_registers = (
@@ -42,7 +30,15 @@ def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None
         target.mask_register,
         target.masked_register,
     )
-    return next((r for r in target.digital_registers if r not in used_registers), None)
+    scratch = next((r for r in target.digital_registers if r not in used_registers), None)
+    try:
+        return [list(_kernel(kernel, scratch)) for kernel in kernels]
+    except _NoRegister:
+        return None
+
+
+class _NoRegister(Exception):
+    """Raised if no register is free."""
 
 
 def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:

@@ -291,8 +291,19 @@ def _kernels(
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):
-        narrow = _narrow(program, exposure, container.code_registers, devkit)
+        narrow = narrowed(replace(exposure, code_registers=container.code_registers))
+        if narrow is None and not devkit.tables:
+            reason = (
+                "a word has more sources than a call of the devkit's library takes, and no "
+                "register is free"
+            )
+            raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
         if narrow is not None:
+            proof = prove(exposure, narrow)
+            if not proof.holds:
+                raise ValueError(
+                    f"calls with few sources do not implement the program: {proof.failure}"
+                )
             narrow += kernels[len(narrow) :]
         if devkit.tables:
             yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]
@@ -319,27 +330,6 @@ def _kernels(
         narrow_ops = None if narrow is None else narrow[number]
         yield from kernel_lines(kernel_name(number), ops, narrow_ops, tables=devkit.tables)
         yield ""
-
-
-def _narrow(
-    program: Program, container: Container, code_registers: tuple[str, ...], devkit: Devkit
-) -> list[list[Op]] | None:
-    """Return the kernels in words that all have calls, proved like the original ones. They leave
-    `code_registers`, which include those of kept states, unchanged."""
-    narrow_kernels = narrowed(replace(container, code_registers=code_registers))
-    if narrow_kernels is None and not devkit.tables:
-        reason = (
-            "a word has more sources than a call of the devkit's library takes, and no register "
-            "is free"
-        )
-        raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
-    if narrow_kernels is not None:
-        proof = prove(container, narrow_kernels)
-        if not proof.holds:
-            raise ValueError(
-                f"calls with few sources do not implement the program: {proof.failure}"
-            )
-    return narrow_kernels
 
 
 def _main(container: Container, loading: CodeLoading) -> Iterator[str]:

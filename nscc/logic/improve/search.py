@@ -74,7 +74,11 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
             return None
         lead = (run.frame.op(item.inverted, target, item.sources, item.place, item.segment),)
     elif kind == 6:
-        start = _earlier(run, k, choose)
+        # A random place before k in the same answer.
+        low = k
+        while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
+            low -= 1
+        start = choose.randrange(low, k + 1)
         if start == k:
             return None
         first = run.items[start]
@@ -111,14 +115,6 @@ def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
                 break
             operations.append(j)
     return operations
-
-
-def _earlier(run: TrackedRun, k: int, choose: random.Random) -> int:
-    """Return a random place before k in the same answer."""
-    low = k
-    while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
-        low -= 1
-    return choose.randrange(low, k + 1)
 
 
 # Most distance of operations dropped together: they belong to one answer or to two consecutive
