@@ -11,7 +11,7 @@ from pathlib import Path
 from nscc.chips.target import Target
 from nscc.compiler import CHECK, compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Rejected
-from nscc.diagnostics.mend import mended
+from nscc.diagnostics.message import mended
 from nscc.pipeline import Compiled
 from nscc.program.analyse import target_of
 from nscc.program.constants import constants_scope, resolve_constants
