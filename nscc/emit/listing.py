@@ -9,11 +9,11 @@ from nscc.emit.sending_report import sending_text, sent_lines
 from nscc.looks.looking_plan import LookingPlan
 from nscc.looks.solve import Item
 from nscc.looks.word_layout import LookingLowered
-from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
+from nscc.lower.schedule import allocate
 from nscc.program.problems import counted
 from nscc.program.program import Field, Program, SlotGrid
 from nscc.source import Source

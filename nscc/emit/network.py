@@ -42,8 +42,8 @@ import networkx as nx
 from nscc.logic.problem import Gate, Segment
 from nscc.looks.solve import LookingSolution, SetIn
 from nscc.looks.word_layout import LookingLowered
-from nscc.lower.allocate import words
 from nscc.lower.lowered import Lowered
+from nscc.lower.schedule import words
 from nscc.operations import Op, WordEffect
 from nscc.words.machine import LIGHT, Comparison
 

@@ -6,7 +6,7 @@ analog words run. A solution defines the content of every pixel's registers at t
 registers hold their initial content.
 
 Solutions name virtual registers: p0, p1, .. contain code bits (planes), s0, .. state within a
-frame, and t0, .. are scratch registers. `nscc.lower.allocate` maps them to the chip's registers."""
+frame, and t0, .. are scratch registers. `nscc.lower.schedule` maps them to the chip's registers."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ class _Frame:
         self.scratch = _names("t", solution.scratch)
         self.contents: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
         self.contents |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
-        # If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes
+        # If all registers are in use, `nscc.lower.schedule` puts the plane with the fewest writes
         # in the masked register. Each of these writes sets the mask, which overwrites t0.
         used = len(solution.planes) + solution.states + solution.scratch
         full = machine.masked and used >= machine.registers and solution.masked_pair() is None

@@ -14,11 +14,18 @@ from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Problem, Segment, Solution
 from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.looks.solve import LookingSolution, SetIn
-from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import RESET, ExposurePlan, PlanStep
 from nscc.lower.lowered import Lowered
-from nscc.lower.schedule import FrameSchedule, kernel_us, refreshed_registers
+from nscc.lower.schedule import (
+    Allocation,
+    FrameSchedule,
+    allocate,
+    kernel_us,
+    refresh_words,
+    refreshed_registers,
+    words,
+)
 from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
 

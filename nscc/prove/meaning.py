@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import assert_never
 
-from nscc.prove.forms import IN, Form, Forms
+from nscc.prove.diagrams import IN, Form, Forms
 from nscc.words import pictures as p
 from nscc.words.reach import Reach
 

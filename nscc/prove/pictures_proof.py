@@ -1,6 +1,6 @@
 """Prove images and planes: replay the words after the exposure on a small array.
 
-Registers contain exact forms in the exposures of pixels (`nscc.prove.forms`); bits are decision
+Registers contain exact forms in the exposures of pixels (`nscc.prove.diagrams`); bits are decision
 diagrams over answers of comparisons. The array is just large enough that its pixels are affected by
 the border in every way that is possible on a larger array; its middle pixel has all the pixels that
 it depends on. The final register contents must be what the text defines, for all exposures and
@@ -16,8 +16,7 @@ from fractions import Fraction
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
-from nscc.prove.diagrams import TooLarge
-from nscc.prove.forms import IN, Form, Forms
+from nscc.prove.diagrams import IN, Form, Forms, TooLarge
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words

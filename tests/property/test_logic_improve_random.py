@@ -13,7 +13,7 @@ from nscc.logic.improve.balance import balance
 from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine
-from nscc.lower.allocate import allocate, words
+from nscc.lower.schedule import allocate, words
 
 
 @st.composite
