@@ -117,7 +117,16 @@ def _value(
                 return _digit(node, arguments[0], books[node.base.text], bindings["n"])
             return _bit(node, arguments[0], bindings[node.base.text], bindings)
         case tree.Call():
-            return _extreme(node.function.text, arguments)
+            pick, of_arrays = (
+                (min, np.minimum) if node.function.text == "min" else (max, np.maximum)
+            )
+            result = arguments[0]
+            for b in arguments[1:]:
+                plain = isinstance(result.data, int) and isinstance(b.data, int)
+                data = (pick if plain else of_arrays)(result.data, b.data)
+                low, high = pick(result.low, b.low), pick(result.high, b.high)
+                result = Value(data, low, high, either(result.faults, b.faults))
+            return result
         case tree.Place() | tree.Amount():
             raise AssertionError("`check` refuses levels and bits of neighbours")
     assert_never(node)
@@ -144,17 +153,6 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
     return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
-
-
-def _extreme(name: str, arguments: list[Value]) -> Value:
-    pick, of_arrays = (min, np.minimum) if name == "min" else (max, np.maximum)
-    result = arguments[0]
-    for b in arguments[1:]:
-        plain = isinstance(result.data, int) and isinstance(b.data, int)
-        data = (pick if plain else of_arrays)(result.data, b.data)
-        low, high = pick(result.low, b.low), pick(result.high, b.high)
-        result = Value(data, low, high, either(result.faults, b.faults))
-    return result
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:

@@ -50,9 +50,13 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
-            place, helps = Label(tokens.span(stuck.token)), ("close the quotes on the same line",)
-            message = "the closing quotation mark is missing"
-            return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
+            return Diagnostic(
+                "NS0114",
+                "the closing quotation mark is missing",
+                source=tokens.source,
+                label=Label(tokens.span(stuck.token)),
+                helps=("close the quotes on the same line",),
+            )
         if kind == "STRAY":
             return _stray(tokens, stuck.token, stuck.expected)
         if END in stuck.expected and kind == "NAME":
@@ -67,7 +71,27 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
                 notes=_forms(tokens.kinds[first]),
                 helps=(f"choose another name, `{word}_` for example",),
             )
-    return _unexpected(tokens, first, last, stuck)
+    statement = tokens.kinds[first]
+    expected = expected_words(stuck.expected)
+    if stuck.token < last:
+        place, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
+    else:
+        end = tokens.span(last - 1).end
+        place, actual = Span(end, end), "the end of the file"
+        if last < len(tokens.kinds):
+            actual = f"the next statement, {shown(tokens.text(last))}"
+    # The innermost open bracket where the parser stopped, if closing it would be valid.
+    opened = _open_brackets(tokens, first, stuck) if stuck.expected & {"]", ")"} else []
+    return Diagnostic(
+        "NS0107",
+        f"in this `{statement}` statement: expected {expected}, found {actual}",
+        source=tokens.source,
+        label=Label(place, f"expected {expected}"),
+        related=tuple(Label(tokens.span(at), "opened here") for at in opened[-1:]),
+        notes=_forms(statement),
+        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
+        fixes=tuple(_fixes(tokens, first, last, stuck)),
+    )
 
 
 def misspelt_statement(
@@ -138,30 +162,6 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
         label=Label(span),
         helps=() if instead is not None else (hint,),
         fixes=() if instead is None else (Fix(hint, span, instead),),
-    )
-
-
-def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
-    statement = tokens.kinds[first]
-    expected = expected_words(stuck.expected)
-    if stuck.token < last:
-        place, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
-    else:
-        end = tokens.span(last - 1).end
-        place, actual = Span(end, end), "the end of the file"
-        if last < len(tokens.kinds):
-            actual = f"the next statement, {shown(tokens.text(last))}"
-    # The innermost open bracket where the parser stopped, if closing it would be valid.
-    opened = _open_brackets(tokens, first, stuck) if stuck.expected & {"]", ")"} else []
-    return Diagnostic(
-        "NS0107",
-        f"in this `{statement}` statement: expected {expected}, found {actual}",
-        source=tokens.source,
-        label=Label(place, f"expected {expected}"),
-        related=tuple(Label(tokens.span(at), "opened here") for at in opened[-1:]),
-        notes=_forms(statement),
-        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
-        fixes=tuple(_fixes(tokens, first, last, stuck)),
     )
 
 

@@ -139,7 +139,16 @@ def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any
     compiled, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
     if isinstance(compiled, Diagnostic):
         return {"refused": f"{compiled.message} ({compiled.code})"}
-    words, bound = _words(compiled, count)
+    # The bound is that of the logic, plus the analog words of the plan if all words count.
+    choice, proof = compiled.choice, compiled.proof
+    assert choice is not None
+    assert proof is not None
+    lowered, logic = choice.best, report(choice, proof)["logic"]
+    words, bound = logic["words"], logic["bound"]
+    if count == "all":
+        words = lowered.schedule.words_total
+        if bound is not None:
+            bound += sum(len(step.words) for step in lowered.plan.steps)
     return {"ms": taken_ms, "words": words, "bound": bound}
 
 
@@ -178,19 +187,3 @@ def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
         if not last.code.startswith(DOES_NOT_FIT):
             raise
         return last
-
-
-def _words(compiled: Compiled, count: Count) -> tuple[int, int | None]:
-    """Return the number of words and its lower bound, None if unknown.
-
-    The bound is that of the logic, plus the analog words of the plan if all words count."""
-    choice, proof = compiled.choice, compiled.proof
-    assert choice is not None
-    assert proof is not None
-    lowered, logic = choice.best, report(choice, proof)["logic"]
-    words, bound = logic["words"], logic["bound"]
-    if count == "all":
-        words = lowered.schedule.words_total
-        if bound is not None:
-            bound += sum(len(step.words) for step in lowered.plan.steps)
-    return words, bound

@@ -93,7 +93,13 @@ class _Merger:
 
     def merge(self, room: int) -> bool:
         """Merge the most frequent pair of symbols; return False if no pair is worth it."""
-        pairs = self._pairs()
+        # Neighbouring pairs; overlapping pairs of equal symbols count once.
+        pairs: Counter[tuple[int, int]] = Counter()
+        run = 1
+        for first, second in pairwise(self.sequence):
+            run = run + 1 if first == second else 1
+            if run % 2 == 0 or first != second:
+                pairs[first, second] += 1
         counts = Counter(self.sequence)
         stored = sum(self.words[symbol] for symbol in counts)
         for (first, second), times in pairs.most_common():
@@ -116,17 +122,6 @@ class _Merger:
                 self.sequence = out
                 return True
         return False
-
-    def _pairs(self) -> Counter[tuple[int, int]]:
-        """Return the counts of neighbouring pairs; overlapping pairs of equal symbols count
-        once."""
-        pairs: Counter[tuple[int, int]] = Counter()
-        run = 1
-        for first, second in pairwise(self.sequence):
-            run = run + 1 if first == second else 1
-            if run % 2 == 0 or first != second:
-                pairs[first, second] += 1
-        return pairs
 
 
 Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
