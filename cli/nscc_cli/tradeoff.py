@@ -121,7 +121,7 @@ def images(file: Path, level: str, **places: Any) -> int:
     Noise is the standard deviation of the error that a kernel's words add, relative to one word.
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
-    from nscc.tradeoff.images import image_points
+    from nscc.tradeoff.synthesis import image_points
 
     outputs = output_files(places)
     points = image_points(file, int(level))

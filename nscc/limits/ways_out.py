@@ -25,7 +25,7 @@ from nscc.limits.families import (
     start_rule,
     stop_rule,
 )
-from nscc.limits.search import largest
+from nscc.limits.survey import largest
 from nscc.lower.lowered import Lowered
 from nscc.program.limits import largest_with
 from nscc.program.problems import counted
@@ -134,7 +134,7 @@ def _largest(
     attempt: Callable[[Source, Codes], Lowered | None],
     budget: int,
 ) -> tuple[int, Lowered | None]:
-    """Return the largest size that fits (`nscc.limits.search.largest`), and its lowered program or
+    """Return the largest size that fits (`nscc.limits.survey.largest`), and its lowered program or
     None."""
     built: dict[int, Lowered | None] = {}
 
