@@ -26,7 +26,7 @@ from nscc.words.container import Container
 
 if TYPE_CHECKING:
     from nscc.looks.looking_plan import LookingPlan
-    from nscc.looks.word_layout import LookingLowered
+    from nscc.looks.passes import LookingLowered
     from nscc.stream.passes import Sending
 
 _ROUNDING = 1e-9

@@ -7,8 +7,8 @@ from typing import Any
 
 from nscc.emit.sending_report import sending_text, sent_lines
 from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.passes import LookingLowered
 from nscc.looks.solve import Item
-from nscc.looks.word_layout import LookingLowered
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit
 from nscc.lower.gates import Gated

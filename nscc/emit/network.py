@@ -40,8 +40,8 @@ from itertools import chain
 import networkx as nx
 
 from nscc.logic.problem import Gate, Segment
+from nscc.looks.passes import LookingLowered
 from nscc.looks.solve import LookingSolution, SetIn
-from nscc.looks.word_layout import LookingLowered
 from nscc.lower.lowered import Lowered
 from nscc.lower.schedule import words
 from nscc.operations import Op, WordEffect

@@ -67,7 +67,7 @@ def _data(kind: str, compiled: Compiled, container: Container) -> bytes:
     )
     from nscc.emit.report import report_bytes
     from nscc.emit.sending_report import planes_bytes, sending_text
-    from nscc.looks.word_layout import LookingLowered
+    from nscc.looks.passes import LookingLowered
     from nscc.words.file import to_bytes
     from nscc.words.legality import refuse_planes
 
