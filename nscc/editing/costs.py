@@ -30,28 +30,21 @@ def hints(document: Document) -> Iterator[Hint]:
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():
-                cost = in_short(document)
-                if cost is not None:
-                    yield Hint(statement.span.end, cost)
+                compiled = document.checked.compiled
+                shortest_us = _shortest_slot_us(compiled)
+                if compiled is not None and shortest_us is not None:
+                    lowered = compiled.lowered
+                    cost = (
+                        counted(len(compiled.program.frame.slot_us), "plane")
+                        if lowered is None
+                        else counted(lowered.schedule.words_total, "word")
+                    )
+                    text = f"{cost} a frame, shortest slot {time_text(shortest_us)}"
+                    yield Hint(statement.span.end, text)
             case tree.Let() if not isinstance(statement.value, tree.Int):
                 meaning = document.constants.get(statement.name.text)
                 if meaning is not None and meaning.kind == "constant":
                     yield Hint(statement.span.end, f"= {clipped(meaning.value)}")
-
-
-def in_short(document: Document) -> str | None:
-    """Return the cost of a frame and its shortest slot length, in a few words."""
-    compiled = document.checked.compiled
-    shortest_us = _shortest_slot_us(compiled)
-    if compiled is None or shortest_us is None:
-        return None
-    lowered = compiled.lowered
-    cost = (
-        counted(len(compiled.program.frame.slot_us), "plane")
-        if lowered is None
-        else counted(lowered.schedule.words_total, "word")
-    )
-    return f"{cost} a frame, shortest slot {time_text(shortest_us)}"
 
 
 def frame_cost(document: Document) -> str | None:
