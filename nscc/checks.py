@@ -25,10 +25,9 @@ from nscc.truth import members
 from nscc.words.container import Container
 
 if TYPE_CHECKING:
-    from nscc.looks.looking_plan import LookingPlan, Moment
+    from nscc.looks.looking_plan import LookingPlan
     from nscc.looks.passes import LookingLowered
-    from nscc.stream.sending import Sending
-    from nscc.words.machine import StateMachine
+    from nscc.stream.passes import Sending
 
 _ROUNDING = 1e-9
 """Relative tolerance for times, which are sums of decimal fractions."""
@@ -117,22 +116,19 @@ def check_looking_plan(plan: LookingPlan) -> None:
         changed = changed[(begin < changed) & (changed < end)]
         _require({*boundaries}.issuperset(changed.tolist()), "a change without a time")
     for moment in plan.moments:
-        _check_moment(moment, machine)
-
-
-def _check_moment(moment: Moment, machine: StateMachine) -> None:
-    """Check that the open buckets before a moment, minus `falls`, plus `rises`, are those
-    after it."""
-    _require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
-    lanes, boundary = len(moment.before), moment.boundary
-    reset = _lanes(moment.resets, lanes)
-    for bucket, (falls, rises) in enumerate(zip(moment.falls, moment.rises, strict=True)):
-        was = machine.opens[moment.before, bucket, boundary - 1]
-        inside = boundary < machine.slots
-        becomes = machine.opens[moment.after, bucket, boundary] if inside else np.zeros_like(was)
-        computed = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
-        expected = np.where(reset, False, becomes)
-        _require(np.array_equal(computed, expected), f"bucket {bucket} is open in other pixels")
+        # The open buckets before a moment, minus `falls`, plus `rises`, are those after it.
+        _require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
+        lanes, boundary = len(moment.before), moment.boundary
+        reset = _lanes(moment.resets, lanes)
+        for bucket, (falls, rises) in enumerate(zip(moment.falls, moment.rises, strict=True)):
+            was = machine.opens[moment.before, bucket, boundary - 1]
+            inside = boundary < machine.slots
+            becomes = (
+                machine.opens[moment.after, bucket, boundary] if inside else np.zeros_like(was)
+            )
+            computed = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
+            expected = np.where(reset, False, becomes)
+            _require(np.array_equal(computed, expected), f"bucket {bucket} is open in other pixels")
 
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:

@@ -11,7 +11,8 @@ from nscc.lower.lowered import Lowered
 from nscc.pipeline import Compiled, Observer, Options, Unfit, run_passes
 from nscc.program.program import Codes, Program
 from nscc.source import Source
-from nscc.syntax.parse import read_source
+from nscc.syntax import tree
+from nscc.syntax.parse import parse, read_source
 
 CHECK = Options(level=1, unproved_is_error=False)
 """Options of `nscc check`: a short search; a note tells if only a longer search can decide."""
@@ -61,3 +62,17 @@ def _with_ways_out(
         replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d
         for d in diagnostics
     ]
+
+
+def files_of(program: Path) -> set[Path]:
+    """Return the program's path and the paths of the targets, codebooks and pixel codes that it
+    names."""
+    files = {program}
+    try:
+        statements = parse(read_source(program))[0].statements
+    except Rejected:
+        return files
+    for statement in statements:
+        if isinstance(statement, tree.TargetFromFile | tree.FromFile | tree.PixelsFromFile):
+            files.add(program.parent / statement.path.value)
+    return files

@@ -18,9 +18,9 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
-from nscc.program.pixel_codes import Ranges, codes_from_arrays, codes_from_file
+from nscc.program.pixel_codes import codes_from_arrays, codes_from_file
 from nscc.source import Source
-from nscc.stream.planes import with_planes
+from nscc.stream.passes import with_planes
 from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container
@@ -61,7 +61,11 @@ def with_pixels(
     target, fields = container.target, container.table.fields
     if pixels is not None:
         size = (container.table, target.rows, target.cols)
-        mode, ranges = container.notes.get("codes", ""), partial(_ranges, container, Path(name))
+        program = Path(name)
+        source = Source(program.name, "\n".join(container.source_lines))
+        mode, ranges = (
+            container.notes.get("codes", ""), partial(ranges_of, source, target, program.parent)
+        )  # fmt: skip
         codes = (
             codes_from_file(pixels, *size, mode=mode, ranges=ranges)
             if isinstance(pixels, Path)
@@ -89,12 +93,6 @@ def with_pixels(
 def _laid(container: Container) -> Container:
     """Add the bit planes of the pixel codes, for a chip without logic."""
     return with_planes(container) if container.target.streamed else container
-
-
-def _ranges(container: Container, program: Path) -> Ranges:
-    """Return the ranges of the fields in the source text that a container includes."""
-    source = Source(program.name, "\n".join(container.source_lines))
-    return ranges_of(source, container.target, program.parent)
 
 
 def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:

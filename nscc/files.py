@@ -171,8 +171,12 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         with open(path, "ab") as file:
             _fill(file, data)
         return []
+    from hashlib import sha256
+
     final = Path(os.path.realpath(path))
-    temporary = _temporary_beside(final)
+    # The name is short, and no other write of this or another process or machine uses it.
+    digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]
+    temporary = final.with_name(f".{digest}.{os.getpid()}.{next(_writes)}.part")
     # A killed process may have left it, and process numbers repeat quickly in containers.
     temporary.unlink(missing_ok=True)
     old_mode = final.stat().st_mode & 0o777 if final.exists() else None
@@ -188,16 +192,6 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         temporary.unlink(missing_ok=True)
         raise
     return [(temporary, final)]
-
-
-def _temporary_beside(final: Path) -> Path:
-    """Return a short file name beside `final` that no other write uses.
-
-    It consists of a digest of file and machine name, the process number, and a count of writes."""
-    from hashlib import sha256
-
-    digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]
-    return final.with_name(f".{digest}.{os.getpid()}.{next(_writes)}.part")
 
 
 def _fill(file: BinaryIO, data: Product) -> None:

@@ -39,14 +39,7 @@ def findings() -> Iterator[Finding]:
     yield Finding(GOOD, f"nscc {__version__}")
     python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
     yield Finding(GOOD, f"Python {python} on {system}")
-    yield from _packages()
-    yield _grammar()
-    yield _targets()
-    yield _cache()
-
-
-def _packages() -> Iterator[Finding]:
-    """Check the required packages and those of every extra."""
+    # The required packages and those of every extra.
     of = extras()
     for extra in sorted({*of.values()}.difference(_OWN_WORK)):
         version_of = {name: _version(name) for name in sorted(of) if of[name] == extra}
@@ -67,6 +60,10 @@ def _packages() -> Iterator[Finding]:
             yield Finding(
                 GOOD, label + ", ".join(f"{n} {version}" for n, version in version_of.items())
             )
+    _tree, problems = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
+    yield Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
+    yield _targets()
+    yield _cache()
 
 
 def _version(distribution: str) -> str:
@@ -84,11 +81,6 @@ def _import_error(distribution: str) -> str:
     except Exception as error:  # a package may raise anything while it is imported
         return " ".join(f"{type(error).__name__}: {error}".split())[:100]
     return ""
-
-
-def _grammar() -> Finding:
-    _tree, problems = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
-    return Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
 
 
 def _targets() -> Finding:

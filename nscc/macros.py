@@ -163,18 +163,15 @@ def _not(x: Sequence[str]) -> Ops:
     return _in_place("NOR", x) if len(x) == 1 else (_word(BY_NAME["NOT"], x[:1], x[1:]),)
 
 
-def _or_nor(kind: str) -> Callable[[Sequence[str]], Ops]:
-    def write(x: Sequence[str]) -> Ops:
-        destination, sources = x[0], x[1:]
-        if len(sources) > 1 and destination not in sources:
-            return (_word(BY_NAME[kind], x[:1], sources),)
-        for index, register in enumerate(sources, start=1):
-            if register in sources[: index - 1]:
-                raise OperandError(f"{kind} names {register} twice as a source", index)
-        other_sources = [register for register in sources if register != destination]
-        return _in_place(kind, (destination, *other_sources))
-
-    return write
+def _or_nor(kind: str, x: Sequence[str]) -> Ops:
+    destination, sources = x[0], x[1:]
+    if len(sources) > 1 and destination not in sources:
+        return (_word(BY_NAME[kind], x[:1], sources),)
+    for index, register in enumerate(sources, start=1):
+        if register in sources[: index - 1]:
+            raise OperandError(f"{kind} names {register} twice as a source", index)
+    other_sources = [register for register in sources if register != destination]
+    return _in_place(kind, (destination, *other_sources))
 
 
 _WORDS = {row.name: _native(row) for row in OPERATIONS}
@@ -263,8 +260,8 @@ def _written(forms: Mapping[int, _Form], arguments: Sequence[str]) -> Ops:
 _IN_PLACE = (
     Mnemonic("REFRESH", "REFRESH d", lambda x: _in_place("REFRESH", x), 1, 1),
     Mnemonic("NOT", "NOT d, x` or, in place, `NOT d", _not, 1, 2),
-    Mnemonic("OR", "OR d, x0, x1, ..` or, in place, `OR d, x", _or_nor("OR"), 2, None),
-    Mnemonic("NOR", "NOR d, x0, x1, ..` or, in place, `NOR d, x", _or_nor("NOR"), 2, None),
+    Mnemonic("OR", "OR d, x0, x1, ..` or, in place, `OR d, x", partial(_or_nor, "OR"), 2, None),
+    Mnemonic("NOR", "NOR d, x0, x1, ..` or, in place, `NOR d, x", partial(_or_nor, "NOR"), 2, None),
 )
 
 MNEMONICS: dict[str, Mnemonic] = {

@@ -29,27 +29,19 @@ class UnsuitableArray(InvalidArrays):
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
     """Return version, shape, Fortran order and dtype of an .npy stream.
 
-    Raises numpy's errors for a damaged header."""
+    The length of a version 2 header is limited. Raises numpy's errors for a damaged header."""
+    from io import BytesIO
+
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
     if version == (1, 0):
         return version, *npy.read_array_header_1_0(stream)
-    return version, *npy_header_2(stream)
-
-
-def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """Read a version 2 header like `numpy.lib.format.read_array_header_2_0`, with a limit on its
-    length."""
-    from io import BytesIO
-
-    from numpy.lib import format as npy
-
     length = stream.read(4)
     if int.from_bytes(length, "little") > _MOST_HEADER_BYTES:
         raise InvalidArrays(f"the header of an array is longer than {_MOST_HEADER_BYTES} bytes")
     text = stream.read(int.from_bytes(length, "little"))
-    return npy.read_array_header_2_0(BytesIO(length + text))
+    return version, *npy.read_array_header_2_0(BytesIO(length + text))
 
 
 def npy_values(

@@ -16,14 +16,12 @@ from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
-from nscc.lower.assemble import assemble
 from nscc.lower.exposure_plan import LoweringOption, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
-from nscc.lower.lowered import Choice, Lowered, lay_out
+from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
-from nscc.prove.proof import Proof, proof_too_large, prove
-from nscc.prove.stream_proof import prove_stream
+from nscc.prove.proof import Proof, proof_too_large, prove, prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -31,7 +29,7 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.stream.sending import Sending
+    from nscc.stream.passes import Sending
 
 LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""

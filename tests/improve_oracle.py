@@ -1,6 +1,6 @@
 """Random solutions, and what the words of a solution do to pixels of every shutter.
 
-Pixels are boolean arrays (replicas, shutters); the words are those that `nscc.lower.allocate` makes
+Pixels are boolean arrays (replicas, shutters); the words are those that `nscc.lower.schedule` makes
 of the gates, run on the registers of the chip with the rule of the masked one. Whatever a solution
 may not rely on is random.
 """
@@ -16,7 +16,7 @@ import numpy as np
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
-from nscc.lower.allocate import allocate, words
+from nscc.lower.schedule import allocate, words
 
 REPLICAS = 5
 

@@ -15,10 +15,9 @@ from emulator_oracle import Chip
 from nscc.checks import check_gates, check_plans, check_schedule
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
-from nscc.lower.assemble import assemble
 from nscc.lower.exposure_plan import Misfit, plan_exposures
 from nscc.lower.gates import find_gates
-from nscc.lower.lowered import Choice, Lowered, lay_out
+from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.operations import Op
 from nscc.program.program import BucketRule, Program, SlotGrid
 from nscc.source import Source, Span

@@ -61,7 +61,7 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     """Check now and after each change; return the last exit status when the user stops it."""
-    from nscc.editing.program_files import files_of
+    from nscc.compiler import files_of
     from nscc_cli.watching import rounds
 
     if session().message_format == "sarif":
@@ -92,7 +92,7 @@ def _shown(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
     """Apply all safe fixes to a file repeatedly, because one error may hide another."""
-    from nscc.diagnostics.mend import mended
+    from nscc.diagnostics.message import mended
     from nscc.files import write_back
     from nscc.syntax.reading import read_source
 

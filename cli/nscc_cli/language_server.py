@@ -19,15 +19,11 @@ from pygls.lsp.server import LanguageServer
 
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.editing.actions import all_mended, fixes_at
-from nscc.editing.complete import complete
-from nscc.editing.document import Document
-from nscc.editing.hints import hints
+from nscc.editing.complete import Listing, Text, complete, complete_listing
+from nscc.editing.costs import hints
+from nscc.editing.document import Document, all_mended, fixes_at, outline
 from nscc.editing.hover import hover
-from nscc.editing.listing import Listing, Text, complete_listing
-from nscc.editing.mentions import alike, declaration, mention_at
-from nscc.editing.outline import outline
-from nscc.editing.rename import CannotRename, renameable, renamed
+from nscc.editing.mentions import CannotRename, alike, declaration, mention_at, renameable, renamed
 from nscc.source import Span
 from nscc.syntax.format import format_source
 from nscc_cli import protocol_values as values

@@ -10,10 +10,8 @@ from pygls import uris
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Severity
 from nscc.diagnostics.reports import full_text
-from nscc.editing.complete import Offer
-from nscc.editing.document import Document
-from nscc.editing.listing import Text
-from nscc.editing.outline import OutlineEntry
+from nscc.editing.complete import Offer, Text
+from nscc.editing.document import Document, OutlineEntry
 from nscc.source import Source, Span
 from nscc_cli.positions import Positions
 

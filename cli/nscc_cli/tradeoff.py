@@ -11,8 +11,8 @@ import click
 from nscc.files import Product
 from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, table_text
+from nscc.tradeoff.stopwatch import processor_name
 from nscc.tradeoff.synthesis import (
     Count,
     builtin_cases,
@@ -121,7 +121,7 @@ def images(file: Path, level: str, **places: Any) -> int:
     Noise is the standard deviation of the error that a kernel's words add, relative to one word.
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
-    from nscc.tradeoff.images import image_points
+    from nscc.tradeoff.synthesis import image_points
 
     outputs = output_files(places)
     points = image_points(file, int(level))

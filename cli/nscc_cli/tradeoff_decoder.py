@@ -7,8 +7,8 @@ from typing import Any
 
 import click
 
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text, table_text
+from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli import options as shared
 from nscc_cli.options import COUNT, PATH
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling

@@ -11,8 +11,8 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import Product
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
+from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of

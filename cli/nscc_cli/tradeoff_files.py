@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from nscc import __version__
-from nscc.cache.contents import content
-from nscc.cache.digest import digest, package_digest
+from nscc.cache.digest import content, digest, package_digest
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.rows import Rows
+from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli.support import say_done
 
 STORE = ".measurements.sqlite"

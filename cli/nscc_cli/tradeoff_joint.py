@@ -8,8 +8,8 @@ from typing import Any
 import click
 
 from nscc.pipeline import LEVELS
-from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import STAGES, csv_text
+from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of

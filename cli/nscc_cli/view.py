@@ -78,7 +78,7 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         "without --gates it draws shutters",
     )
     assert compiled.lowered is not None  # programs that do not fit are rejected
-    from nscc.emit.looking_network import network_of
+    from nscc.emit.network import network_of
     from nscc_runtime.pictures.gate_sheet import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 

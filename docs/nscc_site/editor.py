@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from pygments import lex
 from pygments.token import Comment, Keyword, Number
 
+from nscc.editing.costs import hints
 from nscc.editing.document import Document
-from nscc.editing.hints import hints
 from nscc.editing.hover import hover
 from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.sheet import WIDTH, png_of

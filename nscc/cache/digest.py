@@ -1,4 +1,4 @@
-"""Digests of frozen values: 64 hexadecimal digits."""
+"""Digests of frozen values, files and folders: 64 hexadecimal digits."""
 
 from __future__ import annotations
 
@@ -16,6 +16,30 @@ from typing import Any
 import numpy as np
 
 from nscc.plugins import sources
+
+
+def content(path: Path) -> str:
+    """Return the digest of a file, or of all files of a folder with their names; "" if the path
+    does not exist."""
+    try:
+        if path.is_dir():
+            files = sorted(entry for entry in path.rglob("*") if entry.is_file())
+            return digest([(entry.relative_to(path).as_posix(), content(entry)) for entry in files])
+        status = path.stat()
+        return _content(path.resolve(), status.st_size, status.st_mtime_ns)
+    except (OSError, ValueError):
+        return ""
+
+
+@cache
+def _content(path: Path, _size: int, _mtime_ns: int) -> str:
+    """Return the digest of a file; memoized by path, size and modification time."""
+    with open(path, "rb") as file:
+        running = sha256()
+        while block := file.read(1 << 20):
+            running.update(block)
+    return running.hexdigest()
+
 
 _ROOT = Path(__file__).resolve().parents[1]
 _DECIDES = (".py", ".toml", ".safetensors")
@@ -61,7 +85,14 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
-            paths = _deciding(root)
+            paths = [root]
+            if not root.is_file():
+                paths = sorted(
+                    Path(folder) / file
+                    for folder, _, files in os.walk(root)
+                    for file in files
+                    if file.endswith(_DECIDES)
+                )
             if not paths:
                 return None
             for path in paths:
@@ -70,18 +101,6 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
     except OSError:
         return None
     return running.hexdigest()
-
-
-def _deciding(root: Path) -> list[Path]:
-    """Return the source and data files under `root` on which the behaviour of its code depends."""
-    if root.is_file():
-        return [root]
-    return sorted(
-        Path(folder) / name
-        for folder, _, names in os.walk(root)
-        for name in names
-        if name.endswith(_DECIDES)
-    )
 
 
 def _token(value: Any, known: dict[int, bytes]) -> bytes:

@@ -1,13 +1,23 @@
-"""The type of all errors, warnings and notes."""
+"""The type of all errors, warnings and notes, and the application of their safe fixes.
+
+The number of printed errors of one text is limited, because users fix a few at a time."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
 from nscc.source import Source, Span
+
+MOST_ERRORS = 20
+
+
+def more_errors(count: int, source: Source) -> Diagnostic:
+    """Return the message (NS0190) with the number of errors that are not printed."""
+    errors = "error" if count == 1 else "errors"
+    return Diagnostic("NS0190", f"and {count} more {errors} in the text", source=source)
 
 
 class Severity(StrEnum):
@@ -79,3 +89,22 @@ class Diagnostic:
     ways_out: tuple[str, ...] = ()
     fixes: tuple[Fix, ...] = ()
     data: Mapping[str, Any] = field(default_factory=dict)
+
+
+def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
+    """Apply the safe fixes of a text's diagnostics; return the text and the number of fixes.
+
+    The first safe fix of each diagnostic is used. Of overlapping fixes, the last in the text is
+    applied."""
+    fixes = []
+    for diagnostic in diagnostics:
+        sure = [fix for fix in diagnostic.fixes if fix.sure]
+        if sure and diagnostic.source is not None and diagnostic.source.text == source.text:
+            fixes.append(sure[0])
+    text, count, begun = source.text, 0, len(source.text) + 1
+    for fix in sorted(fixes, key=lambda fix: fix.span.start, reverse=True):
+        if fix.span.end <= begun and fix.span.start < begun:
+            text = text[: fix.span.start] + fix.replacement + text[fix.span.end :]
+            begun = fix.span.start
+            count += 1
+    return replace(source, text=text), count

@@ -94,7 +94,7 @@ def _places(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str
 
 
 def _human(diagnostic: Diagnostic, color: bool) -> str:
-    paint = _painted if color else _unpainted
+    paint = _painted if color else lambda _code, text: text
     head = paint(_PAINT[diagnostic.severity], f"{diagnostic.severity}[{diagnostic.code}]")
     lines = [head + paint(_BOLD, f": {_one_line(diagnostic.message)}")]
     source = diagnostic.source
@@ -115,10 +115,6 @@ def _human(diagnostic: Diagnostic, color: bool) -> str:
 
 def _painted(code: str, text: str) -> str:
     return f"{code}{text}{_PLAIN}"
-
-
-def _unpainted(_code: str, text: str) -> str:
-    return text
 
 
 def _labelled(

@@ -1,4 +1,5 @@
-"""Completion of words, names and files in a program's text."""
+"""Completion of words, names and files in a program's text, and of assembly text in an editor with
+the errors of `nscc asm`."""
 
 from __future__ import annotations
 
@@ -6,13 +7,17 @@ import os
 import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from hashlib import sha256
+from pathlib import Path
 from typing import Literal
 
-from nscc.chips.load import target_names
-from nscc.editing.document import Document
-from nscc.program.names import PREDEFINED
-from nscc.program.scopes import (
+from nscc.chips.load import DEFAULT_NAME, builtin_target, load_target, target_names
+from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.editing.document import CheckResult, Document
+from nscc.macros import mnemonics
+from nscc.program.constants import (
     at_scope,
     constants_scope,
     next_scope,
@@ -20,13 +25,15 @@ from nscc.program.scopes import (
     require_scope,
     rule_scope,
 )
+from nscc.program.names import PREDEFINED
 from nscc.source import Source, Span
 from nscc.syntax.grammar import END
-from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.lexer import Stuck, Tokens, lex, read
 from nscc.syntax.parse import statement_starts
-from nscc.syntax.statement import Stuck, read
 from nscc.syntax.tree import Bucket
 from nscc.syntax.words import FORMS, reserved, statement_words
+from nscc.words.assembly import assemble
+from nscc.words.directives import DIRECTIVES
 
 _MOST_FILES = 200
 _MOST_HASHED_BYTES = 64 << 20
@@ -59,7 +66,26 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
         return Span(offset, offset), []
     starts = statement_starts(tokens)
     if tokens.kinds[-1:] == ["UNCLOSED"]:
-        return _in_quotes(document, tokens, starts, offset)
+        opening = len(tokens.kinds) - 1
+        span = Span(tokens.span(opening).start + 1, offset)
+        begin = starts[-1] if starts else 0
+        statement, before = tokens.kinds[begin], tokens.kinds[opening - 1] if opening else ""
+        if before == "sha256":
+            named = [
+                tokens.text(k)[1:-1] for k in range(begin, opening) if tokens.kinds[k] == "TEXT"
+            ]
+            try:
+                path = document.folder / named[0]
+                if path.stat().st_size <= _MOST_HASHED_BYTES:
+                    digest = sha256(path.read_bytes()).hexdigest()
+                    return span, [Offer(digest, "digest", f"of {named[0]}")]
+            except (OSError, ValueError, IndexError):
+                pass
+            return span, []
+        ending = _ENDINGS.get(statement)
+        if ending is None:
+            return span, []
+        return span, list(_files(document, document.text[span.start : offset], ending))
     match = _WORD.search(before)
     typed = match.group() if match else ""
     span = Span(offset - len(typed), offset)
@@ -88,7 +114,19 @@ class _Place:
         else:
             expected = Stuck(len(kinds), tuple(self.tokens.lark_tokens[begin:])).expected
         if "NAME" in expected:
-            yield from self._names(statement, begin)
+            kinds, declared = self.tokens.kinds[begin:], self.document.declared
+            last, first = kinds[-1], len(kinds) == 1
+            if last == "exposure":
+                buckets = (rule.name.text for rule in declared.rules if isinstance(rule, Bucket))
+                yield from (Offer(name, "name", "a bucket") for name in buckets)
+            elif statement == "code" and last == "of":
+                yield from (Offer(name, "name", "a codebook") for name in declared.books)
+            elif first and statement == "pixels":
+                yield from (Offer(name, "name", "a field") for name in declared.codes)
+            elif statement == "read" or (first and statement == "next"):
+                yield from (Offer(name, "name", "a state") for name in declared.states)
+            elif not first and last not in ("key", "kept"):
+                yield from self._known(statement, kinds)
         if "TARGET_NAME" in expected:
             yield from (Offer(name, "target", "a chip") for name in target_names())
         words = reserved(self.tokens.version).difference(FORMS)
@@ -96,28 +134,9 @@ class _Place:
         if statement == "bucket" and "open" in expected:
             yield Offer("open", "word")
         if END in expected:
-            yield from self._statements()
-
-    def _statements(self) -> Iterator[Offer]:
-        for word in statement_words(self.tokens.version):
-            if word not in _ONCE or word not in self.document.tokens.kinds:
-                yield Offer(word, "word", FORMS[word][0])
-
-    def _names(self, statement: str, begin: int) -> Iterator[Offer]:
-        """Yield the names that are visible at this place of a statement."""
-        kinds, declared = self.tokens.kinds[begin:], self.document.declared
-        last, first = kinds[-1], len(kinds) == 1
-        if last == "exposure":
-            buckets = (rule.name.text for rule in declared.rules if isinstance(rule, Bucket))
-            yield from (Offer(name, "name", "a bucket") for name in buckets)
-        elif statement == "code" and last == "of":
-            yield from (Offer(name, "name", "a codebook") for name in declared.books)
-        elif first and statement == "pixels":
-            yield from (Offer(name, "name", "a field") for name in declared.codes)
-        elif statement == "read" or (first and statement == "next"):
-            yield from (Offer(name, "name", "a state") for name in declared.states)
-        elif not first and last not in ("key", "kept"):
-            yield from self._known(statement, kinds)
+            for word in statement_words(self.tokens.version):
+                if word not in _ONCE or word not in self.document.tokens.kinds:
+                    yield Offer(word, "word", FORMS[word][0])
 
     def _known(self, statement: str, kinds: Collection[str]) -> Iterator[Offer]:
         declared, constants = self.document.declared, self.document.constants
@@ -150,24 +169,6 @@ class _Place:
                 yield Offer(name, "name", f"{description}{value}".strip())
 
 
-def _in_quotes(
-    document: Document, tokens: Tokens, starts: list[int], offset: int
-) -> tuple[Span, list[Offer]]:
-    """Return completions inside quotes: file names, or the digest of the statement's file after
-    `sha256`."""
-    opening = len(tokens.kinds) - 1
-    span = Span(tokens.span(opening).start + 1, offset)
-    begin = starts[-1] if starts else 0
-    statement, before = tokens.kinds[begin], tokens.kinds[opening - 1] if opening else ""
-    if before == "sha256":
-        named = [tokens.text(k)[1:-1] for k in range(begin, opening) if tokens.kinds[k] == "TEXT"]
-        return span, [Offer(text, "digest", f"of {named[0]}") for text in _digest(document, named)]
-    ending = _ENDINGS.get(statement)
-    if ending is None:
-        return span, []
-    return span, list(_files(document, document.text[span.start : offset], ending))
-
-
 def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
     """Yield files that end in `ending`, and folders, in the folder of the typed path."""
     inside = typed[: typed.rfind("/") + 1]
@@ -181,10 +182,64 @@ def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
             yield Offer(inside + entry.name + "/" * entry.is_dir(), "file")
 
 
-def _digest(document: Document, named: list[str]) -> Iterator[str]:
-    try:
-        path = document.folder / named[0]
-        if path.stat().st_size <= _MOST_HASHED_BYTES:
-            yield sha256(path.read_bytes()).hexdigest()
-    except (OSError, ValueError, IndexError):
-        return
+_TYPED = re.compile(r"[.\w-]*\Z")
+_TARGET = re.compile(r"^[ \t]*\.target[ \t]+\"?([^\s\"]+)", re.MULTILINE)
+_KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Listing:
+    """Assembly text, possibly unsaved or invalid; fields as in `Document`."""
+
+    name: str
+    text: str
+    folder: Path
+
+    @cached_property
+    def checked(self) -> CheckResult:
+        """The result of `nscc asm`."""
+        try:
+            assemble(Source(self.name, self.text), self.folder)
+        except Rejected as rejected:
+            return CheckResult(rejected.diagnostics, None)
+        return CheckResult((), None)
+
+    @cached_property
+    def target(self) -> Target:
+        """The chip that the text names; scamp5 if it names no chip or an unknown one."""
+        named = _TARGET.search(self.text)
+        try:
+            return load_target(named[1] if named else DEFAULT_NAME, self.folder)
+        except Rejected:
+            return builtin_target(DEFAULT_NAME)
+
+
+Text = Document | Listing
+
+
+def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
+    """Return the span that a completion replaces, and the completions at `offset`.
+
+    At the start of a line, completions are directives and instructions; later they are targets,
+    kernels or registers."""
+    line = listing.text[:offset].rpartition("\n")[2]
+    typed = match.group() if (match := _TYPED.search(line)) else ""
+    before = line[: len(line) - len(typed)]
+    offers = [] if re.search(r"[;#|]", before) else [*_offers(listing, before.split())]
+    return Span(offset - len(typed), offset), offers
+
+
+def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
+    if not before:
+        yield from (Offer(name, "word", "a directive") for name in DIRECTIVES)
+        known = mnemonics(listing.target.words)
+        yield from (Offer(name, "word", mnemonic.usage) for name, mnemonic in known.items())
+    elif before[0] == ".target":
+        yield from (Offer(name, "target", "a chip") for name in target_names())
+    elif before[0] == ".slot":
+        yield from (Offer(name, "name", "a kernel") for name in _KERNEL.findall(listing.text))
+    elif not before[0].startswith(".") or before[0] in (".load", ".plane", ".readout"):
+        target = listing.target
+        yield from (Offer(name, "name", "a digital register") for name in target.digital_registers)
+        yield from (Offer(name, "name", "an analog register") for name in target.analog_registers)
+        yield from (Offer(name, "name") for name in ("FLAG", "PIX"))

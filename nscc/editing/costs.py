@@ -1,29 +1,50 @@
-"""Costs of a frame and its slots in words.
+"""Costs of a frame and its slots in words, and inlay hints.
 
-The functions return None if the text has errors or only a longer search can determine the costs."""
+The functions on costs return None if the text has errors or only a longer search can determine the
+costs."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 from nscc.editing.document import Document
 from nscc.lower.lowered import Lowered
 from nscc.lower.resources import time_text
 from nscc.pipeline import Compiled
-from nscc.program.problems import counted
+from nscc.program.problems import clipped, counted
+from nscc.syntax import tree
 
 
-def in_short(document: Document) -> str | None:
-    """Return the cost of a frame and its shortest slot length, in a few words."""
-    compiled = document.checked.compiled
-    shortest_us = _shortest_slot_us(compiled)
-    if compiled is None or shortest_us is None:
-        return None
-    lowered = compiled.lowered
-    cost = (
-        counted(len(compiled.program.frame.slot_us), "plane")
-        if lowered is None
-        else counted(lowered.schedule.words_total, "word")
-    )
-    return f"{cost} a frame, shortest slot {time_text(shortest_us)}"
+@dataclass(frozen=True, slots=True)
+class Hint:
+    """A text shown after the character before `offset`."""
+
+    offset: int
+    text: str
+
+
+def hints(document: Document) -> Iterator[Hint]:
+    """Yield the frame's cost if the program fits, and the value of every `let` that is an
+    expression."""
+    for statement in document.parsed[0].statements:
+        match statement:
+            case tree.EqualSlots() | tree.ListedSlots():
+                compiled = document.checked.compiled
+                shortest_us = _shortest_slot_us(compiled)
+                if compiled is not None and shortest_us is not None:
+                    lowered = compiled.lowered
+                    cost = (
+                        counted(len(compiled.program.frame.slot_us), "plane")
+                        if lowered is None
+                        else counted(lowered.schedule.words_total, "word")
+                    )
+                    text = f"{cost} a frame, shortest slot {time_text(shortest_us)}"
+                    yield Hint(statement.span.end, text)
+            case tree.Let() if not isinstance(statement.value, tree.Int):
+                meaning = document.constants.get(statement.name.text)
+                if meaning is not None and meaning.kind == "constant":
+                    yield Hint(statement.span.end, f"= {clipped(meaning.value)}")
 
 
 def frame_cost(document: Document) -> str | None:

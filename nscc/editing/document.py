@@ -1,27 +1,28 @@
-"""A program text in an editor, with analyses that are computed when first needed."""
+"""A program text in an editor, with analyses that are computed when first needed: its outline, and
+the fixes of its messages."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 from nscc.chips.target import Target
 from nscc.compiler import CHECK, compile_source
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Rejected
+from nscc.diagnostics.message import mended
 from nscc.pipeline import Compiled
 from nscc.program.analyse import target_of
-from nscc.program.books import Digits, make_books
-from nscc.program.constants import resolve_constants
+from nscc.program.constants import constants_scope, resolve_constants
 from nscc.program.expressions import Meaning
-from nscc.program.fields import make_fields
+from nscc.program.fields import Digits, make_books, make_fields
 from nscc.program.looking import Looking, make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems
 from nscc.program.program import Field
-from nscc.program.scopes import constants_scope
-from nscc.source import Source
+from nscc.source import Source, Span
+from nscc.syntax import tree
 from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.parse import parse
 from nscc.syntax.reading import source_of
@@ -106,3 +107,72 @@ class Document:
     def _unheard(self) -> Problems:
         """Return a collector of errors that are ignored, because `checked` reports them."""
         return Problems(self.source)
+
+
+def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]:
+    """Yield the messages and their fixes at `span`: the message or the change touches it."""
+    for diagnostic in document.checked.diagnostics:
+        if diagnostic.source is None or diagnostic.source.text != document.text:
+            continue
+        for fix in diagnostic.fixes:
+            places = [fix.span] if diagnostic.label is None else [fix.span, diagnostic.label.span]
+            if any(place.start <= span.end and span.start <= place.end for place in places):
+                yield diagnostic, fix
+
+
+def all_mended(document: Document) -> str | None:
+    """Return the text after applying all safe fixes once, as `nscc check --fix` does; None without
+    fixes."""
+    better, count = mended(document.source, document.checked.diagnostics)
+    return better.text if count else None
+
+
+_KINDS = {
+    tree.EqualSlots: "frame",
+    tree.ListedSlots: "frame",
+    tree.Let: "let",
+    tree.CodeRange: "code",
+    tree.CodeBits: "code",
+    tree.CodeRow: "code",
+    tree.BookInline: "shutters",
+    tree.BookFromFile: "shutters",
+    tree.Open: "open",
+    tree.Bucket: "bucket",
+    tree.Sense: "sense",
+    tree.StateRange: "state",
+    tree.StateBit: "state",
+}
+"""The statements in the outline, with the keyword of each."""
+
+_LONGEST = 60
+
+
+@dataclass(frozen=True, slots=True)
+class OutlineEntry:
+    """A statement in the outline.
+
+    `kind` is its first word, which is also its `name` if it declares no name. `detail` is a short
+    form of the rest of the statement. `at` is the place of the name."""
+
+    name: str
+    detail: str
+    kind: str
+    span: Span
+    at: Span
+
+
+def outline(document: Document) -> list[OutlineEntry]:
+    """Return the named statements, the frame and the rule, in the order of the text."""
+    entries = []
+    for statement in document.parsed[0].statements:
+        kind = _KINDS.get(type(statement))
+        if kind is None:
+            continue
+        span, name = statement.span, getattr(statement, "name", None)
+        first = document.text[span.start : span.end].split(None, 1)[0]
+        at = Span(span.start, span.start + len(first)) if name is None else name.span
+        detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
+        if len(detail) > _LONGEST:
+            detail = detail[: _LONGEST - 3] + "..."
+        entries.append(OutlineEntry(kind if name is None else name.text, detail, kind, span, at))
+    return entries

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,16 +65,12 @@ def _bucket(document: Document, mention: Mention) -> str | None:
     text = "one of the exposures of a frame"
     if compiled is None or compiled.program.machine is not None or mention.name not in names:
         return text
-    return f"{text}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
-
-
-def _open_slots(shutters: np.ndarray[tuple[int, int], np.dtype[np.bool_]]) -> str:
-    """Return for how many slots `shutters` (shutters, N) are open, in words."""
+    shutters = compiled.program.table.shutters[:, names.index(mention.name)]
     opened = shutters.sum(axis=1)
     least, most = int(opened.min()), int(opened.max())
-    slots = shutters.shape[1]
     span = f"{least}" if least == most else f"{least} to {most}"
-    return f"{counted(len(shutters), 'shutter')}, open in {span} of {counted(slots, 'slot')}."
+    slots = counted(shutters.shape[1], "slot")
+    return f"{text}. {counted(len(shutters), 'shutter')}, open in {span} of {slots}."
 
 
 def _meaning(document: Document, mention: Mention) -> str | None:
@@ -94,7 +89,15 @@ def _meaning(document: Document, mention: Mention) -> str | None:
         return _sense(document, name)
     if name in declared.states:
         return _state(document, name)
-    return _picture(document, name) or _predefined(document, name)
+    picture = _picture(document, name)
+    if picture is not None:
+        return picture
+    if name == LOOKS and document.tokens.version > 1:
+        return "the number of boundaries with a sense so far, including this one"
+    meaning = document.constants.get(name)
+    if name in PREDEFINED and meaning is not None and meaning.kind == "constant":
+        return f"{PREDEFINED[name]}: {meaning.value}"
+    return PREDEFINED.get(name)
 
 
 def _picture(document: Document, name: str) -> str | None:
@@ -159,12 +162,8 @@ def _field(document: Document, name: str) -> str:
 
 
 def _sense(document: Document, name: str) -> str:
-    looking = document.looking
-    sense = (
-        next((candidate for candidate in looking.senses if candidate.name == name), None)
-        if looking
-        else None
-    )
+    senses = document.looking.senses if document.looking else ()
+    sense = next((sense for sense in senses if sense.name == name), None)
     if sense is None:
         return "the light that a pixel compares"
     listed = ", ".join(map(str, sense.at[:_MOST_VALUES])) + ", .." * (len(sense.at) > _MOST_VALUES)
@@ -176,12 +175,8 @@ def _sense(document: Document, name: str) -> str:
 
 
 def _state(document: Document, name: str) -> str:
-    looking = document.looking
-    state = (
-        next((candidate for candidate in looking.states if candidate.name == name), None)
-        if looking
-        else None
-    )
+    states = document.looking.states if document.looking else ()
+    state = next((state for state in states if state.name == name), None)
     if document.declared.keeps_planes:
         return "a kept plane: images and planes read its bits of the previous frame"
     if state is None:
@@ -190,15 +185,6 @@ def _state(document: Document, name: str) -> str:
     kept_text = ", kept from frame to frame" if state.is_kept else ""
     read = ", read out with the frame" if name in document.declared.reads else ""
     return f"a value that a pixel remembers: {values}, {state.start} at the start{kept_text}{read}"
-
-
-def _predefined(document: Document, name: str) -> str | None:
-    if name == LOOKS and document.tokens.version > 1:
-        return "the number of boundaries with a sense so far, including this one"
-    meaning = document.constants.get(name)
-    if name in PREDEFINED and meaning is not None and meaning.kind == "constant":
-        return f"{PREDEFINED[name]}: {meaning.value}"
-    return PREDEFINED.get(name)
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
@@ -213,21 +199,21 @@ def _frame(document: Document, offset: int) -> Hover | None:
                 if length.span.start <= offset <= length.span.end:
                     text = slot_cost(document, slot)
                     return None if text is None else Hover(length.span, text)
+        texts = []
+        count = document.constants["N"]
+        if count.kind == "constant":
+            lengths = (
+                [statement.length.us] * count.value
+                if isinstance(statement, tree.EqualSlots)
+                else [length.us for length in statement.lengths]
+            )
+            all_slots = counted(count.value, "slot")
+            texts.append(f"{all_slots}, {time_text(float(sum(lengths)))} in all.")
         cost = frame_cost(document)
-        texts = [*_lengths(document, statement), *([] if cost is None else [cost])]
+        if cost is not None:
+            texts.append(cost)
         return Hover(statement.span, " ".join(texts)) if texts else None
     return None
-
-
-def _lengths(document: Document, statement: tree.EqualSlots | tree.ListedSlots) -> Iterator[str]:
-    count = document.constants["N"]
-    if count.kind != "constant":
-        return
-    if isinstance(statement, tree.EqualSlots):
-        lengths = [statement.length.us] * count.value
-    else:
-        lengths = [length.us for length in statement.lengths]
-    yield f"{counted(count.value, 'slot')}, {time_text(float(sum(lengths)))} in all."
 
 
 def _word(document: Document, offset: int) -> Hover | None:

@@ -2,25 +2,123 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from nscc.emit.sending_report import sending_text, sent_lines
 from nscc.looks.looking_plan import LookingPlan
 from nscc.looks.passes import LookingLowered
 from nscc.looks.solve import Item
-from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
-from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
-from nscc.program.printing import print_program
-from nscc.program.program import Program
-from nscc.prove.proof import Proof
-from nscc.stream.sending import Sending
-from nscc.syntax.printing import print_tree
-from nscc.words.container import Container
+from nscc.lower.schedule import allocate
+from nscc.program.problems import counted
+from nscc.program.program import Field, Program, SlotGrid
+from nscc.source import Source
+from nscc.stream.passes import Sending
+from nscc.syntax.tree import File, Node
 from nscc.words.disassembly import disassemble
+
+_MOST_SHUTTERS = 64
+_MOST_SLOTS = 256
+
+
+def print_program(program: Program) -> str:
+    """Return fields, frame, class and decode table of `program` as text.
+
+    Shutters are rows of 0 and 1, slot 0 first, with the number of their codes; long tables and rows
+    are shortened."""
+    table = program.table
+    data = "no data"
+    if program.pixel_codes is not None:
+        rows, cols = program.pixel_codes.shape
+        data = f"data for {rows} x {cols} pixels"
+    lines = [
+        f"target   {program.target.name}",
+        f"frame    {_frame_text(program.frame)}",
+        *(f"field    {_field_text(field)}" for field in program.fields),
+        *(f"bucket   {bucket.name}" for bucket in program.buckets),
+        f"class    {program.class_name}: {program.class_reason}",
+        f"codes    {counted(len(table.codes), 'code')} compiled ({program.mode}), "
+        f"{program.legal_codes if program.legal_codes is not None else 'too many to count'} "
+        f"allowed, {data}",
+        f"shutters {len(table.shutters)} distinct",
+        *_shutter_lines(program),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _frame_text(frame: SlotGrid) -> str:
+    total = f"{sum(frame.slot_us):g} us in all"
+    slots = counted(len(frame.slot_us), "slot")
+    if frame.equal:
+        return f"{slots} of {frame.slot_us[0]:g} us, {total}"
+    shown = ", ".join(f"{us:g}" for us in frame.slot_us[:16])
+    ellipsis = ", ..." if len(frame.slot_us) > 16 else ""
+    return f"{slots} of {shown}{ellipsis} us, {total}"
+
+
+def _field_text(field: Field) -> str:
+    text = f"{field.name} : {field.low}..{field.high}"
+    if field.kind == "bits":
+        return f"{text} ({counted(field.bits or 0, 'free bit')})"
+    if field.kind == "row":
+        return f"{text} (row of {field.book})"
+    return text
+
+
+def _shutter_lines(program: Program) -> list[str]:
+    table = program.table
+    users = [0] * len(table.shutters)
+    for shutter in table.shutter_of_code.tolist():
+        users[shutter] += 1
+    slots = len(program.frame.slot_us)
+    cut = f" ... ({slots - _MOST_SLOTS} slots more)" if slots > _MOST_SLOTS else ""
+    lines = []
+    for number, shutter in enumerate(table.shutters[:_MOST_SHUTTERS]):
+        rows = [
+            "".join("1" if is_open else "0" for is_open in row[:_MOST_SLOTS].tolist()) + cut
+            for row in shutter
+        ]
+        lines.append(f"{number:6}  {' | '.join(rows)}  {counted(users[number], 'code')}")
+    if len(table.shutters) > _MOST_SHUTTERS:
+        lines.append(f"        ... {len(table.shutters) - _MOST_SHUTTERS} shutters more")
+    return lines
+
+
+_LONGEST = 20
+
+
+def print_tree(file: File, source: Source) -> str:
+    """Return every node with its place, row:column, indented below its parent; long lists are
+    shortened."""
+    lines: list[str] = []
+    for statement in file.statements:
+        _print(statement, source, "", lines)
+    return "\n".join(lines) + "\n"
+
+
+def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
+    row, column = source.row_column(node.span.start)
+    plain: list[str] = []
+    inner: list[Node] = []
+    cut = 0
+    for name in node.fields[1:]:
+        value = getattr(node, name)
+        items = value if isinstance(value, tuple) else (value,)
+        nodes = [item for item in items if isinstance(item, Node)]
+        if nodes:
+            inner += nodes[:_LONGEST]
+            cut += max(0, len(nodes) - _LONGEST)
+        elif value is not None and value != ():
+            plain.append(f"{name}={value}")
+    lines.append(f"{indent}{type(node).__name__} {row}:{column} {' '.join(plain)}".rstrip())
+    for child in inner:
+        _print(child, source, indent + "  ", lines)
+    if cut:
+        lines.append(f"{indent}  .. and {cut} more")
 
 
 def plan_text(plan: ExposurePlan) -> str:
@@ -37,19 +135,6 @@ def plan_text(plan: ExposurePlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-def planned_text(planned: Planned | LookingPlan | Sending) -> str:
-    """Return all exposure plans, fewest analog writes first, and the reasons why other lowerings
-    have no plan.
-
-    For a program with senses, return its moments; for a chip without logic, the times of its bit
-    planes."""
-    if isinstance(planned, Sending):
-        return sending_text(planned)
-    if isinstance(planned, LookingPlan):
-        return _moments_text(planned)
-    return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
-
-
 def _moments_text(plan: LookingPlan) -> str:
     """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
     and open there."""
@@ -61,17 +146,6 @@ def _moments_text(plan: LookingPlan) -> str:
         texts += [f"{kind} in {v.bit_count()} of {len(moment.before)}" for kind, v in changes if v]
         lines.append(f"boundary {moment.boundary:>4} {'; '.join(texts)}")
     return "\n".join(lines) + "\n"
-
-
-def gated_text(gated: Gated | Sequence[LookingLowered]) -> str:
-    """Return the gates of every searched plan as text, best plan first."""
-    if not isinstance(gated, Gated):
-        return "".join(map(looking_gates_text, gated))
-    texts = [
-        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
-        for decoding in gated.decodings
-    ]
-    return "".join(texts) + _misfits_text(gated.misfits)
 
 
 def gates_text(decoding: Decoding, program: Program) -> str:
@@ -142,33 +216,34 @@ def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
     return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
 
 
-def schedule_of(value: Choice | Sending) -> str:
-    """Return lowerings with kernels, or the times at which planes are sent, as text."""
-    return sending_text(value) if isinstance(value, Sending) else choice_text(value)
-
-
-def container_text(container: Container) -> str:
-    """Return words as assembly text, or for a chip without logic the bit planes and readouts."""
-    if container.target.streamed:
-        return "".join(f"{line}\n" for line in sent_lines(container))
-    return disassemble(container)
-
-
-def proof_text(proof: Proof) -> str:
-    """Return the result of a proof, and its numbers of codes and slots."""
-    verdict = "holds" if proof.holds else f"fails: {proof.failure}"
-    return f"proof {verdict}: {proof.codes} codes, {proof.slots} slots\n"
-
-
 def text_after(name: str, value: Any) -> str:
     """Return the output of pass `name` of `nscc.pipeline.PASSES` as text."""
-    texts: dict[str, Callable[[Any], str]] = {
-        "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
-        "program": print_program,
-        "plan": planned_text,
-        "gates": gated_text,
-        "schedule": schedule_of,
-        "words": container_text,
-        "prove": proof_text,
-    }
-    return texts[name](value)
+    match name:
+        case "parse":
+            return print_tree(value.tree, value.source)
+        case "program":
+            return print_program(value)
+        case "plan" | "schedule" if isinstance(value, Sending):
+            return sending_text(value)
+        case "plan" if isinstance(value, LookingPlan):
+            return _moments_text(value)
+        case "plan":
+            return "".join(map(plan_text, value.plans)) + _misfits_text(value.misfits)
+        case "gates" if isinstance(value, Gated):
+            texts = [
+                f"lowering {decoding.plan.lowering}\n{gates_text(decoding, value.program)}"
+                for decoding in value.decodings
+            ]
+            return "".join(texts) + _misfits_text(value.misfits)
+        case "gates":
+            return "".join(map(looking_gates_text, value))
+        case "schedule":
+            return choice_text(value)
+        case "words" if value.target.streamed:
+            return "".join(f"{line}\n" for line in sent_lines(value))
+        case "words":
+            return disassemble(value)
+        case "prove":
+            verdict = "holds" if value.holds else f"fails: {value.failure}"
+            return f"proof {verdict}: {value.codes} codes, {value.slots} slots\n"
+    raise KeyError(name)

@@ -49,7 +49,7 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
         raise ValueError("the program has no words to write")
     if kind != "cpp" or target.streamed:
         return {name: _data(kind, compiled, compiled.container)}
-    from nscc.emit.cpp import devkit_program
+    from nscc.emit.cpp.program import devkit_program
 
     lowered = compiled.lowered
     assert lowered is not None
@@ -58,11 +58,16 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
 
 
 def _data(kind: str, compiled: Compiled, container: Container) -> bytes:
-    from nscc.emit.listing import gates_text, looking_gates_text, schedule_text, text_after
+    from nscc.emit.listing import (
+        gates_text,
+        looking_gates_text,
+        print_tree,
+        schedule_text,
+        text_after,
+    )
     from nscc.emit.report import report_bytes
     from nscc.emit.sending_report import planes_bytes, sending_text
     from nscc.looks.passes import LookingLowered
-    from nscc.syntax.printing import print_tree
     from nscc.words.file import to_bytes
     from nscc.words.legality import refuse_planes
 
@@ -93,8 +98,7 @@ def _data(kind: str, compiled: Compiled, container: Container) -> bytes:
         if isinstance(lowered, LookingLowered):
             return looking_gates_text(lowered).encode()
         return gates_text(lowered.decoding, lowered.program).encode()
-    from nscc.emit.looking_network import network_of
-    from nscc.emit.network import dot_text, graphml_bytes
+    from nscc.emit.network import dot_text, graphml_bytes, network_of
 
     network = network_of(lowered)
     return graphml_bytes(network) if kind == "graphml" else dot_text(network).encode()

@@ -10,13 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.emit.subject import subject
+from nscc.emit.report import subject
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 from nscc.prove.proof import Proof
-from nscc.stream.sending import Sending
+from nscc.stream.passes import Sending
 from nscc.words.container import Container
 from nscc.words.stream import DRAIN
 
@@ -32,7 +31,9 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
     closed_places = sorted(
         {int(place) for place in sending.route.zeros} - {*range(len(program.buckets))}
     )
-    places += [f"the rest to {_place(place, target)}" for place in closed_places]
+    for place in closed_places:
+        tap = "the drain" if place == DRAIN else f"{target.taps[place]}, which is not read"
+        places.append(f"the rest to {tap}")
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
     pixels_note = "" if proof.pixels else ", no pixels yet"
     return [
@@ -57,10 +58,6 @@ def rate_text(bits_per_us: float) -> str:
     if bits_per_us >= 1e3:
         return f"{bits_per_us / 1e3:.4g} Gbit/s"
     return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
-
-
-def _place(place: int, target: Target) -> str:
-    return "the drain" if place == DRAIN else f"{target.taps[place]}, which is not read"
 
 
 def sending_text(sending: Sending) -> str:

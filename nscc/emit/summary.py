@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nscc.emit.looks_report import looks_lines
+from nscc.emit.report import looks_lines
 from nscc.emit.sending_report import rate_text, stream_rows
-from nscc.lower.ledger import ledger
+from nscc.lower.fit import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 

@@ -13,8 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.capacity import largest_with
-from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
+from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT, largest_with
 
 MOST_DIGITS = 1 << 14
 """Most rows x slots of a codebook that is compiled for a limit; larger codebooks take long."""
@@ -144,7 +143,10 @@ def _by_slots(
     counted_as: str,
     least: int = 1,
 ) -> Family:
-    ceiling, reason = _provable(shutters)
+    ceiling = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
+    reason = f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"
+    if ceiling == MOST_SLOTS:
+        reason = f"a frame has at most {MOST_SLOTS} slots (NS0308)"
     return Family(
         name, description, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
         counted_as, lambda size: size, True, least, ceiling, reason,
@@ -192,12 +194,3 @@ def _book_by_rows(slots: int) -> Family:
         ceiling=min(MOST_DIGITS // slots, 1 << slots),
         ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits take long and are not tried",
     )
-
-
-def _provable(shutters: Callable[[int], int]) -> tuple[int, str]:
-    """Return the largest number of slots for which all codes can be proved, and the reason for the
-    limit."""
-    most = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
-    if most == MOST_SLOTS:
-        return most, f"a frame has at most {MOST_SLOTS} slots (NS0308)"
-    return most, f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"

@@ -1,19 +1,24 @@
-"""The survey of a chip's limits: every family, compiled at the sizes that the search chooses."""
+"""The survey of a chip's limits: every family, compiled at the sizes that the search chooses.
+
+First come powers of two and the last sizes before another bit is needed, then bisection between
+fitting and failing sizes. The search counts compilations instead of time, so that it ends at the
+same sizes on every machine. A survey is shown as a text table or as JSON values."""
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Generator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from nscc.chips.target import Target
+from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
-from nscc.limits.search import SizeTrial, candidates, explore
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options, run_passes
-from nscc.program.capacity import bits_needed, impossible_from
-from nscc.program.limits import MOST_SLOTS
+from nscc.program.limits import MOST_SLOTS, Count, bits_needed, impossible_from, largest_with
 from nscc.source import Source
 from nscc.words.legality import refuse_planes
 
@@ -139,3 +144,197 @@ def _unknown(limit: Limit) -> str:
     if limit.impossible is None or family.ceiling < limit.impossible - 1:
         reasons.append(f"above {family.ceiling}: {family.ceiling_reason}")
     return "; ".join(reasons)
+
+
+_HEAD = (
+    "class",
+    "built up to",
+    "impossible from",
+    "words a slot",
+    "largest slot",
+    "stored",
+    "shortest slot",
+)
+
+
+def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
+    """Return a table of sizes for each slot length, followed by the reasons."""
+    blocks = [
+        f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
+        f"the store has {target.store_words} words"
+    ]
+    for slot, group in groupby(limits, key=lambda limit: limit.slot):
+        rows = list(group)
+        table = columns([_HEAD, *map(_row, rows)], indent="  ")
+        blocks.append(f"slots of {slot}\n{table}")
+        blocks.append("\n".join(line for limit in rows for line in _reasons(limit)))
+    return "\n\n".join(blocks)
+
+
+def _row(limit: Limit) -> tuple[str, ...]:
+    unit, built = limit.family.unit, limit.built
+    impossible = "-" if limit.impossible is None else f"{limit.impossible} {unit}"
+    if built is None:
+        return (limit.family.name, "none", impossible, "", "", "", "")
+    figures = built.figures
+    return (
+        limit.family.name,
+        f"{built.size} {unit}",
+        impossible,
+        f"{figures['words_a_slot']:.3g}",
+        f"{figures['largest_slot_words']} words",
+        f"{figures['words_stored']} words",
+        time_text(figures["shortest_slot_us"]) if figures["shortest_slot_us"] else "any",
+    )
+
+
+def _reasons(limit: Limit) -> list[str]:
+    family = limit.family
+    lines = [f"  {family.name}: {family.description}", f"    built       {_trials_text(limit)}"]
+    if limit.impossible is not None:
+        lines.append(f"    impossible  from {limit.impossible}: {limit.impossible_reason}")
+    if limit.unknown_reason:
+        first, end = limit.unknown_from, limit.impossible
+        sizes = f"from {first} on" if end is None else f"{first}..{end - 1}"
+        lines.append(f"    unknown     {sizes}: {limit.unknown_reason}")
+    elif limit.impossible is None:
+        lines.append(f"    no more     {family.ceiling_reason}")
+    return lines
+
+
+def _trials_text(limit: Limit) -> str:
+    """Return the largest size that fits, and the smaller sizes that did not fit, as text."""
+    if limit.built is None:
+        return "no tried size fits"
+    count = sum(trial.size <= limit.built.size for trial in limit.trials)
+    if not limit.gaps:
+        return f"{limit.built.size}; so did all {count} sizes tried up to it"
+    gaps = "; ".join(f"{t.size} did not: {t.reason} [{t.code}]" for t in limit.gaps)
+    return f"{limit.built.size}; of {count} sizes tried up to it {gaps}"
+
+
+def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
+    """Return the survey as JSON values: sizes, reasons and all trials."""
+    return {
+        "target": target.name,
+        "level": level,
+        "digital_registers": len(target.digital_registers),
+        "store_words": target.store_words,
+        "limits": [_limit_values(limit) for limit in limits],
+    }
+
+
+def _limit_values(limit: Limit) -> dict[str, Any]:
+    unknown = None
+    if limit.unknown_reason:
+        last = None if limit.impossible is None else limit.impossible - 1
+        unknown = {"from": limit.unknown_from, "to": last, "reason": limit.unknown_reason}
+    return {
+        "class": limit.family.name,
+        "shutters": limit.family.description,
+        "slot": limit.slot,
+        "unit": limit.family.unit,
+        "built_up_to": limit.built.size if limit.built else None,
+        "impossible_from": limit.impossible,
+        "impossible_reason": limit.impossible_reason or None,
+        "unknown": unknown,
+        "tried": [_trial_values(trial) for trial in limit.trials],
+    }
+
+
+def _trial_values(trial: SizeTrial) -> dict[str, Any]:
+    why = {"code": trial.code, "reason": trial.reason, "proved": trial.proved}
+    return {"size": trial.size, "fits": trial.fits, **(trial.figures if trial.fits else why)}
+
+
+GIVE_UP_AFTER = 2
+"""Number of consecutive failing candidates after which larger candidates are skipped."""
+
+
+_ALIKE = 1.02
+"""A power of two is skipped if a larger candidate is within this factor."""
+
+
+@dataclass(frozen=True)
+class SizeTrial:
+    """The result of compiling a program of one size.
+
+    `fits` means that the program fits and its words were proved; `figures` are its costs. Otherwise
+    `code` and `reason` are those of the error, and `proved` means that no compiler can make the
+    program fit."""
+
+    size: int
+    fits: bool
+    figures: Mapping[str, Any] = field(default_factory=dict)
+    code: str = ""
+    reason: str = ""
+    proved: bool = False
+
+
+def candidates(count: Count, least: int, most: int) -> list[int]:
+    """Return the sizes that a search compiles first, ascending.
+
+    `count(size)` is the number of shutters."""
+    steps = {least, most}
+    bits = 0
+    while (size := largest_with(count, 1 << bits, least, most)) < most:
+        steps.add(size)
+        bits += 1
+    powers = [1 << k for k in range(most.bit_length())]
+    telling = [p for p in powers if not any(p < step < p * _ALIKE for step in steps)]
+    return sorted(size for size in {*steps, *telling} if least <= size <= most)
+
+
+def explore(
+    sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
+) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
+    """Compile the ascending `sizes`, then search beyond the largest that fits.
+
+    Yields at most `budget` trials as they end, and returns all trials by size. Each step tries the
+    next larger size before the middle, because limits often lie where another bit is needed."""
+    trials: dict[int, SizeTrial] = {}
+
+    def make(size: int) -> Generator[SizeTrial, None, bool]:
+        trials[size] = attempt(size)
+        yield trials[size]
+        return trials[size].fits
+
+    failures = 0
+    for size in sizes:
+        if len(trials) == budget or failures == GIVE_UP_AFTER:
+            break
+        failures = 0 if (yield from make(size)) else failures + 1
+    largest_fit = max((t.size for t in trials.values() if t.fits), default=None)
+    if largest_fit is None:
+        return trials
+    smallest_misfit = min((size for size in trials if size > largest_fit), default=largest_fit + 1)
+    probe = largest_fit + 1
+    while smallest_misfit - largest_fit > 1 and len(trials) < budget:
+        if (yield from make(probe)):
+            largest_fit = probe
+        else:
+            smallest_misfit = probe
+        probe = (largest_fit + smallest_misfit) // 2
+    return trials
+
+
+def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
+    """Return the largest size in `least`..`most` that fits, found by bisection; None if none was
+    found.
+
+    At most `budget` sizes are tried, `most` first. The result is exact if all sizes below a fitting
+    size fit and the budget suffices."""
+    if most < least or budget < 1:
+        return None
+    if fits(most):
+        return most
+    low, high = least - 1, most
+    for _ in range(budget - 1):
+        if high - low <= 1:
+            break
+        middle = (low + high) // 2
+        if fits(middle):
+            low = middle
+        else:
+            high = middle
+    return low if low >= least else None

@@ -25,9 +25,9 @@ from nscc.limits.families import (
     start_rule,
     stop_rule,
 )
-from nscc.limits.search import largest
+from nscc.limits.survey import largest
 from nscc.lower.lowered import Lowered
-from nscc.program.capacity import largest_with
+from nscc.program.limits import largest_with
 from nscc.program.problems import counted
 from nscc.program.program import Codes, Program
 from nscc.source import Source
@@ -100,14 +100,21 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
+    buckets = [bucket.name for bucket in program.buckets]
     rows = len(table.codes)
     digits = slots * len(program.buckets)
     registers = len(program.target.digital_registers)
     most = min(rows - 1, max(1, _MOST_DIGITS // digits))
     untried = "" if most == rows - 1 else f" ({most} was the most tried)"
-    most = largest_with(lambda count: _different(program, count), 1 << registers, 1, most)
-    build = partial(_book_source, program)
-    count, lowered = _largest(1, most, build, partial(attempt, level=level), _ROW_TRIALS)
+    most = largest_with(
+        lambda count: len(np.unique(table.shutter_of_code[:count])), 1 << registers, 1, most
+    )
+
+    def of_first(count: int) -> Source:
+        shutters = table.shutters[table.shutter_of_code[:count]]
+        return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
+
+    count, lowered = _largest(1, most, of_first, partial(attempt, level=level), _ROW_TRIALS)
     if lowered is None:
         return
     field, last = program.fields[0], table.codes[count - 1, 0]
@@ -127,7 +134,7 @@ def _largest(
     attempt: Callable[[Source, Codes], Lowered | None],
     budget: int,
 ) -> tuple[int, Lowered | None]:
-    """Return the largest size that fits (`nscc.limits.search.largest`), and its lowered program or
+    """Return the largest size that fits (`nscc.limits.survey.largest`), and its lowered program or
     None."""
     built: dict[int, Lowered | None] = {}
 
@@ -137,19 +144,6 @@ def _largest(
 
     size = largest(least, most, fits, budget)
     return (0, None) if size is None else (size, built[size])
-
-
-def _different(program: Program, count: int) -> int:
-    """Return the number of different shutters of the first `count` codes."""
-    return len(np.unique(program.table.shutter_of_code[:count]))
-
-
-def _book_source(program: Program, count: int) -> Source:
-    """Return a program with the first `count` used rows, and the same frame and buckets."""
-    table = program.table
-    shutters = table.shutters[table.shutter_of_code[:count]]
-    buckets = [bucket.name for bucket in program.buckets]
-    return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:

@@ -39,7 +39,7 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
             contents = shutters
         case "d" if shutters in (bumps, bumps + 1):
             contents = slots
-            registers = _loadable_at_first(slots, shutters - bumps, registers)
+            registers = _loadable(slots, shutters - bumps, registers)
         case _:
             return None
     # A load is an operation. Each register has an initial content; every other content takes one
@@ -47,9 +47,8 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
     return loads + max(contents - registers, 0)
 
 
-def _loadable_at_first(slots: int, never: int, registers: int) -> int:
-    """Return the most registers that can hold, at the start, the content that a slot of class d
-    loads.
+def _loadable(slots: int, never: int, registers: int) -> int:
+    """Return the most registers that can hold, at the start, what a slot of class d loads.
 
     `never` is 1 if some shutter never opens, else 0."""
     for loaded in range(min(registers, slots), 0, -1):

@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 from nscc.logic.cascade_search import MOST_POINTS, Cascade, Search
 from nscc.logic.cubes import Budget
 from nscc.logic.encodings import describe_demand
-from nscc.logic.gates import Gates
 from nscc.logic.point_sets import Planes, Points, packed
-from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows, set_bits
 
 # More scratch registers leave too few planes.
@@ -116,7 +115,13 @@ class _Finder:
         if least > widest:
             raise GaveUp(f"{count} kinds of shutters leave no register to compute with")
         allowed = self._budget.left
-        quick = self._quick_width()
+        # Estimated steps of a quick search: links of a cascade (each decides two or more points),
+        # times cubes per link, times words of 64 points per cube. The beam of fast searches is
+        # narrower if a single search takes many steps.
+        cascades = max(1, self._points.demanded - self._machine.registers + 2)
+        cubes = min(count * 8, 1 << (self._machine.registers - 2))
+        steps = cascades * (1 + count // 2) * (20 + cubes * self._sets.shape[1] * 8 // 640)
+        quick = int(max(1, min(_QUICK_WIDTH, allowed // (8 * steps))))
         best: _Plan | None = None
         # With two scratch registers and FLAG, a link can use a cube besides the inner value; one
         # scratch register allows one more plane.
@@ -124,7 +129,13 @@ class _Finder:
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
-            for choice in self._first_choices(width):
+            # Predicates without a demand are tried first (edges can be computed from levels), then
+            # demanded ones.
+            numbers = range(len(self._points.bits))
+            undemanded = numbers[self._points.demanded :]
+            orders = [(*undemanded, *numbers), tuple(numbers)] if undemanded else [tuple(numbers)]
+            for order in orders:
+                choice = tuple((number, False) for number in order[:width])
                 most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
                 plan = self._quick(choice, scratch, quick, most)
                 if plan is not None:
@@ -147,7 +158,22 @@ class _Finder:
         for task in self._tasks:
             gates = Gates(self._machine)
             if task is not None:
-                _write(gates, plan.cascades[task], plan.scratch)
+                registers = [*(f"t{i}" for i in range(1, plan.scratch)), "t0"]
+                inner: list[str] = []
+                for link in reversed(plan.cascades[task].links):
+                    sources = inner + ["FLAG"] * link.reads_flag
+                    free = [register for register in registers if register not in sources]
+                    for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
+                        gates.nor(register, _names(set_bits(mask)))
+                        sources.append(register)
+                    sources += _names(link.planes)
+                    if link.to_flag:
+                        gates.load_flag(sources, None)
+                    elif link.negated:
+                        gates.nor("t0", sources)
+                    else:
+                        gates.or_("t0", sources)
+                    inner = ["FLAG" if link.to_flag else "t0"]
             segment = gates.take()
             answers.append((segment,) if segment else ())
         shutters = plan.planes[:, points.shutters]
@@ -176,28 +202,6 @@ class _Finder:
                 None if problem.answered(i) else (number[demand.predicate], flag_predicate)
             )
         return tasks
-
-    def _quick_width(self) -> int:
-        """Return the beam width of fast searches, smaller if a single search takes many steps."""
-        sets, points = self._sets.shape[1], self._points.bits.shape[1]
-        cascades = max(1, self._points.demanded - self._machine.registers + 2)
-        # Estimated steps of a quick search: links of a cascade (each decides two or more points),
-        # times cubes per link, times words of 64 points per cube.
-        links = points // 2
-        cubes = min(points * 8, 1 << (self._machine.registers - 2))
-        steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
-        return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
-
-    def _first_choices(self, width: int) -> Iterator[_Choice]:
-        """Yield initial choices of planes.
-
-        Predicates without a demand are tried first (edges can be computed from levels), then
-        demanded ones."""
-        numbers = range(len(self._points.bits))
-        undemanded = numbers[self._points.demanded :]
-        if undemanded:
-            yield tuple((number, False) for number in (*undemanded, *numbers)[:width])
-        yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
         """Return a plan of at most `most` words, found with a narrow beam; None if none was
@@ -313,26 +317,6 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
         _, kinds = np.unique(2 * kinds + plane, return_inverse=True)
         kinds = kinds.reshape(-1)
     return planes
-
-
-def _write(gates: Gates, cascade: Cascade, scratch: int) -> None:
-    """Add the gates of a cascade, innermost link first; the register t0 holds values in scratch."""
-    registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
-    inner: list[str] = []
-    for link in reversed(cascade.links):
-        sources = inner + ["FLAG"] * link.reads_flag
-        free = [register for register in registers if register not in sources]
-        for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
-            gates.nor(register, _names(set_bits(mask)))
-            sources.append(register)
-        sources += _names(link.planes)
-        if link.to_flag:
-            gates.load_flag(sources, None)
-        elif link.negated:
-            gates.nor("t0", sources)
-        else:
-            gates.or_("t0", sources)
-        inner = ["FLAG" if link.to_flag else "t0"]
 
 
 def _names(planes: Iterable[int]) -> list[str]:

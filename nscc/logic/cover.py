@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
-from nscc.logic.gates import words_of
+from nscc.logic.problem import words_of
 from nscc.truth import union
 
 
@@ -78,7 +78,7 @@ class Covers:
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
         if not uncovered:
-            return Cover(_irredundant(positive, values, predicate), (), 0.0)
+            return Cover(_fewest(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
         # A single register is not used for lasting cubes.
@@ -88,7 +88,7 @@ class Covers:
             return None
         uncovered_by_cubes = predicate & ~union(cube.vector for cube in chosen)
         cost = sum(cube.cost for cube in chosen)
-        return Cover(_irredundant(positive, values, uncovered_by_cubes), tuple(chosen), cost)
+        return Cover(_fewest(positive, values, uncovered_by_cubes), tuple(chosen), cost)
 
     def _candidates(
         self, values: Sequence[int], ahead: Sequence[int], uncovered: int
@@ -174,7 +174,7 @@ def life(vector: int, ahead: Sequence[int]) -> int:
     return len(ahead)
 
 
-def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
+def _fewest(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
     """Return a small set of values, chosen greedily, whose OR contains `uncovered`."""
     chosen: list[int] = []
     while uncovered:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.logic.cubes import Cube
-from nscc.logic.gray import cycle
+from nscc.logic.digits import cycle
 from nscc.truth import set_bits, union
 
 

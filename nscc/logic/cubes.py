@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.logic.digits import Planes, unzipped
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
 
 Cube = tuple[tuple[int, int], ...]
 """Literals (plane, value), in ascending order of planes."""
@@ -205,7 +204,7 @@ class _Emitter:
         while wide:
             # The next cube is the one with the fewest inversions, which may also serve other cubes.
             if len(wide) <= _MOST_SORTED:
-                wide.sort(key=self._mismatches)
+                wide.sort(key=lambda c: sum(self.planes.inverted[p] != value for p, value in c))
             cube = wide.pop(0)
             # Make room first: inverting the plane in the masked register overwrites its mask, a
             # scratch register that may hold a term.
@@ -225,9 +224,6 @@ class _Emitter:
         self._finish(terms, inverted)
         segments.append(self._gates.take())
         return tuple(segments)
-
-    def _mismatches(self, cube: Cube) -> int:
-        return sum(self.planes.inverted[plane] != value for plane, value in cube)
 
     def _close(self, segments: list[Segment]) -> None:
         """End a segment if there are pending gates."""

@@ -1,15 +1,44 @@
-"""Numbers as planes: digits in mixed radices, binary digits, thermometer codes."""
+"""Numbers as planes: digits in mixed radices, binary digits, Gray codes, thermometer codes.
+
+One NOR selects a group's shutters if every plane that is 1 in its code has been inverted. The step
+to the next group inverts two bits on average with binary codes, but always one with a Gray code (F.
+Gray, US patent 2 632 058, 1953). All planes must be restored at the frame's end, so the Gray code
+with the cheapest restoration is chosen."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cache
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.problem import Gate, Segment
 from nscc.truth import columns, number_planes
+
+Numbers = TypeVar("Numbers", int, NDArray[np.int64])
+
+
+def gray(number: Numbers) -> Numbers:
+    """Return the reflected binary Gray code of a number."""
+    return number ^ (number >> 1)
+
+
+def cycle(groups: int, bits: int) -> tuple[int, ...]:
+    """Return a Gray code whose last or second last code is a neighbour of the first.
+
+    Few bits must then be restored at the end."""
+    # Count up without the top bit and down with it, which is a cycle. An odd number adds one code
+    # after the last.
+    half = groups // 2
+    ascending = [gray(i) for i in range(half)]
+    top = 1 << bits - 1
+    codes = ascending + [top | code for code in reversed(ascending)]
+    if groups % 2:
+        codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
+    return tuple(codes)
+
 
 Planes = list[tuple[int, str]]
 """For each plane its truth vector at the start of a frame, and its description."""

@@ -5,15 +5,13 @@ if its planes leave too few registers."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
-from nscc.logic.digits import Planes, binary_planes
-from nscc.logic.gray import gray
+from nscc.logic.digits import Planes, binary_planes, gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
 from nscc.truth import members, union
 
@@ -184,7 +182,16 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
     planes: Planes = []
     for plane, bit in half:
         planes += [(plane, bit), (problem.everything & ~plane, f"{bit}, inverted")]
-    cubes = tuple(tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes)
+    cubes = tuple(
+        tuple(
+            tuple(
+                (2 * plane + value, 0) if len(cube) > 1 else (2 * plane + 1 - value, 1)
+                for plane, value in cube
+            )
+            for cube in predicate
+        )
+        for predicate in encoding.cubes
+    )
     return replace(encoding, planes=planes, cubes=cubes)
 
 
@@ -204,13 +211,6 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     return _covered(problem, "fields in Gray code", planes, budget)
 
 
-def _twice(cube: Cube) -> Cube:
-    if len(cube) == 1:
-        (plane, value) = cube[0]
-        return ((2 * plane + 1 - value, 1),)
-    return tuple((2 * plane + value, 0) for plane, value in cube)
-
-
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the open shutters of every slot as planes; an edge is one cube of two neighbouring
     slots."""
@@ -225,22 +225,15 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
     predicates = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
-    covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(predicates)}
+    covers: dict[int, tuple[tuple[Cube, ...], bool]] = {}
+    for predicate in dict.fromkeys(predicates):
+        complement = problem.everything & ~predicate
+        direct = cover(predicate, complement, vectors, problem.everything, budget)
+        covers[predicate] = tuple(direct), False
+        if len(direct) > 1:
+            # The complement costs one more gate.
+            other = cover(complement, predicate, vectors, problem.everything, budget)
+            if len(other) + 1 < len(direct):
+                covers[predicate] = tuple(other), True
     cubes, inverted = zip(*(covers[predicate] for predicate in predicates), strict=True)
     return Encoding(name, planes, cubes, inverted)
-
-
-def _best_cover(
-    problem: Problem, predicate: int, planes: Sequence[int], budget: Budget
-) -> tuple[tuple[Cube, ...], bool]:
-    """Return the smaller of the covers of a predicate and of its complement, and whether it is the
-    latter.
-
-    The complement costs one more gate."""
-    complement = problem.everything & ~predicate
-    direct = cover(predicate, complement, planes, problem.everything, budget)
-    if len(direct) > 1:
-        complement_cover = cover(complement, predicate, planes, problem.everything, budget)
-        if len(complement_cover) + 1 < len(direct):
-            return tuple(complement_cover), True
-    return tuple(direct), False

@@ -80,9 +80,10 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     room = machine.registers - 1
     events = _events(problem)
     fields = [_field(name, known, problem.shutters) for name, known in events]
+    forms = (_forms(field, room) for field in fields)
     fitting = [
         chosen
-        for chosen in islice(product(*(_forms(f, room) for f in fields)), _MOST_COMBINED)
+        for chosen in islice(product(*forms), _MOST_COMBINED)
         if sum(form.planes for form in chosen) <= room
     ]
     fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))

@@ -73,6 +73,10 @@ class Generator:
     solve: Callable[[Problem, Machine, int], Iterable[Solution]]
     from_level: int | None = None
 
+    @property
+    def least_level(self) -> int:
+        return FROM_LEVEL[self.kind] if self.from_level is None else self.from_level
+
 
 def _generator_of(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
     def solved(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
@@ -178,14 +182,14 @@ def solutions(
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
-    generators = _generators_at(level)
+    known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
     steps = SEARCH_STEPS[level]
 
     def solve_kinds(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
         """Yield solutions of generators of these kinds."""
         for kind in kinds:
-            for name, generator in generators.items():
-                if generator.kind == kind:
+            for name, generator in known.items():
+                if generator.kind == kind and level >= generator.least_level:
                     try:
                         yield from _checked_solutions(name, generator, problem, machine, allowed)
                     except Exception as error:
@@ -204,7 +208,10 @@ def solutions(
             fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
             yield solution
 
-    least = _fewest_words(problem, machine)
+    # A lower bound on the words of any solution: one word per demand, and two for each predicate
+    # that cannot be stored.
+    unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
+    least = len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
     yield from counted(solve_kinds("family"))
     close = fewest <= _CLOSE * least
     yield from counted(solve_kinds("equality"))
@@ -216,25 +223,6 @@ def solutions(
         yield from counted(solve_kinds("cascade", allowed=int(share * steps)))
     if fewest == inf:
         yield from solve_kinds("cover", "last", allowed=PATIENT_STEPS)
-
-
-def _generators_at(level: int) -> dict[str, Generator]:
-    """Return the generators that an optimisation level uses, by name."""
-    known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
-    return {
-        name: generator
-        for name, generator in known.items()
-        if level
-        >= (FROM_LEVEL[generator.kind] if generator.from_level is None else generator.from_level)
-    }
-
-
-def _fewest_words(problem: Problem, machine: Machine) -> int:
-    """Return a lower bound on the words of any solution.
-
-    It counts one word per demand, and two for each predicate that cannot be stored."""
-    unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
-    return len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
 
 
 def _checked_solutions(

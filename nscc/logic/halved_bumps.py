@@ -14,8 +14,7 @@ import numpy as np
 
 from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.digits import binary_planes
-from nscc.logic.gates import Gates
-from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 

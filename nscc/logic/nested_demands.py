@@ -14,8 +14,7 @@ from itertools import combinations, pairwise, product
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.digits import binary_planes, nor, radices_of, thermometers, turned_over
-from nscc.logic.gray import gray
+from nscc.logic.digits import binary_planes, gray, nor, radices_of, thermometers, turned_over
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns, rows

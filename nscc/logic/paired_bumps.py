@@ -21,8 +21,7 @@ from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.cube_tables import BumpCubes
 from nscc.logic.cubes import Standing
 from nscc.logic.digits import binary_planes
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
@@ -103,48 +102,39 @@ class _Writer:
         # Alternating order, so that no plane is inverted between the two slots.
         rises = self.cubes.rises[group][:: -1 if second else 1]
         falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
+        gates = self.gates
         segments: list[Segment] = []
         place = [] if second else [self.start_place]
         for rise in rises[:-1]:
             segments += self.planes.turn(rise)
-            self.gates.nor("t0", [*self.planes.read_by(rise), *place])
-            self.gates.nor(self.on, [], "t0")
+            gates.nor("t0", [*self.planes.read_by(rise), *place])
+            gates.nor(self.on, [], "t0")
         segments += self.planes.turn(rises[-1])
-        self.gates.nor(self.scratch, [*self.planes.read_by(rises[-1]), *place])
+        gates.nor(self.scratch, [*self.planes.read_by(rises[-1]), *place])
         if second:
-            self._start()
-            segments += [self.gates.take(), *self.planes.turn(falls)]
+            # Bumps start in the group. If t0 is the mask, it holds the active bumps, and t1 or FLAG
+            # the others.
+            match self.form:
+                case _Form.MASKED:
+                    gates.or_("t0", [self.on, self.scratch])
+                case _Form.TIGHT:
+                    gates.nor(self.on, [], "t0")
+                    gates.or_("t0", [self.on])
+                case _Form.REGISTER:
+                    gates.nor("t1", [self.on, self.scratch])
+                case _Form.FLAG:
+                    gates.nor("t1", ["FLAG", self.scratch])
+                    gates.load_flag(["t1"], None)
+            segments += [gates.take(), *self.planes.turn(falls)]
             self._end(self.planes.read_by(falls))
         else:
-            self._first(step)
-        return (*segments, self.gates.take())
-
-    def _first(self, step: int) -> None:
-        """Add the gates of a group's first slot: continuing bumps and those that start in it are
-        open."""
-        gates = self.gates
-        gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
-        if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
-            if self.masked:
-                gates.nor("t0", [])
-            gates.or_(self.on, [], "t0" if self.masked else None)
-
-    def _start(self) -> None:
-        """Add the gates that add the bumps that start in the group.
-
-        If t0 is the mask, it holds the active bumps, and t1 or FLAG the others."""
-        gates = self.gates
-        match self.form:
-            case _Form.MASKED:
-                gates.or_("t0", [self.on, self.scratch])
-            case _Form.TIGHT:
-                gates.nor(self.on, [], "t0")
-                gates.or_("t0", [self.on])
-            case _Form.REGISTER:
-                gates.nor("t1", [self.on, self.scratch])
-            case _Form.FLAG:
-                gates.nor("t1", ["FLAG", self.scratch])
-                gates.load_flag(["t1"], None)
+            # Continuing bumps and those that start in the group's first slot are open.
+            gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
+            if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
+                if self.masked:
+                    gates.nor("t0", [])
+                gates.or_(self.on, [], "t0" if self.masked else None)
+        return (*segments, gates.take())
 
     def _end(self, ends: list[str]) -> None:
         """Add the gates of a group's second slot.

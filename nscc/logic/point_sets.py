@@ -7,8 +7,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.gates import words_of
-from nscc.logic.problem import Machine
+from nscc.logic.problem import Machine, words_of
 
 Points = NDArray[np.uint64]
 Indices = NDArray[np.int64]

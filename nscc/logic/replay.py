@@ -25,33 +25,30 @@ class _Wrong(Exception):
 def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
     """Return why `solution` does not solve `problem` on `machine`, in words; None if it does."""
     try:
-        _fits(problem, machine, solution)
+        planes, states, scratch = len(solution.planes), solution.states, solution.scratch
+        pair = solution.masked_pair()
+        # Without masked gates, only a plane may be in the masked register.
+        room = machine.registers - (machine.masked and not planes and pair is None)
+        if min(states, scratch) < 0 or planes + states + scratch > room:
+            raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
+        if len(solution.holders) != planes:
+            raise _Wrong(f"{len(solution.holders)} holders of {planes} planes")
+        if len(solution.answers) != len(problem.demands):
+            raise _Wrong(f"{len(solution.answers)} answers to {len(problem.demands)} demands")
+        if not all(type(p) is int and 0 <= p <= problem.everything for p in solution.planes):
+            raise _Wrong("a plane is not a truth vector of the shutters")
+        if solution.state_in_flag and not (problem.flag_lasts and scratch):
+            raise _Wrong(
+                "it keeps its state in FLAG, which does not last or has no scratch beside it"
+            )
+        registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
+        for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
+            if not _possible(gate, registers, machine) or not _masks_agree(gate, pair, machine):
+                raise _Wrong(f"the machine has no gate {gate}")
         _Frame(problem, machine, solution).replay()
     except _Wrong as wrong:
         return str(wrong)
     return None
-
-
-def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
-    """Raise _Wrong for a solution that names missing registers."""
-    planes, states, scratch = len(solution.planes), solution.states, solution.scratch
-    pair = solution.masked_pair()
-    # Without masked gates, only a plane may be in the masked register.
-    room = machine.registers - (machine.masked and not planes and pair is None)
-    if min(states, scratch) < 0 or planes + states + scratch > room:
-        raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
-    if len(solution.holders) != planes:
-        raise _Wrong(f"{len(solution.holders)} holders of {planes} planes")
-    if len(solution.answers) != len(problem.demands):
-        raise _Wrong(f"{len(solution.answers)} answers to {len(problem.demands)} demands")
-    if not all(type(p) is int and 0 <= p <= problem.everything for p in solution.planes):
-        raise _Wrong("a plane is not a truth vector of the shutters")
-    if solution.state_in_flag and not (problem.flag_lasts and scratch):
-        raise _Wrong("it keeps its state in FLAG, which does not last or has no scratch beside it")
-    registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
-    for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
-        if not _possible(gate, registers, machine) or not _masks_agree(gate, pair, machine):
-            raise _Wrong(f"the machine has no gate {gate}")
 
 
 def _names(kind: str, count: int) -> list[str]:
@@ -96,7 +93,11 @@ class _Frame:
         self.scratch = _names("t", solution.scratch)
         self.contents: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
         self.contents |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
-        self.masked = _masked(machine, solution)
+        # If all registers are in use, `nscc.lower.schedule` puts the plane with the fewest writes
+        # in the masked register. Each of these writes sets the mask, which overwrites t0.
+        used = len(solution.planes) + solution.states + solution.scratch
+        full = machine.masked and used >= machine.registers and solution.masked_pair() is None
+        self.masked = f"p{quietest(solution.writes())}" if full else None
         self._forget(self.scratch)
         self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
 
@@ -148,15 +149,3 @@ class _Frame:
                     if not self.scratch:
                         raise _Wrong(f"{gate} writes the register that needs a free mask")
                     contents["t0"] = None
-
-
-def _masked(machine: Machine, solution: Solution) -> str | None:
-    """Return the plane in the masked register of a solution without masked gates; None if there is
-    none.
-
-    If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes there.
-    Each of these writes sets the mask, which overwrites t0."""
-    used = len(solution.planes) + solution.states + solution.scratch
-    if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
-        return None
-    return f"p{quietest(solution.writes())}"

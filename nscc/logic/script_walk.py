@@ -16,8 +16,7 @@ from itertools import chain
 from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, unzipped
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution, quietest
 from nscc.truth import union
 
 
@@ -263,8 +262,13 @@ class _Walker:
                 # In place, over a source that nothing else reads.
                 over = [s for s in sources if s[0] == "t" and s not in needed and s not in terms]
                 target = next(iter(over), None)
-            if target is None:
-                terms, target = self._gather(terms, needed | set(sources))
+            if target is None:  # combine two terms
+                loose = [t for t in terms if t[0] == "t" and t not in needed | set(sources)]
+                if len(loose) < 2:
+                    raise GaveUp("no register is left to compute with")
+                into, target, *_ = loose
+                self._gate("OR", into, [into, target])
+                terms = [t for t in terms if t != target]
             self._gate("NOR", target, sources)
             terms = [*terms, target]
         if not choice.inverted:
@@ -274,15 +278,6 @@ class _Walker:
         free = free or next(t for t in reversed(terms) if t[0] == "t")
         self._gate("NOR", free, terms)
         self._load_flag([free])
-
-    def _gather(self, terms: Sequence[str], needed: set[str]) -> tuple[list[str], str]:
-        """Combine two terms; return the remaining terms and the freed register."""
-        loose = [t for t in terms if t[0] == "t" and t not in needed]
-        if len(loose) < 2:
-            raise GaveUp("no register is left to compute with")
-        into, free, *_ = loose
-        self._gate("OR", into, [into, free])
-        return [t for t in terms if t != free], free
 
     def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
         """Return a scratch register that is free or whose value serves the fewest later demands.

@@ -14,8 +14,7 @@ from operator import itemgetter
 from nscc.logic.cubes import Budget, Cube, Encoding, Standing
 from nscc.logic.digits import unzipped
 from nscc.logic.encodings import covered_fields, gray_index, gray_times
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Demand, Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
 
 
 def state_register(problem: Problem, machine: Machine, budget: Budget) -> Solution:

@@ -15,8 +15,7 @@ from itertools import product
 import numpy as np
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
-from nscc.logic.gray import cycle, gray
+from nscc.logic.digits import binary_planes, cycle, gray, radices_of, thermometers, turned_over
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
 from nscc.truth import set_bits
@@ -101,7 +100,12 @@ def _toggle_script(
         # both groups: shutters that open now and those that opened one length ago.
         apart = (now & -now).bit_length() - 1 + low if now else -1
         hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
-        turn = _turn_state(state, roomy) if now else _open_state(state)
+        if now:
+            turn = _turn_state(state, roomy)
+        elif in_flag:  # in the first group nothing closes: state := state OR t0
+            turn = (Gate("OR", "t0", ("t0", state)), Gate("WHERE", state, ("t0",)))
+        else:
+            turn = (Gate("OR", state, (state, "t0")),)
         before[i] = (*flips, (Gate("NOR", "t0", hit),), turn)
     closing = turned_over(set_bits(standing))
     opening: tuple[Segment, ...] = ((Gate("CLR", "s0", ()),),)
@@ -109,13 +113,6 @@ def _toggle_script(
         opening = ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
     name = f"groups of {length} and offsets in Gray code, each hit turns the state over"
     return Script(name, planes, 0 if in_flag else 1, opening, before, closing, in_flag)
-
-
-def _open_state(state: str) -> Segment:
-    """Return the segment state := state OR t0; in the first group nothing closes."""
-    if state == "FLAG":
-        return (Gate("OR", "t0", ("t0", state)), Gate("WHERE", state, ("t0",)))
-    return (Gate("OR", state, (state, "t0")),)
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:

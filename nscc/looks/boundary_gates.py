@@ -13,8 +13,7 @@ from math import inf
 
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
-from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine
+from nscc.logic.problem import Gate, Gates, GaveUp, Machine
 
 FLAG = "FLAG"
 _STEPS = 4_000_000

@@ -1,26 +1,51 @@
-"""Compiler passes for programs with senses; `nscc.pipeline` lists all passes."""
+"""Compiler passes for programs with senses, and the layout of their words: registers, kernels, and
+launches with their values of IN. `nscc.pipeline` lists all passes.
+
+IN is set between kernels, so a boundary with comparisons at several levels has several kernels."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
+import numpy as np
+
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.logic.problem import GaveUp
-from nscc.looks.encode import LooksEncoding, encodings
-from nscc.looks.looking_plan import LookingPlan, plan_looks
-from nscc.looks.solve import LookingSolution, solve
-from nscc.looks.word_layout import lay_out_looks
+from nscc.logic.problem import Gate, GaveUp, Problem, Segment, Solution
+from nscc.looks.encode import encodings
+from nscc.looks.looking_plan import LookingPlan, Moment, plan_looks
+from nscc.looks.solve import LookingSolution, SetIn, solve
 from nscc.lower import fit
-from nscc.lower.assemble import assemble
-from nscc.lower.exposure_plan import LoweringOption, Misfit, frame_time
-from nscc.lower.lowered import Lowered
+from nscc.lower.decoding import Decoding
+from nscc.lower.exposure_plan import (
+    RESET,
+    ExposurePlan,
+    LoweringOption,
+    Misfit,
+    PlanStep,
+    frame_time,
+)
+from nscc.lower.lowered import Lowered, assemble
+from nscc.lower.schedule import (
+    Allocation,
+    FrameSchedule,
+    allocate,
+    kernel_us,
+    refresh_words,
+    refreshed_registers,
+    words,
+)
+from nscc.lower.timeline import Timeline
+from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
 
-ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
-"""For each level the number of encodings to try, and the largest number until one fits."""
+Words = tuple[Op, ...]
+_MOST_CLEARED = 4
+"""Most registers in one CLR of the public library."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +53,205 @@ class LookingLowered(Lowered):
     """A lowering whose container has a state machine."""
 
     looking: LookingSolution | None = None
+
+
+def lay_out_looks(
+    plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
+) -> LookingLowered | None:
+    """Lay out the words of a solution over the frame; `most_words` is as in Lowered.
+
+    None if the content of the mask's register would be lost."""
+    target = plan.program.target
+    answers = tuple(
+        (tuple(item for item in items if isinstance(item, Gate)),)
+        for items in solution.items.values()
+    )
+    general = Solution(
+        solution.encoding.name, solution.planes, solution.holders, len(solution.states),
+        solution.scratch, (), answers, (),
+    )  # fmt: skip
+    allocation = allocate(general, target)
+    if _mask_is_lost(solution, allocation):
+        return None
+    named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
+    by_place = {
+        allocation.places[name]: f"state {state_name}" for name, state_name in named.items()
+    }
+    allocation = replace(allocation, holders={**allocation.holders, **by_place})
+    schedule = _schedule(plan, solution, allocation, time, target, apart=False)
+    if schedule.words_stored > target.store_words:
+        schedule = _schedule(plan, solution, allocation, time, target, apart=True)
+    # No demand depends on codes alone.
+    problem = Problem((), len(plan.program.table.shutters), (), False, {})
+    decoding = Decoding(_exposure_plan(plan), problem, (), general)
+    return LookingLowered(plan.program, decoding, schedule, time, most_words, solution)
+
+
+def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
+    """Return whether a write to the masked register destroys a value that is read later.
+
+    Such a write first sets the mask, and so overwrites the mask's register."""
+    held_by = {place: name for name, place in allocation.places.items()}
+    mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
+    if mask is None or masked is None:
+        return False
+    for items in solution.items.values():
+        mask_overwritten = False
+        for gate in (item for item in items if isinstance(item, Gate)):
+            mask_overwritten |= gate.destination == masked
+            if mask_overwritten and (mask in gate.sources or not mask.startswith("t")):
+                return True
+            if gate.destination == mask:
+                mask_overwritten = False
+    return False
+
+
+def _schedule(
+    plan: LookingPlan,
+    solution: LookingSolution,
+    allocation: Allocation,
+    time: Timeline,
+    target: Target,
+    *,
+    apart: bool,
+) -> FrameSchedule:
+    """Return the kernels of the frame.
+
+    With `apart`, the gates after a boundary's last analog word are a separate kernel, because the
+    words before them often repeat at other boundaries."""
+    slots = plan.machine.slots
+    boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
+    states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
+    cleared = (states[i : i + _MOST_CLEARED] for i in range(0, len(states), _MOST_CLEARED))
+    setup = (op("all"), *_setup(plan), *(op("CLR", group) for group in cleared))
+    boundaries[0].append((None, setup))
+    last = max(i for i, word in enumerate(setup) if word == RESET[0])
+    for boundary, items in solution.items.items():
+        boundaries[boundary] += _kernels(items, allocation, apart=apart)
+    refreshed = refreshed_registers(
+        [[words_ for _, words_ in boundary_kernels] for boundary_kernels in boundaries],
+        allocation,
+        time,
+    )
+    for n in time.refresh_at or ():
+        to_refresh = (*refreshed, *states)
+        if to_refresh and n:
+            boundaries[n].insert(0, (None, refresh_words(to_refresh, allocation)))
+    if refreshed:
+        boundaries[slots].append((None, refresh_words(refreshed, allocation)))
+    numbers: dict[Words, int] = {}
+    launches: list[tuple[int, int]] = []
+    levels: list[int | None] = []
+    for n, kernels in enumerate(boundaries):
+        for level, kernel in kernels:
+            launches.append((n, numbers.setdefault(kernel, len(numbers))))
+            levels.append(level)
+    setup_us = kernel_us(setup[: last + 1], target)
+    return FrameSchedule(
+        allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels)
+    )
+
+
+def _setup(plan: LookingPlan) -> Words:
+    """Return words that clear the buckets, reset PIX and store its reset level."""
+    scratch = plan.scratch
+    clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
+    level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
+    if plan.latches:
+        level = (op("bus", (plan.reference,), ("PIX",)),)
+    return op("bus", (scratch,)), *clear, *RESET, *level
+
+
+def _kernels(
+    items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
+) -> list[tuple[int | None, Words]]:
+    """Return the kernels of a boundary, each with its value of IN."""
+    last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
+    if apart and 0 <= last < len(items) - 1:
+        head, tail = items[: last + 1], items[last + 1 :]
+        return [
+            kernel for half in (head, tail) for kernel in _kernels(half, allocation, apart=False)
+        ]
+    kernels: list[tuple[int | None, Words]] = []
+    level: int | None = None
+    run: list[Op] = []
+    gates: list[Gate] = []
+
+    def settle() -> None:
+        run.extend(words(Segment(gates) if gates else (), allocation))
+        gates.clear()
+
+    for item in items:
+        if isinstance(item, Gate):
+            gates.append(item)
+            continue
+        settle()
+        if isinstance(item, Op):
+            run.append(item)
+        elif level is None:
+            level = item.level
+        elif level != item.level:
+            kernels.append((level, tuple(run)))
+            run, level = [], item.level
+    settle()
+    kernels.append((level, tuple(run)))
+    return kernels
+
+
+def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
+    """Return the analog part of a plan, for reports."""
+    steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
+    steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
+    return ExposurePlan(
+        "latch" if plan.latches else "edges", tuple(steps), plan.registers, plan.bucket_registers,
+        len(plan.program.table.shutters), plan.machine.slots, _analog_writes(plan),
+    )  # fmt: skip
+
+
+def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
+    """Return the steps of a moment, each with its lanes."""
+    steps: list[PlanStep] = []
+    sample = plan.sampled()
+    compare = op("where", (), (*plan.scratched, "IN"))
+    for comparison in moment.comparisons:
+        steps.append(
+            PlanStep(moment.boundary, "look", max(comparison.signal, 0), None, (sample, compare))
+        )
+    for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
+        register = plan.bucket_registers[bucket]
+        add = sample, op("bus", (register,), plan.scratched)
+        if fall:
+            steps.append(PlanStep(moment.boundary, "fall", bucket, fall, add))
+        if rise:
+            steps.append(PlanStep(moment.boundary, "rise", bucket, rise, add))
+    if moment.resets:
+        steps.append(PlanStep(moment.boundary, "reset", -1, moment.resets, RESET))
+    return steps
+
+
+def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
+    """Return the fewest and the most bus words that a pixel executes after the setup."""
+    machine = plan.machine
+    least = np.full(len(machine.behaviour), np.iinfo(np.int64).max)
+    most = np.zeros(len(machine.behaviour), np.int64)
+    least[: machine.first[1]] = 0
+    for moment in plan.moments:
+        signals = {comparison.signal for comparison in moment.comparisons}
+        words_ = np.full(len(moment.before), len(signals), np.int64)
+        for v in (*moment.falls, *moment.rises):
+            words_ += 2 * np.array([v >> lane & 1 for lane in range(len(words_))], np.int64)
+        low, high = least[moment.before] + words_, most[moment.before] + words_
+        if (moment.after != moment.before).any():
+            np.minimum.at(least, moment.after, low)
+            np.maximum.at(most, moment.after, high)
+        else:
+            least[moment.after], most[moment.after] = low, high
+    last = machine.nodes(machine.stages - 1)
+    return int(least[last].min()), int(most[last].max())
+
+
+ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
+"""For each level the number of encodings to try, and the largest number until one fits."""
 
 
 def plan_of(
@@ -69,7 +293,7 @@ def lowered_of(
         if lowered is None:
             reasons[f"{encoding.name}: the mask would lose what its register holds"] = None
         else:
-            lowerings.append(_with(lowered, solution))
+            lowerings.append(lowered)
     lowerings.sort(
         key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.places))
     )
@@ -78,34 +302,17 @@ def lowered_of(
     return lowerings, []
 
 
-def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
-    return LookingLowered(
-        lowered.program, lowered.decoding, lowered.schedule, lowered.time, lowered.most_words,
-        solution,
-    )  # fmt: skip
-
-
 def container_of(lowered: Lowered, level: int) -> Container:
     """Return the container, with its state machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
     assert lowered.looking is not None
-    machine = lowered.program.machine
+    looking, machine = lowered.looking, lowered.program.machine
+    places = lowered.schedule.allocation.places
     assert machine is not None
-    return replace(
-        assemble(lowered, level),
-        machine=machine,
-        state_planes=_state_planes(lowered, lowered.looking.encoding),
-    )
-
-
-def _state_planes(lowered: LookingLowered, encoding: LooksEncoding) -> dict[str, StatePlanes]:
-    machine, places = lowered.program.machine, lowered.schedule.allocation.places
-    assert machine is not None
-    assert lowered.looking is not None
     planes = {}
-    encoded_states = zip(machine.states, encoding.states, lowered.looking.registers, strict=True)
+    encoded_states = zip(machine.states, looking.encoding.states, looking.registers, strict=True)
     for state, how, names in encoded_states:
         if state.read or state.is_kept:
             registers = tuple(places[name] for name in names)
             planes[state.name] = StatePlanes(registers, how.values, how.bits)
-    return planes
+    return replace(assemble(lowered, level), machine=machine, state_planes=planes)

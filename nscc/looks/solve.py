@@ -50,14 +50,6 @@ class LookingSolution:
     items: dict[int, tuple[Item, ...]]
 
 
-def room_of(target: Target, planes: int) -> int:
-    """Return the number of digital registers that a program with `planes` planes can use.
-
-    Without unchanging code the masked register stays unused, because every write to it needs its
-    mask."""
-    return len(target.digital_registers) - (target.masked_register is not None and not planes)
-
-
 def solve(plan: LookingPlan, encoding: LooksEncoding, target: Target) -> LookingSolution:
     """Return the words of a plan.
 
@@ -94,7 +86,10 @@ class _Solver:
     def solve(self) -> LookingSolution:
         items: dict[int, tuple[Item, ...]] = {}
         scratch = 0
-        room = room_of(self.target, len(self.holders)) - len(self.holders) - len(self.states)
+        # Without unchanging code the masked register stays unused, because every write to it needs
+        # its mask.
+        unused = self.target.masked_register is not None and not self.holders
+        room = len(self.target.digital_registers) - unused - len(self.holders) - len(self.states)
         for moment in self.plan.moments:
             moment_items = tuple(_Moment(self, moment).items())
             if moment_items:
@@ -150,10 +145,35 @@ class _Moment:
 
     def items(self) -> list[Item]:
         """Return the words and gates of this boundary."""
-        self._compare()
+        # The answer of each comparison goes to a register, the last answer to FLAG.
         moment = self.moment
-        falls = [(v, self._fall(b)) for b, v in enumerate(moment.falls)]
-        rises = [(v, self._rise(b)) for b, v in enumerate(moment.rises)]
+        order = self.plan.machine.order(moment.boundary)
+        signal: int | None = None
+        for position, number in enumerate(order):
+            comparison = moment.comparisons[number]
+            if comparison.signal != signal:
+                signal = comparison.signal
+                self._take_signal(comparison)
+            elif self.target.where_obeys_flag:
+                self.emitted.append(op("all"))
+            self.emitted.append(SetIn(comparison.level))
+            self.emitted.append(op("where", (), (*self.plan.scratched, "IN")))
+            self.board.values[FLAG] = moment.below(number)
+            if position + 1 < len(order):
+                self.board.keep(FLAG)
+                self.emitted += self.board.pop_gates()
+                del self.board.values[FLAG]
+        plan, registers = self.plan, self.plan.bucket_registers
+        falls: list[tuple[int, tuple[Op, ...]]] = []
+        for register, v, copied in zip(registers, moment.falls, moment.copies, strict=True):
+            # register += PIX - reset level, or a copy of it into an empty register
+            first = plan.sampled() if copied else plan.sampled(register)
+            falls.append((v, (first, op("bus", (register,), plan.scratched))))
+        rises: list[tuple[int, tuple[Op, ...]]] = []
+        for register, v in zip(registers, moment.rises, strict=True):
+            # register -= PIX - reset level
+            first = plan.register_to_scratch(register)
+            rises.append((v, (first, op("bus", (register,), (plan.scratch, "PIX")))))
         pending = [*falls, (moment.resets, RESET), *rises]
         while pending:
             v, words = pending.pop(0)
@@ -177,39 +197,6 @@ class _Moment:
         update(self.board, self.new_values)
         self.emitted += self.board.pop_gates()
         return renamed(self.emitted)
-
-    def _fall(self, bucket: int) -> tuple[Op, ...]:
-        """Return words for register += PIX - reset level, or for a copy of it into an empty
-        register."""
-        plan, register = self.plan, self.plan.bucket_registers[bucket]
-        first = plan.sampled() if self.moment.copies[bucket] else plan.sampled(register)
-        return first, op("bus", (register,), plan.scratched)
-
-    def _rise(self, bucket: int) -> tuple[Op, ...]:
-        """Return words for register -= PIX - reset level."""
-        plan, register = self.plan, self.plan.bucket_registers[bucket]
-        return plan.register_to_scratch(register), op("bus", (register,), (plan.scratch, "PIX"))
-
-    def _compare(self) -> None:
-        """Add words for every comparison; its answer goes to a register, the last answer to
-        FLAG."""
-        moment = self.moment
-        order = self.plan.machine.order(moment.boundary)
-        signal: int | None = None
-        for position, number in enumerate(order):
-            comparison = moment.comparisons[number]
-            if comparison.signal != signal:
-                signal = comparison.signal
-                self._take_signal(comparison)
-            elif self.target.where_obeys_flag:
-                self.emitted.append(op("all"))
-            self.emitted.append(SetIn(comparison.level))
-            self.emitted.append(op("where", (), (*self.plan.scratched, "IN")))
-            self.board.values[FLAG] = moment.below(number)
-            if position + 1 < len(order):
-                self.board.keep(FLAG)
-                self.emitted += self.board.pop_gates()
-                del self.board.values[FLAG]
 
     def _take_signal(self, comparison: Comparison) -> None:
         """Add words that write -signal to the scratch register, or to registers whose sum is

@@ -10,11 +10,10 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Problem, Solution
-from nscc.lower.exposure_plan import ExposurePlan, Opens, PlanStep
+from nscc.lower.exposure_plan import ExposurePlan, Opens
 from nscc.lower.timeline import Timeline
 from nscc.operations import WordEffect
-from nscc.program.program import Program
-from nscc.program.wide import whole_name
+from nscc.program.program import Program, whole_name
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]
@@ -52,14 +51,7 @@ def problem_of(
                 Demand(step.boundary, step.role, step.bucket, step.predicate, flag_kept, quiet)
             )
     lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
-    values = _field_values(program)
-    return Problem(tuple(demands), plan.shutters, opens, lasts, values), tuple(actions)
-
-
-def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """Return the value of every field in one code of each shutter; free bits are separate fields.
-
-    Of several codes, one whose values other shutters also need is chosen."""
+    # Free bits are separate fields.
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):
@@ -69,11 +61,13 @@ def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
             name, first = whole_name(field.name), field.first_bit
             for k in range(field.bits):
                 values[f"{name}[{first + k}]"] = codes[:, index] >> k & 1
-    return values
+    return Problem(tuple(demands), plan.shutters, opens, lasts, values), tuple(actions)
 
 
 def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
-    """Return a row of `table.codes` for each shutter."""
+    """Return a row of `table.codes` for each shutter.
+
+    Of several codes, one whose values other shutters also need is chosen."""
     if len(table.codes) == len(table.shutters):
         return table.codes[np.argsort(table.shutter_of_code)]
     meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
@@ -93,6 +87,9 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
     loaded: int | None = None
     since_us = 0.0
     boundary = 0
+    heeding = {WordEffect.BUS}
+    if target.reset_honours_flag != "no":
+        heeding.add(WordEffect.RESET_PIX)
     for step in plan.steps:
         now_us = time.boundary_us[step.boundary]
         crossed = any(boundary < n <= step.boundary for n in time.refresh_at or ())
@@ -104,7 +101,7 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
             if flag_state != "predicate" or step.predicate != loaded:
                 since_us = now_us
             flag_state, loaded = "predicate", step.predicate
-        elif not _needs_flag(step, target):
+        elif not any(word.operation.effect in heeding for word in step.words):
             actions.append("nothing")
         elif flag_state == "all":
             actions.append("keep")
@@ -112,12 +109,3 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
             actions.append("all")
             flag_state, since_us = "all", now_us
     return actions
-
-
-def _needs_flag(step: PlanStep, target: Target) -> bool:
-    heeding = (
-        {WordEffect.BUS}
-        if target.reset_honours_flag == "no"
-        else {WordEffect.BUS, WordEffect.RESET_PIX}
-    )
-    return any(word.operation.effect in heeding for word in step.words)

@@ -213,7 +213,13 @@ class _Builder:
         self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
-        self._setup()
+        scratch = self.scratch
+        clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
+        self.steps.append(PlanStep(0, "setup", -1, None, clear))
+        sample: tuple[Op, ...] = ()
+        if self.reference is not None:
+            sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
+        self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
         lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
         lowerings[self.lowering]()
         return ExposurePlan(
@@ -229,15 +235,6 @@ class _Builder:
         if predicate:
             taking_part = None if predicate == self.everywhere else predicate
             self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
-
-    def _setup(self) -> None:
-        scratch = self.scratch
-        clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
-        self.steps.append(PlanStep(0, "setup", -1, None, clear))
-        sample: tuple[Op, ...] = ()
-        if self.reference is not None:
-            sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """Return words for register += PIX - reference."""

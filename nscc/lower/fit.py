@@ -5,19 +5,50 @@ the search finds no gates, this proves nothing, so `nscc check` reports it as a 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.exposure_plan import Lowering, Misfit
-from nscc.lower.ledger import ledger
 from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
-from nscc.program.capacity import bits_needed, capacity_note
+from nscc.program.limits import bits_needed, capacity_note
 from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.source import Span
+
+_LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
+
+
+def ledger(holders: Mapping[str, str]) -> str:
+    """Format {register: content} as `R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch`."""
+    groups: dict[tuple[str, str], list[tuple[str, str | None]]] = {}
+    for register, holder in holders.items():
+        match = _LAST_NUMBER.match(holder)
+        key = (match[1], match[3]) if match else (holder, "")
+        groups.setdefault(key, []).append((register, match[2] if match else None))
+    entries = []
+    for (before, after), members in groups.items():
+        registers = _with_runs([register for register, _ in members])
+        numbers = _with_runs([number for _, number in members if number is not None])
+        entries.append(f"{registers} {before}{numbers}{after}")
+    return "; ".join(entries)
+
+
+def _with_runs(names: Sequence[str]) -> str:
+    """Join registers or numbers, with runs of three and more as `R0-R3, R7`."""
+    runs: list[list[str]] = []
+    following = ""
+    for name in names:
+        if name == following:
+            runs[-1].append(name)
+        else:
+            runs.append([name])
+        match = _LAST_NUMBER.match(name)
+        following = f"{match[1]}{int(match[2]) + 1}" if match and not match[3] else ""
+    return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 2 else ", ".join(run) for run in runs)
 
 
 def capacity_fault(program: Program) -> Diagnostic | None:

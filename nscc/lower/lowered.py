@@ -1,12 +1,13 @@
-"""A lowered program with its costs, and the choice between several lowerings."""
+"""A lowered program with its costs, the choice between several lowerings, and the conversion of one
+to a container."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import zip_longest
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
@@ -14,8 +15,10 @@ from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep
 from nscc.lower.schedule import FrameSchedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
+from nscc.truth import rows
+from nscc.words.container import Container, Launch, Readout, StoredKernel
+from nscc.words.encoding import encode
 
-# Relative tolerance for times, which are sums of decimal fractions.
 _ROUNDING = 1 + 1e-9
 
 
@@ -149,7 +152,12 @@ class Lowered:
             read_slots = [n - 1 for n in reads]
             pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
         elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
-            pix_share = _longest_bump_share(program.table.shutters, share)
+            # The largest light between a rise and its fall, as a fraction of the frame's light.
+            bump = np.zeros(program.table.shutters.shape[:2])
+            pix_share = 0.0
+            for slot, slot_share in enumerate(share):
+                bump = np.where(program.table.shutters[:, :, slot], bump + slot_share, 0.0)
+                pix_share = max(pix_share, float(bump.max(initial=0.0)))
         else:
             pix_share = float(share[: max(reads, default=0)].sum())
             if plan.lowering == "edges":
@@ -191,11 +199,43 @@ def _reads_pix(step: PlanStep) -> bool:
     return any("PIX" in word.sources for word in step.words)
 
 
-def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64]) -> float:
-    """Return the largest light between a rise and its fall, as a fraction of the frame's light."""
-    bump = np.zeros(shutters.shape[:2])
-    longest = 0.0
-    for slot, slot_share in enumerate(share):
-        bump = np.where(shutters[:, :, slot], bump + slot_share, 0.0)
-        longest = max(longest, float(bump.max(initial=0.0)))
-    return longest
+def assemble(lowered: Lowered, level: int) -> Container:
+    """Return the complete container of a lowered program."""
+    program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
+    target, planes = program.target, lowered.solution.planes
+    shutters = len(program.table.shutters)
+    encoding = np.zeros((shutters, len(target.digital_registers)), dtype=np.bool_)
+    places = schedule.allocation.places
+    code_columns = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
+    encoding[:, code_columns] = rows(list(planes), shutters)
+    return Container(
+        target=target,
+        slot_us=program.frame.slot_us,
+        buckets=tuple(bucket.name for bucket in program.buckets),
+        table=program.table,
+        kernels=tuple(
+            StoredKernel(f"k{i}", tuple(encode(word) for word in kernel))
+            for i, kernel in enumerate(schedule.kernels)
+        ),
+        launches=tuple(
+            Launch(boundary, kernel, level)
+            for (boundary, kernel), level in zip_longest(schedule.launches, schedule.levels)
+        ),
+        code_registers=schedule.allocation.code_registers,
+        encoding=encoding,
+        pixel_codes=program.pixel_codes,
+        readouts=tuple(
+            Readout(register, bucket.name)
+            for register, bucket in zip(plan.bucket_registers, program.buckets, strict=True)
+        ),
+        source_lines=tuple(program.source.text.splitlines()),
+        notes={
+            "class": program.class_name,
+            "codes": program.mode,
+            "level": str(level),
+            "lowering": plan.lowering,
+        },
+    )
+
+
+# Relative tolerance for times, which are sums of decimal fractions.

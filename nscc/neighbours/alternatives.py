@@ -34,7 +34,13 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
     """Return the images with divided values that several kernels share; None if there are none.
 
     A divided value is an item before the first item that reads it; `/` is part of its name."""
-    divisors = _shared_divisors(pictures)
+    found: dict[str, list[int]] = {}
+    for expression in pictures.expressions.values():
+        for name, divisor in _divisors(expression, pictures.weights_by_name):
+            found.setdefault(name, []).append(divisor)
+    # Values that at least two kernels read, and nothing else (which has the divisor 1).
+    least = {name: min(of_name) for name, of_name in found.items() if len(of_name) > 1}
+    divisors = {name: divisor for name, divisor in least.items() if divisor > 1}
     if not divisors:
         return None
 
@@ -54,16 +60,6 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
         items.append(replace(item, node=divided_source(item.node)))
         known.add(item.name)
     return replace(pictures, items=tuple(items))
-
-
-def _shared_divisors(pictures: p.Pictures) -> dict[str, int]:
-    """Return for values that at least two kernels read, and nothing else: the common divisor."""
-    divisors: dict[str, list[int]] = {}
-    for expression in pictures.expressions.values():
-        for name, divisor in _divisors(expression, pictures.weights_by_name):
-            divisors.setdefault(name, []).append(divisor)
-    shared = {name: min(found) for name, found in divisors.items() if len(found) > 1}
-    return {name: divisor for name, divisor in shared.items() if divisor > 1}
 
 
 def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[str, int]]:

@@ -133,7 +133,10 @@ class BitWords:
             case p.Joined():
                 return self._joined(node), None
             case p.At():
-                return self._at(node), None
+                bit, outside = self.bit(node.condition), self.lowering.pictures.outside or 0
+                moved = self._moved(bit[0], outside, (node.right, node.down))
+                self.give(bit)
+                return moved, None
             case p.Near():
                 return self._near_bit(node), None
 
@@ -179,18 +182,13 @@ class BitWords:
 
     # --- neighbours
 
-    def _steer(self, steps: frozenset[Offset]) -> None:
-        """Set R1..R4 so that DNEWS reads these neighbours in every pixel."""
-        directions = frozenset(_OF_STEP[step] for step in steps)
-        if directions == self.steered:
-            return
-        self.lowering.word(op("CLR", list(STEERING)))
-        self.lowering.word(op("SET", sorted(directions)))
-        self.steered = directions
-
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
         """Emit the OR of these neighbours' bits, and return its register."""
-        self._steer(steps)
+        directions = frozenset(_OF_STEP[step] for step in steps)
+        if directions != self.steered:  # R1..R4 choose what DNEWS reads in every pixel
+            self.lowering.word(op("CLR", list(STEERING)))
+            self.lowering.word(op("SET", sorted(directions)))
+            self.steered = directions
         return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], [])
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
@@ -218,21 +216,16 @@ class BitWords:
                     line = self._stepped(line, register, (right, 0))
                 if (x, 0) in offsets:
                     yield (x, 0), line
-                yield from self._column(line, x, offsets)
+                for down in (1, -1):
+                    cell = line
+                    for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
+                        cell = self._stepped(cell, line, (0, down))
+                        if (x, down * y) in offsets:
+                            yield (x, down * y), cell
+                    if cell != line:
+                        self.give((cell, None))
             if line != register:
                 self.give((line, None))
-
-    def _column(
-        self, line: str, x: int, offsets: Collection[Offset]
-    ) -> Iterator[tuple[Offset, str]]:
-        for down in (1, -1):
-            cell = line
-            for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
-                cell = self._stepped(cell, line, (0, down))
-                if (x, down * y) in offsets:
-                    yield (x, down * y), cell
-            if cell != line:
-                self.give((cell, None))
 
     def _stepped(self, register: str, first: str, step: Offset) -> str:
         """Shift the bit of `register` by one step, and free `register` unless it is `first`."""
@@ -241,13 +234,6 @@ class BitWords:
         if register != first:
             self.give((register, None))
         return neighbour
-
-    def _at(self, node: p.At) -> str:
-        bit = self.bit(node.condition)
-        outside = self.lowering.pictures.outside or 0
-        moved = self._moved(bit[0], outside, (node.right, node.down))
-        self.give(bit)
-        return moved
 
     def _near_bit(self, node: p.Near) -> str:
         """Emit `any` as an OR of neighbours, and `all` as the inverse of `any` of inverses."""
@@ -284,14 +270,9 @@ class BitWords:
             return self._emit_word("MOV", [register], [])
         total, *further_registers = registers
         for further in further_registers:
-            total = self._or(total, further)
+            for word in pair("OR", total, [total, further]):
+                self.lowering.word(word)
+            self.give((further, None))
         if (0, 0) in offsets:
             return self._emit_word("OR", [total, register], [(total, None)])
         return total
-
-    def _or(self, first: str, second: str) -> str:
-        """Store the OR of two intermediate bits in the register of the first."""
-        for word in pair("OR", first, [first, second]):
-            self.lowering.word(word)
-        self.give((second, None))
-        return first

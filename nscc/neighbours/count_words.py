@@ -12,7 +12,7 @@ Accumulators of the two halves need two words a place for both images."""
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -164,13 +164,27 @@ class CountEmitter(Emitter):
         directions = directions_of(list(vectors.values()), len(sums))
         steps = {at: _steps_along(vector, directions) for at, vector in vectors.items()}
         self.everywhere()
-        accumulators = [self._begin() for _ in directions]
+        accumulators = []
+        for _ in directions:
+            register = self.take()
+            self.word(op("bus", [register]))  # `_finished` replaces this word
+            accumulators.append(Accumulator(register, len(self.words) - 1))
         self.spare = self.take()
         unread = [term.condition for _, total in sums for _, term in total.terms]
         for condition in dict.fromkeys(condition for condition, _ in places):
-            self._walk(condition, steps, accumulators)
+            bit = self.bits.bit(condition)
+            offsets = {at for plane, at in steps if plane == condition}
+            for at, register in self.bits.places(bit[0], offsets):
+                for number, factor in steps[condition, at].items():
+                    self._add(accumulators[number], register, factor)
+            self.bits.give(bit)
             unread.remove(condition)
-        self._skip(unread)
+        # One walk serves all agreements of a plane: what the others would read counts as read.
+        for node in (node for condition in unread for node in p.subexpressions(condition)):
+            if isinstance(node, p.Bit):
+                self.bits.give((self.bits.planes[node.name], node.name))
+            elif isinstance(node, p.Source):
+                self.give(self.held[node.name])
         self.everywhere()
         self.give(Held(self.spare, 1, 0.0, 0.0))
         self.walks += 1
@@ -185,12 +199,6 @@ class CountEmitter(Emitter):
                 if factor:
                     self.ready[image].append((factor, held))
 
-    def _begin(self) -> Accumulator:
-        """Take and clear an accumulator; `_finished` replaces the word that clears it."""
-        register = self.take()
-        self.word(op("bus", [register]))
-        return Accumulator(register, len(self.words) - 1)
-
     def _finished(self, accumulator: Accumulator, name: str) -> Held:
         """Make the first word write the accumulator's initial value, and return the count."""
         level = -int(accumulator.start * self.pictures.count_steps)
@@ -202,18 +210,6 @@ class CountEmitter(Emitter):
         self.checked(-high_e, high_e)
         sign, variance = accumulator.sign, accumulator.variance
         return Held(accumulator.register, sign, -high_e, high_e, name, variance)
-
-    def _walk(
-        self, condition: p.Condition, steps: dict[Place, dict[int, Fraction]],
-        accumulators: Sequence[Accumulator],
-    ) -> None:  # fmt: skip
-        """Add the bits of one plane to the accumulators, place by place."""
-        bit = self.bits.bit(condition)
-        offsets = {at for plane, at in steps if plane == condition}
-        for at, register in self.bits.places(bit[0], offsets):
-            for number, factor in steps[condition, at].items():
-                self._add(accumulators[number], register, factor)
-        self.bits.give(bit)
 
     def _add(self, accumulator: Accumulator, bit: str, factor: Fraction) -> None:
         """Add a factor where a bit is 1, and subtract it where the bit is 0.
@@ -235,15 +231,6 @@ class CountEmitter(Emitter):
         accumulator.start += -factor if to_ones else factor
         accumulator.span += abs(factor)
         accumulator.variance += 1
-
-    def _skip(self, conditions: Iterable[p.Condition]) -> None:
-        """Note as read what further agreements of a plane would read: one walk serves them all."""
-        nodes = (node for condition in conditions for node in p.subexpressions(condition))
-        for node in nodes:
-            if isinstance(node, p.Bit):
-                self.bits.give((self.bits.planes[node.name], node.name))
-            elif isinstance(node, p.Source):
-                self.give(self.held[node.name])
 
 
 def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:

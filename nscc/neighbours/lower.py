@@ -126,7 +126,13 @@ class Lowering(RegisterEmitter):
         least, ranked = float("inf"), []
         for sign in (1, -1):
             for candidate in self.synthesis.variants(added((sign, taps))):
-                over = max(self._excess(value, taps_) for taps_ in values_of(candidate.program))
+                # The largest result of a word, as a multiple of the registers' range.
+                over = 0.0
+                for kernel in values_of(candidate.program):
+                    ends = value.scaled(*gains(kernel))
+                    low, high = ends if value.sign > 0 else (-ends[1], -ends[0])
+                    target = self.target
+                    over = max(over, high / target.register_max_e, low / target.register_min_e)
                 least = min(least, over)
                 if over <= 1 + 1e-9:
                     left = self.reuse_of(candidate.program, value)
@@ -140,12 +146,6 @@ class Lowering(RegisterEmitter):
         best.sort(key=lambda each: noise_gain(each[2]))
         ranked[: len(best)] = best
         return [(program, sign) for *_, program, sign in ranked[:_MOST_TRIED]]
-
-    def _excess(self, value: Held, taps: Taps) -> float:
-        """Return the largest result of a kernel, as a multiple of the registers' range."""
-        low, high = value.scaled(*gains(taps))
-        ends = (low, high) if value.sign > 0 else (-high, -low)
-        return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
 
     def negated(self, value: Held) -> Held:
         """Emit the word that inverts the sign in which a value is held."""
@@ -166,9 +166,11 @@ class Lowering(RegisterEmitter):
             return self.added([(1, count), (1, self.value(p.Sum(tuple(others))))])
         taps, inner = merged(node, self.weights)
         if inner is not node:
-            return self.shortest(
-                lambda: self.filtered(self.value(inner), taps), lambda: self._term_by_term(node)
+            ways = (
+                lambda: self.filtered(self.value(inner), taps),
+                lambda: self._term_by_term(node),
             )
+            return self.do_shortest(ways, (1, 1))
         return self._term_by_term(node)
 
     def _term_by_term(self, node: p.Sum) -> Held:
@@ -275,14 +277,10 @@ def merged(node: p.Value, kernels: Mapping[str, p.Weights]) -> tuple[Weights, p.
     """Combine nested kernels and factors; return one kernel and the value it applies to."""
     if isinstance(node, p.Filtered):
         taps, inner = merged(node.value, kernels)
-        return _after(kernels[node.kernel].taps, taps), inner
+        outer = kernels[node.kernel].taps.items()
+        return added(*((weight, moved(taps, x, y)) for (x, y), weight in outer)), inner
     if isinstance(node, p.Sum):
         terms = [(factor, *merged(term, kernels)) for factor, term in node.terms]
         if terms and all(inner == terms[0][2] for _, _, inner in terms):
             return added(*((factor, taps) for factor, taps, _ in terms)), terms[0][2]
     return {(0, 0): Fraction(1)}, node
-
-
-def _after(outer: Weights, inner: Weights) -> Weights:
-    """Return the kernel that applies `inner`, then `outer`."""
-    return added(*((weight, moved(inner, x, y)) for (x, y), weight in outer.items()))

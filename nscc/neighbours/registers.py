@@ -5,19 +5,87 @@ their contents for reuse until a word overwrites them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from nscc.neighbours.bits import BitWords
 from nscc.neighbours.count_words import CountEmitter, Result
 from nscc.neighbours.held import Held, PictureRefused
-from nscc.neighbours.programs import Program
-from nscc.neighbours.reuse import Contents, Reuse, reuse
-from nscc.operations import NEIGHBOURS, Op, op
+from nscc.neighbours.programs import Offset, Program, moved, values_of
+from nscc.operations import NEIGHBOURS, STEPS, Op, op
 from nscc.words import pictures as p
 from nscc.words.container import Container
 from nscc.words.encoding import matching
+
+Contents = tuple[str, frozenset[tuple[Offset, int]]]
+"""The name of a value, and the convolution kernel that was applied to the value."""
+
+
+@dataclass(frozen=True)
+class Reuse:
+    """The words of a program that must run.
+
+    `words`: their indices. `held`: registers that already hold values of the program, by the
+    program's names. `contents`: what each word of the program writes, by name."""
+
+    words: tuple[int, ...]
+    held: Mapping[str, str]
+    contents: tuple[dict[str, Contents], ...]
+
+
+def reuse(
+    program: Program, base: str, contents: Mapping[str, Contents], free: Collection[str],
+    news_keeps: bool,
+) -> Reuse:  # fmt: skip
+    """Return the words of a program that must run on the value `base`.
+
+    `contents`: what registers hold. The result is reused only from a `free` register, because the
+    caller owns it; NEWS is reused only with `news_keeps`."""
+    written = []
+    for word, taps in zip(program, values_of(program), strict=True):
+        places = {
+            name: moved(taps, *(-step for step in STEPS[name])) if name in NEIGHBOURS else taps
+            for name in word.destinations
+        }
+        written.append({name: (base, frozenset(at.items())) for name, at in places.items()})
+    where = {value: name for name, value in contents.items() if name != "NEWS"}
+    where_free = {value: name for value, name in where.items() if name in free}
+    needed, news = {program[-1].destinations[0]}, False
+    numbers: list[int] = []
+    held: dict[str, str] = {}
+    last = len(program) - 1
+    for number in reversed(range(len(program))):
+        word, runs = program[number], False
+        for name in word.destinations:
+            if _is_news(name):
+                runs = runs or news
+            elif name in needed:
+                register = (where_free if number == last else where).get(written[number][name])
+                if register is None or register in held.values():  # two sources of one word
+                    runs = True
+                else:
+                    held[name] = register
+        if runs:
+            numbers.append(number)
+            news = (news and not any(map(_is_news, word.destinations))) or any(
+                map(_is_news, word.sources)
+            )
+            needed |= {name for name in word.sources if not _is_news(name)}
+    runs_in_order = numbers[::-1]
+    if news_keeps:  # leave out the words that would write to NEWS what NEWS already holds
+        numbers, runs_in_order, holds = runs_in_order, [], contents.get("NEWS")
+        for number in numbers:
+            values = {v for name, v in written[number].items() if _is_news(name)}
+            if len(program[number].destinations) == 1 and values == {holds}:
+                continue
+            runs_in_order.append(number)
+            holds = next(iter(values), holds)
+    return Reuse(tuple(runs_in_order), held, tuple(written))
+
+
+def _is_news(name: str) -> bool:
+    return name == "NEWS" or name in NEIGHBOURS
 
 
 class RegisterEmitter(CountEmitter):
@@ -45,22 +113,18 @@ class RegisterEmitter(CountEmitter):
         written = {name for word in exposing if word is not None for name in word.destinations}
         self.bits = BitWords(self, digital, {*digital} - written)
         self.count_e = pictures.count_steps * target.electrons_per_step
-        self.uses = self._uses()
+        # How often each image and bucket is read; an output counts once more.
+        self.uses = dict.fromkeys(self.held, 0)
+        for name, expression in self.pictures.expressions.items():
+            self.uses[name] = 0
+            for node in p.subexpressions(expression):
+                if isinstance(node, p.Source):
+                    self.uses[node.name] += 1
+        for name in self.pictures.outputs:
+            self.uses[name] = self.uses.get(name, 0) + 1
         for name, value in list(self.held.items()):
             self.uses[name] += 1
             self.give(value)
-
-    def _uses(self) -> dict[str, int]:
-        """Return how often each image and bucket is read; an output counts once more."""
-        uses: dict[str, int] = dict.fromkeys(self.held, 0)
-        for name, expression in self.pictures.expressions.items():
-            uses[name] = 0
-            for node in p.subexpressions(expression):
-                if isinstance(node, p.Source):
-                    uses[node.name] += 1
-        for name in self.pictures.outputs:
-            uses[name] = uses.get(name, 0) + 1
-        return uses
 
     def take(self) -> str:
         if not self.free:
@@ -95,8 +159,9 @@ class RegisterEmitter(CountEmitter):
             raise PictureRefused("range", self.now, over, 1.0)
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
-        keeps = self.target.news_read_keeps
-        return reuse(program, _base(value), self.contents, self.free, keeps)
+        # A name for the contents of the value's register, valid until the register is freed.
+        base = f"{value.name or value.register} {value.sign}"
+        return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 
     def run_program(self, program: Program, value: Held) -> str:
         """Emit the words of a program, and return the register of its result."""
@@ -131,10 +196,6 @@ class RegisterEmitter(CountEmitter):
         unread = [places[name] for name in left.held if name not in last and name != result]
         self.free += [name for name in unread if name in reserved]
         return places[result]
-
-    def shortest(self, *ways: Callable[[], Held]) -> Held:
-        """Return the value computed by the way with the fewest words."""
-        return self.do_shortest(ways, [1] * len(ways))
 
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
         """Follow the way with the fewest words per share, and return its result.
@@ -175,8 +236,3 @@ class RegisterEmitter(CountEmitter):
         del self.words[words:]
         bits.free, bits.planes, bits.uses, bits.steered, *of_counting = of_bits
         self.ready, self.walks = of_counting
-
-
-def _base(value: Held) -> str:
-    """Return a name for the contents of a value's register, valid until the register is freed."""
-    return f"{value.name or value.register} {value.sign}"

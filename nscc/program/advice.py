@@ -2,16 +2,219 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import prod
 
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
 from nscc.program.expressions import Checked, names_in
-from nscc.program.names import Declarations, Rule
-from nscc.program.problems import Problems, counted
+from nscc.program.looking import Looking
+from nscc.program.names import LOOKS, Declarations, Rule
+from nscc.program.open_time import Untold
+from nscc.program.problems import Problems, counted, printable
 from nscc.program.program import Field
+from nscc.program.table import CodeArray
+from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
+from nscc.words.machine import StateMachine
+
+
+def judge_looking(
+    declared: Declarations,
+    machine: StateMachine,
+    untold: Untold | None,
+    target: Target,
+    problems: Problems,
+) -> None:
+    """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
+    rules that never open (NS0350).
+
+    `untold` is from `nscc.program.open_time.with_open_times`."""
+    if untold is not None:
+        rule = declared.rules[untold.bucket]
+        names = ", ".join(untold.states)
+        helps = (f"`read {names}` gives the open time",) if names else (
+            "add a state that stores when the shutter closed, `state closed_at : 0..3 = 0`, "
+                "and read it",
+        )  # fmt: skip
+        problems.error(
+            "NS0324", "the readout does not determine how long a pixel was open", rule.span,
+            "pixels with the same code are open for different times", helps=helps,
+            data={"missing": list(untold.states)},
+        )  # fmt: skip
+    if declared.reset is not None and target.reset_honours_flag != "yes":
+        _judge_resets(declared.reset, machine, target, problems)
+    for k, rule in enumerate(declared.rules):
+        if not machine.opens[:, k].any():
+            who = (
+                f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
+            )
+            problems.warning("NS0350", f"{who} never opens", rule.rule.span, "false in every slot")
+
+
+def judge_looked_names(
+    declared: Declarations,
+    looking: Looking,
+    rules: Sequence[Checked],
+    machine: StateMachine,
+    problems: Problems,
+) -> None:
+    """Note unused senses and states, and states that never change (NS0355).
+
+    An unread sense counts as used if it is the only sense at a look that changes a state or that
+    `looks` counts. `rules` are the rules of shutters."""
+    read = frozenset[str]().union(
+        *(checked.variables for checked in [*rules, *looking.expressions])
+    )
+    steps = bool(looking.nexts) or LOOKS in read
+    used = {n for sense in looking.senses if sense.name in read for n in sense.at}
+    for sense in looking.senses:
+        if sense.name in read:
+            continue
+        if steps and not used.issuperset(sense.at):
+            used.update(sense.at)
+            continue
+        place = declared.senses[sense.name].name.span
+        problems.note("NS0355", f"the sense `{sense.name}` is not used", place, "not used")
+    for k, state in enumerate(machine.states):
+        if state.sense:
+            continue
+        name, place = state.name, declared.states[state.name].name.span
+        others = {other: step for other, step in looking.nexts.items() if other != name}
+        without_its_own = [*rules, *replace(looking, nexts=others).expressions]
+        if name not in declared.nexts:
+            problems.note(
+                "NS0355", f"`{name}` always keeps its start value", place, "no `next` changes it"
+            )
+        elif not state.is_kept and (machine.values[:, k] == state.start).all():
+            text = "its `next` never changes it"
+            problems.note("NS0355", f"`{name}` always keeps its start value", place, text)
+        elif not state.read and not any(name in checked.variables for checked in without_its_own):
+            problems.note("NS0355", f"the state `{name}` is not used", place, "not used")
+
+
+def _judge_resets(
+    statement: tree.Reset, machine: StateMachine, target: Target, problems: Problems
+) -> None:
+    """Report a boundary at which pixels disagree on a reset, if the chip can only reset all of
+    them."""
+    for stage in range(machine.stages):
+        slots = slice(machine.starts(stage), machine.ends(stage))
+        stage_resets = machine.resets[machine.nodes(stage), slots]
+        differ = (stage_resets != stage_resets[:1]).any(axis=0)
+        if differ.any():
+            boundary = slots.start + int(differ.argmax())
+            problems.error(
+                "NS0415", f"{target.name} resets all pixels at once", statement.condition.span,
+                f"at n = {boundary} the condition selects only some pixels",
+                notes=("the reset of the photodiode ignores FLAG",),
+                helps=(
+                    "use a condition on `n` alone, or a target with a reset per pixel: "
+                    "`target scamp5-algorithm1`",
+                ),
+                data={"boundary": boundary},
+            )  # fmt: skip
+            return
+
+
+def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
+    """Return the shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
+    nodes = machine.start_nodes()
+    shutters = machine.opens[nodes].copy()
+    for stage in range(1, machine.stages):
+        nodes = machine.steps[nodes, 0]
+        slots = slice(machine.starts(stage), machine.ends(stage))
+        shutters[:, :, slots] = machine.opens[nodes][:, :, slots]
+    return shutters
+
+
+@dataclass(frozen=True)
+class Excess:
+    """The largest factor of a machine's size: its place (None for fields), a label, and helps."""
+
+    place: Span | None
+    text: str
+    helps: list[str]
+
+
+def largest_part(
+    declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
+) -> Excess:
+    """Return the largest factor of the number of transitions: codes, states, or levels at one
+    boundary.
+
+    `codes` (codes, fields) are the compiled codes, in the order of `fields`. The helps do not
+    include how to have fewer codes."""
+    values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
+    boundary, levels_of_sense = _busiest(looking, values)
+    levels = sum(levels_of_sense.values())
+    states = _state_combinations(looking, levels * len(looking.looks))
+    helps = _helps(looking, most_senses=len(levels_of_sense), states=states)
+    if len(codes) > max(states, 1 << levels):
+        return Excess(None, f"{counted(len(codes), 'code')} in all", helps)
+    if states > 1 << levels:
+        widest = max(looking.states, key=lambda state: state.high - state.low)
+        place = declared.states[widest.name].name.span
+        return Excess(place, f"states can hold {printable(states)} different values", helps)
+    most = max(levels_of_sense, key=lambda name: levels_of_sense[name])
+    text = f"{counted(levels, 'level')} to compare at n = {boundary}: 2^{levels} answers"
+    return Excess(declared.senses[most].name.span, text, helps)
+
+
+def most_looks(declared: Declarations, looking: Looking) -> Excess:
+    """Return the sense with the most looks, as the largest factor of the number of open times."""
+    sense = max(looking.senses, key=lambda candidate: len(candidate.at))
+    text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
+    helps = ["use fewer looks, or a state that keeps a shutter closed"]
+    return Excess(declared.senses[sense.name].at.span, text, helps)
+
+
+def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
+    helps = []
+    if most_senses > 1:
+        helps.append("use fewer senses at one boundary: each sense doubles the number of answers")
+    by_field = dict.fromkeys(
+        f"`{sense.field}`" for sense in looking.senses if sense.field is not None
+    )
+    if by_field:
+        helps.append(
+            f"use fewer values of {', '.join(by_field)}: each value is one more level to compare"
+        )
+    if states > 1:
+        helps.append("reduce the ranges of the states, or use fewer states")
+    if len(looking.looks) > 1:
+        helps.append(f"use fewer looks: there are {len(looking.looks)}")
+    return helps
+
+
+def _state_combinations(looking: Looking, answers: int) -> int:
+    """Return an upper bound on the number of combined values of states.
+
+    Kept states start with any value. Other states have one value for each of 2^`answers` histories,
+    but at most the number of values in their ranges."""
+    kept_values, reached = (
+        prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
+        for is_kept in (True, False)
+    )
+    return kept_values * min(reached, 1 << answers)
+
+
+def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
+    """Return the boundary with most levels to compare, and the number of levels of each of its
+    senses."""
+    levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
+    level_counts = Counter[int]()
+    for sense in looking.senses:
+        level_counts.update(dict.fromkeys(sense.at, levels[sense.name]))
+    busiest = max(level_counts, key=lambda n: (level_counts[n], -n), default=0)
+    return busiest, {s.name: levels[s.name] for s in looking.senses if busiest in s.at}
 
 
 def judge_rules(

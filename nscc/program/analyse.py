@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from fractions import Fraction
 from pathlib import Path
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.program.books import make_books
 from nscc.program.complete import Completion
-from nscc.program.constants import resolve_constants
-from nscc.program.expressions import Checked, Meaning, check
-from nscc.program.field_planes import make_planes
-from nscc.program.fields import make_fields
-from nscc.program.frame import make_frame
+from nscc.program.constants import constants_scope, require_scope, resolve_constants, rule_scope
+from nscc.program.expressions import Meaning, check
+from nscc.program.field_planes import PlaneMaker
+from nscc.program.fields import make_books, make_fields
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems
-from nscc.program.program import Codes, Program
-from nscc.program.scopes import constants_scope, require_scope, rule_scope
+from nscc.program.program import Codes, Program, SlotGrid, chunks_of
 from nscc.program.table import Rules
-from nscc.program.wide import chunks_of
-from nscc.source import Source
+from nscc.source import Source, Span
 from nscc.syntax.parse import parse
-from nscc.syntax.tree import File, TargetByName, TargetFromFile
+from nscc.syntax.tree import EqualSlots, File, ListedSlots, TargetByName, TargetFromFile
+
+SHORTEST_US = Fraction(1, 10**6)
+LONGEST_US = Fraction(10**12)
 
 
 def analyse(
@@ -41,32 +40,62 @@ def analyse(
     constants = resolve_constants(declared, chosen, problems)
     frame = None
     if declared.frame is not None:
-        frame = make_frame(declared.frame, constants["N"], problems)
+        frame = _make_frame(declared.frame, constants["N"], problems)
     books = make_books(declared.books, constants["N"], base, problems)
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
-    requires, rules = _check_rules(declared, constants, problems)
+    scope = require_scope(declared, constants)
+    conditions = [
+        check(r.condition, "boolean", scope, problems, "a condition") for r in declared.requires
+    ]
+    scope = rule_scope(declared, constants)
+    rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
     if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
     pictures = None
     if declared.has_pictures and chosen is not None:
-        from nscc.program.picture_statements import make_pictures
+        from nscc.program.picture_statements import PictureMaker
 
-        pictures = make_pictures(declared, constants, chosen, base, problems)
-    planes = make_planes(declared, fields, constants, chosen, base, problems)
+        pictures = PictureMaker(declared, constants, chosen, base, problems).make()
+    planes = PlaneMaker(declared, fields, constants, chosen, base, problems).make()
     problems.stop_on_errors()
     assert frame is not None
     assert chosen is not None
-    chunks = tuple(
-        chunk for field in fields.values() if field is not None for chunk in chunks_of(field)
+    chunks = (chunk for field in fields.values() if field is not None for chunk in chunks_of(field))
+    known = Rules(
+        tuple(chunks),
+        [condition for condition in conditions if condition is not None],
+        [rule for rule in rules if rule is not None],
+        {name: book for name, book in books.items() if book is not None},
+        len(frame.slot_us),
     )
-    digits = {name: book for name, book in books.items() if book is not None}
-    known = Rules(chunks, requires, rules, digits, len(frame.slot_us))
-    completion = Completion(
+    return Completion(
         problems, declared, chosen, frame, known, planes, codes, looking, pictures
-    )
-    return completion.run()
+    ).run()
+
+
+def _make_frame(
+    statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
+) -> SlotGrid | None:
+    """Return the frame, or None after reporting invalid slot lengths (NS0309).
+
+    `slots` is the meaning of N; if it failed, the result is None without a report."""
+    times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
+    invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
+    for time in invalid[:8]:
+        text = "zero or negative" if time.us <= 0 else "too short" if time.us < 1 else "too long"
+        notes = ("a slot must be between 1 ps and 10^6 s long",)
+        problems.error("NS0309", "slot length out of range", time.span, text, notes=notes)
+    if invalid or slots.kind != "constant":
+        return None
+    if isinstance(statement, EqualSlots):
+        lengths = (float(statement.length.us),) * slots.value
+        count_span = statement.count.span
+    else:
+        lengths = tuple(float(time.us) for time in times)
+        count_span = Span(times[0].span.start, times[-1].span.end)
+    return SlotGrid(lengths, len(set(lengths)) == 1, statement.span, count_span)
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
@@ -121,16 +150,3 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
         ),
     )
     problems.stop_on_errors()
-
-
-def _check_rules(
-    declared: Declarations, constants: Mapping[str, Meaning], problems: Problems
-) -> tuple[list[Checked], list[Checked]]:
-    """Return the valid `require` conditions and rules, with names and types checked."""
-    scope = require_scope(declared, constants)
-    conditions = [
-        check(r.condition, "boolean", scope, problems, "a condition") for r in declared.requires
-    ]
-    scope = rule_scope(declared, constants)
-    rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
-    return [c for c in conditions if c is not None], [r for r in rules if r is not None]

@@ -9,7 +9,6 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
@@ -74,7 +73,12 @@ class ArraysFile:
 
         Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array."""
         if key not in self.keys:
-            raise self._missing(key)
+            listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
+            message, notes = (
+                f'"{self.shown}" has no array `{clipped(key)}`',
+                (f"the file has {listed}",),
+            )
+            raise rejected("NS0314", message, notes=notes, helps=meant(key, self.keys))
         try:
             arrays, _ = npz_arrays(BytesIO(self._data), key.__eq__, 8 * most)
         except UnsuitableArray as error:
@@ -83,7 +87,12 @@ class ArraysFile:
             raise self._broken(str(error) or "it does not fit the memory") from error
         values = arrays[key]
         if values.dtype.kind not in ("iub" if bools else "iu"):
-            raise self._not_integers(key, values.dtype)
+            raise rejected(
+                "NS0314",
+                f'the array `{clipped(key)}` of "{self.shown}" is of type {values.dtype}, but must '
+                "contain integers",
+                helps=(f"round and convert it before saving: `{key}.astype(numpy.int64)`",),
+            )
         if values.size > most:
             raise self._unsuitable(key, f"it has {values.size} values", most)
         return values
@@ -113,19 +122,3 @@ class ArraysFile:
     def _unsuitable(self, key: str, reason: str, most: int) -> Rejected:
         message = f'the array `{clipped(key)}` of "{self.shown}" cannot be used: {reason}'
         return rejected("NS0314", message, helps=(f"give at most {most} integers",))
-
-    def _missing(self, key: str) -> Rejected:
-        listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
-        message, notes = (
-            f'"{self.shown}" has no array `{clipped(key)}`',
-            (f"the file has {listed}",),
-        )
-        return rejected("NS0314", message, notes=notes, helps=meant(key, self.keys))
-
-    def _not_integers(self, key: str, dtype: np.dtype[Any]) -> Rejected:
-        return rejected(
-            "NS0314",
-            f'the array `{clipped(key)}` of "{self.shown}" is of type {dtype}, but must contain '
-            "integers",
-            helps=(f"round and convert it before saving: `{key}.astype(numpy.int64)`",),
-        )

@@ -44,15 +44,12 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
     cut = sum(f.cut for f in recognised)
     names = {f.name for f in recognised}
     class_texts = ", ".join(
-        f"{bucket} {_class_text(f.name)}" for bucket, f in zip(buckets, recognised, strict=True)
+        f"{bucket} {'class ' * (len(f.name) == 1)}{f.name}"
+        for bucket, f in zip(buckets, recognised, strict=True)
     )
     if len(names) == 1:
         return Recognised(recognised[0].name, f"by bucket: {class_texts}", cut)
     return Recognised("general", f"buckets of different classes: {class_texts}", cut)
-
-
-def _class_text(name: str) -> str:
-    return f"class {name}" if len(name) == 1 else name
 
 
 def _recognise_rule(
@@ -66,7 +63,11 @@ def _recognise_rule(
         return by_shape
     node = rule.nodes[-1]
     if isinstance(node, Index) and node.base.text in rules.books:
-        return Recognised("codebook", _codebook_reason(rules, node, by_shape))
+        rows = counted(len(rules.books[node.base.text]), "row")
+        reason = f"the rule reads `{node.base.text}`, {rows} of any shape"
+        if by_shape.name != "general":
+            reason += f" (its shutters alone would be class {by_shape.name})"
+        return Recognised("codebook", reason)
     if isinstance(node, Index) and _own_bit_for_each_slot(rules, rule, node):
         with_require = " that `require` allows" if rules.requires else ""
         return Recognised(
@@ -77,14 +78,6 @@ def _recognise_rule(
             "e", f"all 2^{rules.slots} patterns of {counted(rules.slots, 'slot')} occur"
         )
     return by_shape
-
-
-def _codebook_reason(rules: Rules, node: Index, by_shape: Recognised) -> str:
-    rows = rules.books[node.base.text].shape[0]
-    reason = f"the rule reads `{node.base.text}`, {counted(rows, 'row')} of any shape"
-    if by_shape.name != "general":
-        reason += f" (its shutters alone would be class {by_shape.name})"
-    return reason
 
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:

@@ -10,21 +10,23 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
-from nscc.program.advice import judge_bumps, judge_names, judge_rules
-from nscc.program.classes import Recognised, recognise
-from nscc.program.field_planes import Plane, first_place, pixel_text
-from nscc.program.limits import SURVEY_LIMIT
-from nscc.program.looking import Looking
-from nscc.program.looking_advice import (
+from nscc.program.advice import (
     Excess,
+    judge_bumps,
     judge_looked_names,
     judge_looking,
+    judge_names,
+    judge_rules,
     largest_part,
     most_looks,
     shutters_in_the_dark,
 )
-from nscc.program.machine import build_machine
-from nscc.program.names import Declarations, Rule
+from nscc.program.classes import Recognised, recognise
+from nscc.program.field_planes import Plane, first_place, pixel_text
+from nscc.program.limits import SURVEY_LIMIT
+from nscc.program.looking import Looking
+from nscc.program.machine import MachineBuilder
+from nscc.program.names import Declarations
 from nscc.program.open_time import with_open_times
 from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
@@ -69,24 +71,41 @@ class Completion:
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
         self.has_data = has_pixels or not fields
         self.mode: Codes = self.codes if has_pixels and fields else "open"
-        self.buckets = tuple(_bucket(rule) for rule in self.declared.rules)
+        self.buckets = tuple(
+            BucketRule(rule.name.text if isinstance(rule, tree.Bucket) else "frame", rule.span)
+            for rule in self.declared.rules
+        )
 
     def run(self) -> Program:
         """Return the program.
 
         Raises Rejected for codes that violate `require` (NS0312), rules without a value for some
         code, programs without a legal code (NS0317) and too many codes (NS0450)."""
-        in_use, at_pixel = self._codes_in_use()
+        planes = [self.planes[field.name] for field in self.rules.fields] if self.planes else []
+        in_use, at_pixel = codes_in_use(planes, (self.target.rows, self.target.cols))
+        if self.has_data and self.rules.fields:
+            self._require(in_use, at_pixel)
         if self.looking is not None:
             return self._looking(self.looking, in_use, at_pixel)
         if self.mode == "fixed":
             table = self._decode(in_use, "fixed")
             survey, legal = self._survey(table)
         else:
-            table, at_pixel = self._open(in_use, at_pixel)
-            survey, legal = table, len(table.codes)
-        recognised = self._class(survey, table)
-        self._advise(recognised, survey, table)
+            codes, at_pixel = self._legal(in_use, at_pixel)
+            survey = table = self._decode(codes, "open")
+            legal = len(codes)
+        problems, declared, fields = self.problems, self.declared, self.rules.fields
+        if not fields:
+            basis = "for every pixel"
+        elif self.mode == "fixed" and survey is table:
+            basis = "in the codes that the pixels use"
+        else:
+            basis = "in all codes that the fields allow"
+        recognised = recognise(self.rules, [b.name for b in self.buckets], survey, basis)
+        basis = "for every code in use" if self.mode == "fixed" else "for every code"
+        judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
+        judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
+        judge_bumps(recognised, declared.rules[0], survey, problems)
         return self._program(table, legal, at_pixel, recognised)
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
@@ -96,7 +115,7 @@ class Completion:
             codes, at_pixel = self._legal(in_use, at_pixel)
             legal = len(codes)
         try:
-            machine, behaviour = build_machine(self.rules, looking, codes, self.target)
+            machine, behaviour = MachineBuilder(self.rules, looking, codes, self.target).build()
         except NoValue as problem:
             raise self._refused(problem, self.declared.rules[0].rule.span) from problem
         except TooMuch as problem:
@@ -131,10 +150,14 @@ class Completion:
         recognised: Recognised,
         machine: StateMachine | None = None,
     ) -> Program:
+        target_span = None
+        match self.declared.target:
+            case tree.TargetByName(name=place) | tree.TargetFromFile(path=place):
+                target_span = place.span
         return Program(
             source=self.problems.source,
             target=self.target,
-            target_span=_named_at(self.declared.target),
+            target_span=target_span,
             frame=self.frame,
             fields=self.rules.fields,
             buckets=self.buckets,
@@ -149,18 +172,8 @@ class Completion:
             pictures=self.pictures,
         )
 
-    def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:
-        shape = (self.target.rows, self.target.cols)
-        planes = [self.planes[field.name] for field in self.rules.fields] if self.planes else []
-        in_use, at_pixel = codes_in_use(planes, shape)
-        if self.has_data:
-            self._require(in_use, at_pixel)
-        return in_use, at_pixel
-
     def _require(self, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> None:
         """Raise Rejected (NS0312) for pixels whose code violates a `require`."""
-        if not self.rules.fields:
-            return
         try:
             legal = allowed(self.rules, in_use)
         except (NoValue, TooMuch) as problem:
@@ -171,6 +184,9 @@ class Completion:
         y, x = first_place(breaking)
         count = int(breaking.sum())
         code = in_use[at_pixel[y, x]]
+        statements: list[tree.Node] = list(self.declared.pixels.values())
+        if self.declared.pixels_file is not None:
+            statements.append(self.declared.pixels_file)
         conditions = zip(self.declared.requires, self.rules.requires, strict=True)
         broken = next(
             statement
@@ -180,7 +196,7 @@ class Completion:
         self.problems.error(
             "NS0312",
             f"the {pixel_text(x, y)} has {code_text(self.rules, code)}, which `require` forbids",
-            self._pixels_span(),
+            min((s.span for s in statements), key=lambda span: span.start),
             f"{counted(count, 'pixel breaks', 'pixels break')} it",
             related=(Label(broken.condition.span, "the condition"),),
             data={"x": x, "y": y, "pixels": count},
@@ -192,13 +208,6 @@ class Completion:
             return decode(self.rules, codes)
         except (NoValue, TooMuch) as problem:
             raise self._refused(problem, self._limit_span(), mode) from problem
-
-    def _open(
-        self, in_use: CodeArray, at_pixel: NDArray[np.int32]
-    ) -> tuple[DecodeTable, NDArray[np.int32]]:
-        """Return the table of all legal codes, and the pixels' rows in it."""
-        legal, at_pixel = self._legal(in_use, at_pixel)
-        return self._decode(legal, "open"), at_pixel
 
     def _legal(
         self, in_use: CodeArray, at_pixel: NDArray[np.int32]
@@ -241,42 +250,23 @@ class Completion:
             pass
         return table, legal
 
-    def _class(self, survey: DecodeTable, table: DecodeTable) -> Recognised:
-        if not self.rules.fields:
-            basis = "for every pixel"
-        elif self.mode == "fixed" and survey is table:
-            basis = "in the codes that the pixels use"
-        else:
-            basis = "in all codes that the fields allow"
-        return recognise(self.rules, [b.name for b in self.buckets], survey, basis)
-
-    def _advise(self, recognised: Recognised, survey: DecodeTable, table: DecodeTable) -> None:
-        problems, declared, fields = self.problems, self.declared, self.rules.fields
-        basis = "for every code in use" if self.mode == "fixed" else "for every code"
-        judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
-        judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
-        judge_bumps(recognised, declared.rules[0], survey, problems)
-
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
         if isinstance(problem, TooMuch):
-            self._too_much(problem, span, mode)
+            reduce_help = "reduce the ranges of the fields, or use fewer slots"
+            self.problems.error(
+                "NS0450",
+                f"too many codes and slots: {problem.message}",
+                span,
+                "needs this many",
+                related=(Label(self.frame.count_span, "the slots"),),
+                helps=(*self._fewer_codes(mode), reduce_help),
+                data=_proved(problem),
+            )
         else:
             for finding in problem.findings:
                 notes, data = (finding.text,), {"count": finding.count}
                 self.problems.error(*finding.fault, notes=notes, data=data)
         return Rejected(self.problems.sorted())
-
-    def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
-        helps = [*self._fewer_codes(mode), "reduce the ranges of the fields, or use fewer slots"]
-        self.problems.error(
-            "NS0450",
-            f"too many codes and slots: {problem.message}",
-            span,
-            "needs this many",
-            related=(Label(self.frame.count_span, "the slots"),),
-            helps=tuple(helps),
-            data=_proved(problem),
-        )
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
         """Return the error (NS0450) for a state machine that is too large, at the place that makes
@@ -306,16 +296,6 @@ class Completion:
             return self.frame.count_span
         return max(self.rules.fields, key=lambda f: f.high - f.low).span
 
-    def _pixels_span(self) -> Span:
-        statements: list[tree.Node] = list(self.declared.pixels.values())
-        if self.declared.pixels_file is not None:
-            statements.append(self.declared.pixels_file)
-        return min((s.span for s in statements), key=lambda span: span.start)
-
-
-def _bucket(rule: Rule) -> BucketRule:
-    return BucketRule(rule.name.text if isinstance(rule, tree.Bucket) else "frame", rule.span)
-
 
 def _proved(problem: TooMuch) -> dict[str, object]:
     return {
@@ -324,13 +304,3 @@ def _proved(problem: TooMuch) -> dict[str, object]:
         "available": problem.available,
         "proved": True,
     }
-
-
-def _named_at(target: tree.TargetByName | tree.TargetFromFile | None) -> Span | None:
-    """Return the place where the target statement names the chip, or None."""
-    match target:
-        case tree.TargetByName(name=name):
-            return name.span
-        case tree.TargetFromFile(path=path):
-            return path.span
-    return None

@@ -28,7 +28,7 @@ from nscc.program.arithmetic import (
 )
 from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
-from nscc.program.wide import CHUNK_BITS, chunk_name
+from nscc.program.program import CHUNK_BITS, chunk_name
 from nscc.syntax import tree
 
 Bindings = Mapping[str, Value]
@@ -65,6 +65,13 @@ def fault_at(
     return fault
 
 
+def fault_places(value: Value, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    """Return the places of the broadcast `shape` at which a value has a fault."""
+    if isinstance(value.faults, np.ndarray):
+        return np.broadcast_to(value.faults, shape)
+    return np.full(shape, value.faults is not None)
+
+
 def _value(
     node: tree.Expr,
     arguments: list[Value],
@@ -95,7 +102,14 @@ def _value(
         case tree.Binary():
             return ARITHMETIC[node.op](node, *arguments)
         case tree.Compare():
-            return _chain(node, arguments)
+            links = [
+                Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
+                for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
+            ]
+            result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
+            for link in links[1:]:
+                result = _junction(result, link, True)
+            return result
         case tree.IfElse():
             return _chosen(*arguments)
         case tree.Index():
@@ -103,16 +117,19 @@ def _value(
                 return _digit(node, arguments[0], books[node.base.text], bindings["n"])
             return _bit(node, arguments[0], bindings[node.base.text], bindings)
         case tree.Call():
-            return _extreme(node.function.text, arguments)
+            pick, of_arrays = (
+                (min, np.minimum) if node.function.text == "min" else (max, np.maximum)
+            )
+            result = arguments[0]
+            for b in arguments[1:]:
+                plain = isinstance(result.data, int) and isinstance(b.data, int)
+                data = (pick if plain else of_arrays)(result.data, b.data)
+                low, high = pick(result.low, b.low), pick(result.high, b.high)
+                result = Value(data, low, high, either(result.faults, b.faults))
+            return result
         case tree.Place() | tree.Amount():
             raise AssertionError("`check` refuses levels and bits of neighbours")
     assert_never(node)
-
-
-def _pick(condition: Data, then: Data, otherwise: Data) -> Data:
-    if isinstance(condition, np.ndarray):
-        return np.where(condition, then, otherwise)
-    return then if condition else otherwise
 
 
 def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
@@ -120,8 +137,12 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
         faults_where(condition.data, then.faults),
         faults_where(condition.data ^ True, otherwise.faults),
     )
+    if isinstance(condition.data, np.ndarray):
+        data: Data = np.where(condition.data, then.data, otherwise.data)
+    else:
+        data = then.data if condition.data else otherwise.data
     return Value(
-        _pick(condition.data, then.data, otherwise.data),
+        data,
         min(then.low, otherwise.low),
         max(then.high, otherwise.high),
         either(condition.faults, branches),
@@ -132,28 +153,6 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
     return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
-
-
-def _chain(node: tree.Compare, arguments: list[Value]) -> Value:
-    links = [
-        Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
-        for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
-    ]
-    result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
-    for link in links[1:]:
-        result = _junction(result, link, True)
-    return result
-
-
-def _extreme(name: str, arguments: list[Value]) -> Value:
-    pick, of_arrays = (min, np.minimum) if name == "min" else (max, np.maximum)
-    result = arguments[0]
-    for b in arguments[1:]:
-        plain = isinstance(result.data, int) and isinstance(b.data, int)
-        data = (pick if plain else of_arrays)(result.data, b.data)
-        low, high = pick(result.low, b.low), pick(result.high, b.high)
-        result = Value(data, low, high, either(result.faults, b.faults))
-    return result
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:

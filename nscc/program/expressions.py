@@ -172,7 +172,12 @@ class _Checker:
                 self._base(node.base)
                 return "boolean"
             case tree.Call():
-                return self._call(node, operand_types)
+                name = node.function.text
+                if name not in MinMax:
+                    self._unknown(node.function, "a function", MinMax)
+                    return None
+                self._want("integer", operand_types, node.arguments, f"`{name}`")
+                return "integer"
             case tree.Place() | tree.Amount():
                 text = "a level" if isinstance(node, tree.Amount) else "a bit of a neighbour"
                 self._error("NS0531", f"{text} is no integer", node.span, text)
@@ -182,7 +187,9 @@ class _Checker:
     def _name(self, node: tree.Name) -> Type | None:
         meaning = self.scope.get(node.text)
         if meaning is None:
-            self._unknown(node, "anything that can stand here", self._readable())
+            kinds = ("constant", "variable", "failed")
+            readable = [name for name, m in self.scope.items() if m.kind in kinds]
+            self._unknown(node, "anything that can stand here", readable)
             return None
         match meaning.kind:
             case "constant":
@@ -191,7 +198,13 @@ class _Checker:
             case "variable":
                 self.variables.add(node.text)
                 if meaning.wide:
-                    self._too_wide(node)
+                    self._error(
+                        "NS0513",
+                        f"`{node.text}` has too many bits for arithmetic",
+                        node.span,
+                        "a bit field of more than 62 bits",
+                        helps=(f"read single bits: `{node.text}[n]`",),
+                    )
                 return meaning.type
             case "failed":
                 self.sound = False
@@ -205,15 +218,6 @@ class _Checker:
                 self._error("NS0209", message, node.span, "a whole codebook", helps=helps)
                 return None
         assert_never(meaning.kind)
-
-    def _too_wide(self, node: tree.Name) -> None:
-        self._error(
-            "NS0513",
-            f"`{node.text}` has too many bits for arithmetic",
-            node.span,
-            "a bit field of more than 62 bits",
-            helps=(f"read single bits: `{node.text}[n]`",),
-        )
 
     def _base(self, base: tree.Name) -> None:
         meaning = self.scope.get(base.text)
@@ -268,14 +272,6 @@ class _Checker:
             return None
         return then
 
-    def _call(self, node: tree.Call, operand_types: list[Type | None]) -> Type | None:
-        name = node.function.text
-        if name not in MinMax:
-            self._unknown(node.function, "a function", MinMax)
-            return None
-        self._want("integer", operand_types, node.arguments, f"`{name}`")
-        return "integer"
-
     def _want(
         self,
         expected: Type,
@@ -304,9 +300,6 @@ class _Checker:
     def _error(self, code: str, message: str, span: Span, label: str, **details: Any) -> None:
         self.sound = False
         self.problems.error(code, message, span, label, **details)
-
-    def _readable(self) -> list[str]:
-        return [k for k, m in self.scope.items() if m.kind in ("constant", "variable", "failed")]
 
 
 _CONVERT: dict[Type, tuple[str, ...]] = {

@@ -13,44 +13,25 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.program.arithmetic import Value, array
+from nscc.program.arithmetic import array
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.constants import constant
-from nscc.program.evaluate import evaluate, fault_at
-from nscc.program.expressions import LIMIT, Checked, Meaning, check
+from nscc.program.constants import constant, constants_scope, pixels_scope
+from nscc.program.evaluate import evaluate, fault_at, fault_places
+from nscc.program.expressions import LIMIT, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
-from nscc.program.program import Field
-from nscc.program.scopes import constants_scope, pixels_scope
-from nscc.program.wide import CHUNK_BITS, chunks_of, chunks_of_bits
+from nscc.program.program import CHUNK_BITS, Field, chunks_of, chunks_of_bits
 from nscc.source import Span
-from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
+from nscc.syntax.tree import Int, PixelsExpr, PixelsFromFile, PixelsTile
 
 Plane = NDArray[np.int64]
 """The values of one field at all pixels: int64 (rows, cols)."""
 
 
-def make_planes(
-    declared: Declarations,
-    fields: Mapping[str, Field | None],
-    constants: Mapping[str, Meaning],
-    target: Target | None,
-    base: Path,
-    problems: Problems,
-) -> dict[str, Plane]:
-    """Return the plane (values at all pixels) of every field, except fields that have errors.
-
-    Empty without `pixels` statements or without a target. Reports fields without pixels (NS0210),
-    values outside their range (NS0311), faults of expressions, tiles that are not rectangular
-    (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a plane for each of
-    its chunks."""
-    return _Maker(declared, fields, constants, target, base, problems).run()
-
-
 @dataclass(eq=False, repr=False)
-class _Maker:
-    """The inputs for making planes."""
+class PlaneMaker:
+    """Makes the values of all fields at all pixels, or reports why they have none."""
 
     declared: Declarations
     fields: Mapping[str, Field | None]
@@ -59,17 +40,23 @@ class _Maker:
     base: Path
     problems: Problems
 
-    def __post_init__(self) -> None:
-        self.scope = pixels_scope(self.declared, self.constants)
-        self.tile_scope = constants_scope(self.declared, self.constants)
+    def make(self) -> dict[str, Plane]:
+        """Return the plane (values at all pixels) of every field, except fields that have errors.
 
-    def run(self) -> dict[str, Plane]:
+        Empty without `pixels` statements or without a target. Reports fields without pixels
+        (NS0210), values outside their range (NS0311), faults of expressions, tiles that are not
+        rectangular (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a
+        plane for each of its chunks."""
         planes: dict[str, Plane] = {}
         if len(self.fields) > MOST_FIELDS:
             return planes
         for name, statement in self.declared.pixels.items():
             if name not in self.fields:
-                self._no_field(statement)
+                helps = (f"declare it with `code {name} : LO..HI`",)
+                self.declared.report_other(
+                    statement.field, "a field", ": `pixels` needs a field", self.fields, helps,
+                    self.problems,
+                )  # fmt: skip
             if isinstance(statement, PixelsExpr):
                 plane = self._expression(statement)
             else:
@@ -81,40 +68,26 @@ class _Maker:
         if self.declared.pixels_file is not None:
             self._file(planes, missing)
         elif self.declared.pixels and missing:
-            self._not_given(missing)
+            shown = ", ".join(f"`{name}`" for name in missing)
+            first = self.declared.codes[missing[0]]
+            given_statement = next(iter(self.declared.pixels.values()))
+            self.problems.error(
+                "NS0210",
+                f"the pixel values of {shown} are missing, but other fields have values",
+                first.name.span,
+                "has no `pixels` statement",
+                related=(Label(given_statement.field.span, "given here"),),
+                helps=(
+                    f"add `pixels {missing[0]} = ...`",
+                    "a program without any `pixels` statement is also valid",
+                ),
+            )
         return planes
-
-    def _no_field(self, statement: PixelsExpr | PixelsTile) -> None:
-        name = statement.field.text
-        if name in self.declared.refused:
-            return
-        declared_as = dict(self.declared.declared()).get(name)
-        if declared_as is None:
-            self.problems.unknown("a field", name, statement.field.span, list(self.fields))
-        else:
-            message = f"`{name}` is {declared_as}, not a field: `pixels` needs a field"
-            helps = (f"declare it with `code {name} : LO..HI`",)
-            self.problems.error("NS0209", message, statement.field.span, declared_as, helps=helps)
-
-    def _not_given(self, missing: list[str]) -> None:
-        shown = ", ".join(f"`{name}`" for name in missing)
-        first = self.declared.codes[missing[0]]
-        given_statement = next(iter(self.declared.pixels.values()))
-        self.problems.error(
-            "NS0210",
-            f"the pixel values of {shown} are missing, but other fields have values",
-            first.name.span,
-            "has no `pixels` statement",
-            related=(Label(given_statement.field.span, "given here"),),
-            helps=(
-                f"add `pixels {missing[0]} = ...`",
-                "a program without any `pixels` statement is also valid",
-            ),
-        )
 
     def _expression(self, statement: PixelsExpr) -> Plane | None:
         value = statement.value
-        checked = check(value, "integer", self.scope, self.problems, "a pixel's value")
+        scope = pixels_scope(self.declared, self.constants)
+        checked = check(value, "integer", scope, self.problems, "a pixel's value")
         if checked is None or self.target is None:
             return None
         rows, cols = self.target.rows, self.target.cols
@@ -131,21 +104,14 @@ class _Maker:
         }
         evaluated = evaluate(checked, bindings, {})
         if evaluated.faults is not None:
-            self._fault(checked, bindings, evaluated, (rows, cols))
+            places = fault_places(evaluated, (rows, cols))
+            y, x = first_place(places)
+            fault = fault_at(checked, bindings, {}, (rows, cols), (y, x))
+            count = int(places.sum())
+            notes = (f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",)
+            self.problems.error(*fault, notes=notes, data={"x": x, "y": y, "pixels": count})
             return None
         return np.broadcast_to(np.asarray(evaluated.data, dtype=np.int64), (rows, cols))
-
-    def _fault(
-        self, checked: Checked, bindings: dict[str, Value], evaluated: Value, shape: tuple[int, int]
-    ) -> None:
-        places = np.ones(shape, dtype=bool)
-        if isinstance(evaluated.faults, np.ndarray):
-            places = np.broadcast_to(evaluated.faults, shape)
-        y, x = first_place(places)
-        fault = fault_at(checked, bindings, {}, shape, (y, x))
-        count = int(places.sum())
-        notes = (f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",)
-        self.problems.error(*fault, notes=notes, data={"x": x, "y": y, "pixels": count})
 
     def _tile(self, statement: PixelsTile) -> Plane | None:
         lines = statement.rows
@@ -161,7 +127,17 @@ class _Maker:
             )
             self.problems.error("NS0316", message, place, text)
             return None
-        values = [[self._tile_value(expr) for expr in row.values] for row in lines]
+        scope = constants_scope(self.declared, self.constants)
+        values = [
+            [
+                # Large tiles are common; a plain number needs no scope.
+                expr.value
+                if isinstance(expr, Int) and expr.value < 2**31
+                else constant(expr, scope, self.problems, "a value of a tile")
+                for expr in row.values
+            ]
+            for row in lines
+        ]
         if self.target is None or any(None in line for line in values):
             return None
         tile = np.array(values, dtype=np.int64)
@@ -177,11 +153,6 @@ class _Maker:
             )
         y, x = np.arange(rows) % height, np.arange(cols) % width
         return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
-
-    def _tile_value(self, expr: Expr) -> int | None:
-        if isinstance(expr, Int) and expr.value < 2**31:
-            return expr.value
-        return constant(expr, self.tile_scope, self.problems, "a value of a tile")
 
     def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
         statement = self.declared.pixels_file
@@ -240,28 +211,21 @@ class _Maker:
         y, x = first_place(outside)
         count = int(outside.sum())
         value = "a number beyond 2^63" if beyond is not None and beyond[y, x] else plane[y, x]
+        range_text = f"{field.low}..{min(field.high, LIMIT)}"
+        helps: tuple[str, ...] = ()
+        if field.high > LIMIT:
+            shape = f"({', '.join(map(str, plane.shape))}, {field.bits})"
+            bits_text = f"an array {field.name} of 0 and 1 {shape}, bit 0 first"
+            helps = (f"give its bits in a file: {bits_text}",)
         self.problems.error(
             "NS0311",
-            f"the {pixel_text(x, y)} has {field.name} = {value}, outside {_range(field)}",
+            f"the {pixel_text(x, y)} has {field.name} = {value}, outside {range_text}",
             _value_span(statement, x, y),
             f"{counted(count, 'pixel is', 'pixels are')} outside the range",
-            related=(Label(field.span, f"`{field.name}` is {_range(field)}"),),
-            helps=_as_bits(field, self.target),
+            related=(Label(field.span, f"`{field.name}` is {range_text}"),),
+            helps=helps,
             data={"field": field.name, "x": x, "y": y, "pixels": count},
         )
-
-
-def _range(field: Field) -> str:
-    """Return the range of a field as text; a number has at most 62 bits."""
-    return f"{field.low}..{min(field.high, LIMIT)}"
-
-
-def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
-    """Return a help on how to define the pixels of a long bit field."""
-    if field.high <= LIMIT or target is None:
-        return ()
-    shape = f"({target.rows}, {target.cols}, {field.bits})"
-    return (f"give its bits in a file: an array {field.name} of 0 and 1 {shape}, bit 0 first",)
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:

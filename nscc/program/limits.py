@@ -1,9 +1,14 @@
-"""Limits on enumeration, checked before it starts."""
+"""Limits on enumeration, checked before it starts, and on the numbers of shutters that a pixel's
+registers can distinguish.
+
+Those hold for any encoding of codes in digital registers."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from bisect import bisect_right
+from collections.abc import Callable, Mapping
 
+from nscc.chips.target import Target
 from nscc.program.expressions import Checked, operands
 from nscc.syntax.tree import Index, Name
 
@@ -64,6 +69,34 @@ def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
     return total
 
 
-def total_work(exprs: Iterable[Checked], sizes: Mapping[str, tuple[int, int]]) -> int:
-    """Return the number of operations to evaluate several expressions over the same variables."""
-    return sum(work(e, sizes) for e in exprs)
+Count = Callable[[int], int]
+"""A function that returns the number of different shutters of a class of a given size.
+
+It does not decrease with the size."""
+
+
+def bits_needed(shutters: int) -> int:
+    """Return the fewest one-bit registers that distinguish this number of shutters."""
+    return max(0, (shutters - 1).bit_length())
+
+
+def capacity_note(shutters: int) -> str:
+    """Return a note on why fewer registers than `bits_needed` are not enough."""
+    return (
+        f"certain for codes in digital registers: {shutters} shutters need "
+        f"{bits_needed(shutters)} registers with any encoding"
+    )
+
+
+def largest_with(count: Count, most: int, least: int, ceiling: int) -> int:
+    """Return the largest size in `least`..`ceiling` with at most `most` shutters; least - 1 if none
+    has."""
+    return least - 1 + bisect_right(range(least, ceiling + 1), most, key=count)
+
+
+def impossible_from(count: Count, target: Target) -> int | None:
+    """Return the smallest size whose shutters the registers of `target` cannot distinguish.
+
+    None if all sizes up to the longest frame are possible."""
+    fits = largest_with(count, 1 << len(target.digital_registers), 1, MOST_SLOTS)
+    return fits + 1 if fits < MOST_SLOTS else None

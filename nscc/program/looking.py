@@ -9,12 +9,11 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, array
-from nscc.program.constants import constant
+from nscc.program.constants import at_scope, constant, constants_scope, next_scope
 from nscc.program.evaluate import evaluate
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.names import Declarations, State
 from nscc.program.problems import Problems
-from nscc.program.scopes import at_scope, constants_scope, next_scope
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import machine
@@ -137,9 +136,8 @@ class _Maker:
         if at is None or signal is None or self.target is None:
             return None
         name, above = sense.name.text, sense.comparison == ">"
-        field = self._field(sense.level)
-        if field is not None:
-            return CheckedSense(name, signal, above, at, None, field, sense.span)
+        if isinstance(sense.level, tree.Name) and sense.level.text in self.declared.codes:
+            return CheckedSense(name, signal, above, at, None, sense.level.text, sense.span)
         steps = self._levels(sense, len(at), self.target)
         if steps is None:
             return None
@@ -189,11 +187,6 @@ class _Maker:
             )  # fmt: skip
             return None
         return tuple(at.tolist())
-
-    def _field(self, level: tree.Amount | tree.Levels | tree.Expr) -> str | None:
-        if isinstance(level, tree.Name) and level.text in self.declared.codes:
-            return level.text
-        return None
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:
         items: tuple[tree.Amount | tree.Levels | tree.Expr, ...] = (sense.level,) * looks
@@ -272,7 +265,11 @@ class _Maker:
                     "NS0306", message, span, "the first value is larger than the second"
                 )
                 return None
-        start = self._start(state)
+        start: int | None
+        if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
+            start = int(state.start.value)
+        else:
+            start = constant(state.start, self.constants, self.problems, "the start of a state")
         if start is None:
             return None
         if not low <= start <= high:
@@ -281,12 +278,6 @@ class _Maker:
             return None
         read = name in self.declared.reads
         return machine.State(name, low, high, start, state.kept, read, boolean)
-
-    def _start(self, state: State) -> int | None:
-        """Return the start value of a state; a bit may also start with true or false."""
-        if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
-            return int(state.start.value)
-        return constant(state.start, self.constants, self.problems, "the start of a state")
 
     def next(self, statement: tree.Next) -> CheckedNext | None:
         if not self.known_state(statement.name):
@@ -313,20 +304,13 @@ class _Maker:
         """Return whether the name is a state; report an error if not."""
         if name.text in self.declared.states:
             return True
-        if name.text in self.declared.refused:
-            return False
-        declared_as = dict(self.declared.declared()).get(name.text)
-        if declared_as is None:
-            self.problems.unknown("a state", name.text, name.span, self.declared.states)
-            return False
         helps = ("`next` and `read` need a state: declare `state NAME : LO..HI = START`",)
         if name.text in self.declared.senses:
             helps = (
                 "store its answer in a state: `state seen : bit = false`, `next seen = "
                 f"{name.text}`, `read seen`",
             )
-        message = f"`{name.text}` is {declared_as}, not a state"
-        self.problems.error("NS0209", message, name.span, declared_as, helps=helps)
+        self.declared.report_other(name, "a state", "", self.declared.states, helps, self.problems)
         return False
 
 

@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, Value, array, scalar
-from nscc.program.evaluate import bit_count, evaluate, fault_at
+from nscc.program.evaluate import bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
+from nscc.program.program import whole_name
 from nscc.program.table import CodeArray, MissingValue, NoValue, Rules, TooMuch, code_text
-from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, State, StateMachine
 
 MOST_TRANSITIONS = 10**7
@@ -46,17 +46,9 @@ class Stage:
     steps: NDArray[np.int64]
 
 
-def build_machine(
-    rules: Rules, looking: Looking, codes: CodeArray, target: Target
-) -> tuple[StateMachine, NDArray[np.int32]]:
-    """Return the machine, and the behaviour of every code (codes,).
+class MachineBuilder:
+    """Builds the state machine of checked rules for the compiled codes."""
 
-    Raises NoValue if an expression has no value in a reachable node or a state leaves its range,
-    and TooMuch beyond MOST_TRANSITIONS."""
-    return _Builder(rules, looking, codes, target).build()
-
-
-class _Builder:
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
         self.rules, self.looking, self.codes, self.target = rules, looking, codes, target
         self.looks = looking.looks
@@ -65,17 +57,28 @@ class _Builder:
         for step in looking.nexts.values():
             used = step.value.variables | (step.condition.variables if step.condition else set())
             # A `next` at a look of other senses also reads the latest answer.
-            in_rules |= {s.name for s in looking.senses if s.name in used and self._stale(s)}
+            in_rules |= {
+                s.name for s in looking.senses if s.name in used and set(s.at) != set(self.looks)
+            }
         self.remembered = [sense for sense in looking.senses if sense.name in in_rules]
         self.width = 1 + len(looking.states)
         self.transitions = 0
         self.cells = 0
 
-    def _stale(self, sense: CheckedSense) -> bool:
-        return set(self.looks) != set(sense.at)
-
     def build(self) -> tuple[StateMachine, NDArray[np.int32]]:
-        nodes = self._start()
+        """Return the machine, and the behaviour of every code (codes,).
+
+        Raises NoValue if an expression has no value in a reachable node or a state leaves its
+        range, and TooMuch beyond MOST_TRANSITIONS."""
+        # Every code with every possible value of its kept states.
+        ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
+        size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
+        self._limit(size)
+        values = [np.arange(low, high + 1) for low, high in ranges]
+        grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
+        columns = [grid.reshape(-1) for grid in grids]
+        columns += [np.zeros(size, np.int64)] * len(self.remembered)
+        nodes = np.stack(columns, axis=1).astype(np.int64)
         stages: list[Stage] = []
         comparisons: list[Comparison] = []
         ends = (*self.looks, self.rules.slots)
@@ -93,17 +96,6 @@ class _Builder:
             stages.append(Stage(nodes, opens, resets, steps))
             nodes, begin = following, end
         return self._joined(stages, tuple(comparisons))
-
-    def _start(self) -> Nodes:
-        """Return every code with every possible value of its kept states."""
-        ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
-        size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
-        self._limit(size)
-        values = [np.arange(low, high + 1) for low, high in ranges]
-        grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
-        columns = [grid.reshape(-1) for grid in grids]
-        columns += [np.zeros(size, np.int64)] * len(self.remembered)
-        return np.stack(columns, axis=1).astype(np.int64)
 
     def _limit(self, added: int) -> None:
         self.transitions += added
@@ -174,10 +166,7 @@ class _Builder:
         data = np.broadcast_to(np.asarray(evaluated.data), shape)
         if evaluated.faults is None:
             return data
-        if isinstance(evaluated.faults, np.ndarray):
-            places = np.broadcast_to(evaluated.faults, shape)
-        else:
-            places = np.ones(shape, np.bool_)
+        places = fault_places(evaluated, shape)
         if needed is not None:
             places = places & needed
         if not places.any():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import assert_never
 
 from nscc.diagnostics.diagnostic import Label
@@ -90,20 +90,30 @@ class Declarations:
 
     def declared(self) -> Iterator[tuple[str, str]]:
         """Yield every declared name that expressions may use, with a description."""
-        for name in self.lets:
-            yield name, "a let"
-        for name in self.codes:
-            yield name, "a field"
-        for name in self.books:
-            yield name, "a codebook"
-        for name in self.senses:
-            yield name, "a sense"
-        for name in self.states:
-            yield name, "a state"
-        for name in self.kernels:
-            yield name, "a kernel"
+        kinds: dict[str, Iterable[str]] = {
+            "a let": self.lets, "a field": self.codes, "a codebook": self.books,
+            "a sense": self.senses, "a state": self.states, "a kernel": self.kernels,
+        }  # fmt: skip
+        for kind, names in kinds.items():
+            for name in names:
+                yield name, kind
         for picture in self.pictures:
             yield picture.name.text, "an image" if isinstance(picture, tree.Image) else "a plane"
+
+    def report_other(
+        self, name: tree.Name, kind: str, note: str, known: Iterable[str], helps: tuple[str, ...],
+        problems: Problems,
+    ) -> None:  # fmt: skip
+        """Report a name that is not of `kind` (NS0209, or NS0214 for an unknown one)."""
+        text = name.text
+        if text in self.refused:
+            return
+        declared_as = dict(self.declared()).get(text)
+        if declared_as is None:
+            problems.unknown(kind, text, name.span, known)
+        else:
+            message = f"`{text}` is {declared_as}, not {kind}{note}"
+            problems.error("NS0209", message, name.span, declared_as, helps=helps)
 
 
 def gather(file: tree.File, problems: Problems) -> Declarations:
@@ -180,7 +190,14 @@ class _Gatherer:
             case tree.Report():
                 declared.reports.append(statement)
             case tree.PixelsExpr() | tree.PixelsTile():
-                self._pixels(statement)
+                field = statement.field
+                first = declared.pixels.setdefault(field.text, statement)
+                if first is not statement:
+                    message = f"the pixel values of `{field.text}` are given twice"
+                    related = (Label(first.field.span, "the first"),)
+                    self.problems.error(
+                        "NS0211", message, field.span, "the second", related=related
+                    )
             case tree.PixelsFromFile():
                 if self._once("pixels from", declared.pixels_file, statement):
                     declared.pixels_file = statement
@@ -273,11 +290,3 @@ class _Gatherer:
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"
         ):
             rules.append(rule)
-
-    def _pixels(self, statement: tree.PixelsExpr | tree.PixelsTile) -> None:
-        name = statement.field.text
-        first = self.declared.pixels.setdefault(name, statement)
-        if first is not statement:
-            message, place = f"the pixel values of `{name}` are given twice", statement.field.span
-            related = (Label(first.field.span, "the first"),)
-            self.problems.error("NS0211", message, place, "the second", related=related)

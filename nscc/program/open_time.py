@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -97,14 +97,8 @@ def _missing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> tuple[str, ...]:
     unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
-    for added in _choices(unread):
+    choices = [added for count in (1, 2, 3) for added in combinations(unread, count)]
+    for added in [*choices, tuple(unread)]:
         if _differing(machine, last, times, [*read, *added]) is None:
             return tuple(machine.states[k].name for k in added)
     return ()
-
-
-def _choices(states: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    for count in range(1, min(len(states), 3) + 1):
-        yield from combinations(states, count)
-    if len(states) > 3:
-        yield tuple(states)

@@ -48,10 +48,6 @@ class PictureComparer(ABC):
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
         """Raise WrongPicture after reporting if one image is a count and the other is not."""
 
-    def _counts(self, value: p.Value) -> CountRange | None:
-        """Return the values of a count; None for an image in electrons."""
-        return counts_of(value, self.counts, self.kernels)
-
     def _compare(self, compare: tree.Compare) -> p.Condition:
         operands = (compare.first, *compare.later_operands)
         condition: p.Condition | None = None
@@ -86,7 +82,7 @@ class PictureComparer(ABC):
             other, level = self._image(second), tree.Int(second.span, 0)
             self._require_alike(value, other, span)
             value = picture_sum((Fraction(1), value), (Fraction(-1), other))
-        counts = self._counts(value)
+        counts = counts_of(value, self.counts, self.kernels)
         if counts is not None:
             return self._count_comparison(value, counts, op, level)
         test = p.Above(value, self._steps(level))

@@ -16,6 +16,7 @@ from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
+from nscc.words.counts import counts_of
 
 Kind = Literal["image", "plane", "bucket"]
 _FUNCTIONS = ("abs", "agree", "max", "min")
@@ -53,7 +54,8 @@ class Reader(PictureComparer):
             self.kinds[name] = "plane"
         else:
             self.kinds[name] = "image"
-            if (counts := self._counts(node)) is not None:
+            counts = counts_of(node, self.counts, self.kernels)
+            if counts is not None:
                 self.counts[name] = counts
 
     def image(self, expr: tree.Expr) -> p.Value | None:
@@ -75,7 +77,26 @@ class Reader(PictureComparer):
     def _image(self, expr: tree.Expr) -> p.Value:
         match expr:
             case tree.Name():
-                return self._named_image(expr)
+                text = expr.text
+                if text == "exposure":
+                    if len(self.buckets) == 1:
+                        return p.Source(self.buckets[0])
+                    raise self._report(
+                        "NS0323", "this program has several buckets", expr.span, "whose exposure?",
+                        (f"name the bucket: `{self.buckets[0]}`",),
+                    )  # fmt: skip
+                kind = self.kinds.get(text)
+                if kind == "image":
+                    return p.Source(text)
+                if kind == "plane":
+                    raise self._report(
+                        "NS0531", f"`{text}` is a plane, but this must be an image", expr.span,
+                        "a plane",
+                        (f"choose between two images with it: `A if {text} else B`",),
+                    )  # fmt: skip
+                if text in self.buckets and text not in self.kinds:
+                    return p.Source(text)
+                raise self._unknown("an image or a bucket", expr, "image")
             case tree.Unary(op="-", operand=operand):
                 return picture_sum((Fraction(-1), self._image(operand)))
             case tree.Binary(op="+" | "-" as op, left=left, right=right):
@@ -100,33 +121,13 @@ class Reader(PictureComparer):
         )  # fmt: skip
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
-        if (self._counts(first) is None) != (self._counts(second) is None):
+        counts = [counts_of(value, self.counts, self.kernels) for value in (first, second)]
+        if counts.count(None) == 1:
             raise self._report(
                 "NS0531", "counts and electrons do not mix", span,
                 "one of the two is a count, made by `agree`",
                 ("compare each of them, and join the planes: `a > 6% and c > 3`",),
             )  # fmt: skip
-
-    def _named_image(self, name: tree.Name) -> p.Value:
-        text = name.text
-        if text == "exposure":
-            if len(self.buckets) == 1:
-                return p.Source(self.buckets[0])
-            raise self._report(
-                "NS0323", "this program has several buckets", name.span, "whose exposure?",
-                (f"name the bucket: `{self.buckets[0]}`",),
-            )  # fmt: skip
-        kind = self.kinds.get(text)
-        if kind == "image":
-            return p.Source(text)
-        if kind == "plane":
-            raise self._report(
-                "NS0531", f"`{text}` is a plane, but this must be an image", name.span, "a plane",
-                (f"choose between two images with it: `A if {text} else B`",),
-            )  # fmt: skip
-        if text in self.buckets and text not in self.kinds:
-            return p.Source(text)
-        raise self._unknown("an image or a bucket", name, "image")
 
     def _scaled(self, expr: tree.Binary, image: tree.Expr, factor: tree.Expr) -> p.Value:
         if expr.op == "*" and self._is_number(image):
@@ -200,7 +201,18 @@ class Reader(PictureComparer):
                     raise WrongPicture
                 return p.At(self._named_plane(expr.base), x, y)
             case tree.Call():
-                return self._any_or_all(expr)
+                kind = expr.function.text
+                if kind not in ("any", "all"):
+                    image = kind in self.kernels or kind in _FUNCTIONS
+                    if not image:
+                        raise self._unknown("a function of planes", expr.function, "function")
+                    raise self._report(
+                        "NS0531", f"`{kind}(..)` is an image, but this must be a plane", expr.span,
+                        "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
+                    )  # fmt: skip
+                kernel = self._kernel_of(expr, "PLANE")
+                self._needs_outside(expr.span)
+                return p.Near(cast(Any, kind), self._condition(expr.arguments[0]), kernel)
         raise self._report(
             "NS0531", "this is not a plane", expr.span, "no condition",
             ("a plane combines comparisons such as `image > 6%` and planes with `and`, `or`, "
@@ -217,20 +229,6 @@ class Reader(PictureComparer):
                 "an image", (f"compare it with a level: `{name.text} > 6%`",),
             )  # fmt: skip
         raise self._unknown("a plane", name, "plane")
-
-    def _any_or_all(self, call: tree.Call) -> p.Condition:
-        kind = call.function.text
-        if kind not in ("any", "all"):
-            image = kind in self.kernels or kind in _FUNCTIONS
-            if not image:
-                raise self._unknown("a function of planes", call.function, "function")
-            raise self._report(
-                "NS0531", f"`{kind}(..)` is an image, but this must be a plane", call.span,
-                "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
-            )  # fmt: skip
-        kernel = self._kernel_of(call, "PLANE")
-        self._needs_outside(call.span)
-        return p.Near(cast(Any, kind), self._condition(call.arguments[0]), kernel)
 
     def _kernel_of(self, call: tree.Call, first: str) -> str:
         """Return the name of the kernel that is the second argument of a call."""
@@ -295,7 +293,8 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:
-        power = nearest_power(divisor)
+        low = 1 << (divisor.bit_length() - 1)
+        power = low if divisor / low <= 2 * low / divisor else 2 * low
         percent = 100 * abs(divisor / power - 1)
         change = "larger" if power < divisor else "smaller"
         text = f"with `/ {power}` values are {percent:.0f} % {change}: change the levels, too"
@@ -306,9 +305,3 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
         notes=("a word can halve a value; there is no other division",),
         helps=helps, fixes=fixes,
     )  # fmt: skip
-
-
-def nearest_power(number: int) -> int:
-    """Return the power of two whose ratio to a number above 0 is nearest to 1."""
-    low = 1 << (number.bit_length() - 1)
-    return low if number / low <= 2 * low / number else 2 * low

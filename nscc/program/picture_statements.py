@@ -10,18 +10,26 @@ from typing import Any, Literal, cast
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.constants import constant
+from nscc.program.constants import constant, constants_scope
 from nscc.program.expressions import Meaning
-from nscc.program.kept_planes import kept_planes
 from nscc.program.looking import level_e
-from nscc.program.names import Declarations
+from nscc.program.names import Declarations, State
 from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
 from nscc.program.problems import Problems, clipped, counted
-from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.counts import count_unit
-from nscc.words.pictures import Picture, Pictures, PlaneReport, Weights
+from nscc.words.pictures import (
+    Bit,
+    Condition,
+    Inverse,
+    Joined,
+    KeptPlane,
+    Picture,
+    Pictures,
+    PlaneReport,
+    Weights,
+)
 
 MOST_SIDE = 9
 """Most rows and columns of a convolution kernel."""
@@ -31,23 +39,9 @@ MOST_EVENTS = 4000
 _REPORTS = ("any", "events", "box")
 
 
-def make_pictures(
-    declared: Declarations,
-    constants: Mapping[str, Meaning],
-    target: Target,
-    base: Path,
-    problems: Problems,
-) -> Pictures | None:
-    """Return the statements of version 3; None after reporting errors.
+class PictureMaker:
+    """Makes the images, planes, readouts and reports of a file, or reports what is wrong."""
 
-    Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
-    (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
-    maker = _Maker(declared, constants, target, base, problems)
-    pictures = maker.make()
-    return None if problems.has_errors() else pictures
-
-
-class _Maker:
     def __init__(
         self,
         declared: Declarations,
@@ -63,6 +57,10 @@ class _Maker:
         ]
 
     def make(self) -> Pictures | None:
+        """Return the statements of version 3; None, or something unusable, after reporting errors.
+
+        Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
+        (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
         if not self._possible():
             return None
         kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
@@ -79,9 +77,17 @@ class _Maker:
             reader.declare(picture.name.text, node)
             if node is not None:
                 items.append(Picture(picture.name.text, node))
-        states = kept_planes(self.declared, self.constants, reader, self.problems)
-        reads = self._reads(reader)
-        reports = self._reports(reader)
+        states = self._states(reader) if self.declared.keeps_planes else ()
+        names = []
+        for name in self.declared.reads.values():
+            kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
+            if name.text in kinds:
+                names.append(name.text)
+            elif name.text not in (*self.declared.refused, *reader.failed):
+                self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
+        reads = tuple(names)
+        found = [self._report(statement, reader) for statement in self.declared.reports]
+        reports = tuple(report for report in found if report is not None)
         limits = self._limits()
         if not (reads or reports) and not self.problems.has_errors():
             self.problems.error(
@@ -214,25 +220,58 @@ class _Maker:
             helps=("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",),
         )  # fmt: skip
 
+    # --- kept states: they step once a frame, after all images and planes
+
+    def _states(self, reader: Reader) -> tuple[KeptPlane, ...]:
+        """Return the states of a program with images or planes.
+
+        Report a state that is not a kept bit (NS0543), a start that is not 0 or 1 (NS0311), and a
+        `next` of an unknown state (NS0214)."""
+        declared = self.declared
+        for name, step in declared.nexts.items():
+            if name not in declared.states and name not in declared.refused:
+                self.problems.unknown("a state", name, step.name.span, declared.states)
+        states = []
+        for name, state in declared.states.items():
+            start, following = self._start(name, state), self._next(name, reader)
+            if start is not None and following is not None:
+                states.append(KeptPlane(name, bool(start), following))
+        return tuple(states)
+
+    def _start(self, name: str, state: State) -> int | None:
+        if isinstance(state, tree.StateRange) or not state.kept:
+            self.problems.error(
+                "NS0543", f"`{name}` is not a kept bit, but the program has images or planes",
+                state.span, "this state",
+                notes=("images and planes are computed after the last slot, so the new value of "
+                       "the state is used in the next frame",),
+                helps=(f"write `state {name} : bit = 0 kept`",),
+            )  # fmt: skip
+            return None
+        if isinstance(state.start, tree.Bool):
+            return int(state.start.value)
+        start = constant(state.start, self.constants, self.problems, "the start of a state")
+        if start is not None and start not in (0, 1):
+            message = f"`{name}` starts with {start}, outside 0..1"
+            self.problems.error("NS0311", message, state.start.span, "its value in the first frame")
+            return None
+        return start
+
+    def _next(self, name: str, reader: Reader) -> Condition | None:
+        """Return the state after a frame: unchanged without `next`, or where its condition is 0."""
+        step = self.declared.nexts.get(name)
+        if step is None:
+            return Bit(name)
+        value = reader.condition(step.value)
+        if step.condition is None or value is None:
+            return value
+        when = reader.condition(step.condition)
+        if when is None:
+            return None
+        changed, unchanged = Joined("and", when, value), Joined("and", Inverse(when), Bit(name))
+        return Joined("or", changed, unchanged)
+
     # --- what leaves the chip
-
-    def _reads(self, reader: Reader) -> tuple[str, ...]:
-        names = []
-        for name in self.declared.reads.values():
-            kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
-            if name.text in kinds:
-                names.append(name.text)
-            elif name.text not in (*self.declared.refused, *reader.failed):
-                self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
-        return tuple(names)
-
-    def _reports(self, reader: Reader) -> tuple[PlaneReport, ...]:
-        reports = []
-        for statement in self.declared.reports:
-            report = self._report(statement, reader)
-            if report is not None:
-                reports.append(report)
-        return tuple(reports)
 
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         kind, plane = report.kind.text, report.plane.text

@@ -22,7 +22,7 @@ from nscc.program.field_planes import (
     stored_planes,
 )
 from nscc.program.problems import clipped, counted
-from nscc.program.wide import grouped
+from nscc.program.program import grouped
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20

@@ -8,7 +8,7 @@ from functools import partialmethod
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected, Severity
-from nscc.diagnostics.many import MOST_ERRORS, more_errors
+from nscc.diagnostics.message import MOST_ERRORS, more_errors
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Source, Span
 

@@ -10,18 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.program.arithmetic import Fault, Value, array, scalar
-from nscc.program.evaluate import Books, bit_count, evaluate, fault_at
+from nscc.program.evaluate import Books, bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
     COMBINATION_LIMIT,
     PROOF_LIMIT,
     TABLE_LIMIT,
     WORK_LIMIT,
-    total_work,
+    work,
 )
 from nscc.program.problems import counted, printable
-from nscc.program.program import Field
-from nscc.program.wide import whole_name
+from nscc.program.program import Field, whole_name
 from nscc.words.container import DecodeTable
 
 CodeArray = NDArray[np.int64]
@@ -97,7 +96,7 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
             bindings = _bindings(rules, codes[block_rows])
             evaluated = evaluate(condition, bindings, rules.books)
             if evaluated.faults is not None:
-                places = _everywhere(evaluated, (len(block_rows), 1))
+                places = fault_places(evaluated, (len(block_rows), 1))
                 code = int(places.argmax())
                 fault = fault_at(condition, bindings, rules.books, (len(block_rows), 1), (code, 0))
                 place = f"for {code_text(rules, codes[block_rows[code]])}"
@@ -176,7 +175,7 @@ def _decoded(
     opens = np.broadcast_to(np.asarray(evaluated.data, dtype=bool), shape)
     if evaluated.faults is None:
         return opens, None
-    places = _everywhere(evaluated, shape)
+    places = fault_places(evaluated, shape)
     code, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
     fault = fault_at(rule, bindings, rules.books, shape, (code, slot))
     count = int(places.sum())
@@ -196,12 +195,6 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
             # The last chunk of a long field has the highest bit.
             bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
     return bindings
-
-
-def _everywhere(evaluated: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    if isinstance(evaluated.faults, np.ndarray):
-        return np.broadcast_to(evaluated.faults, shape)
-    return np.ones(shape, dtype=bool)
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
@@ -244,7 +237,7 @@ def _limit_codes(rules: Rules, codes: int) -> None:
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:
     sizes = {field.name: (0, codes) for field in rules.fields}
     sizes["n"] = (1, slots)
-    needed = total_work(exprs, sizes)
+    needed = sum(work(expr, sizes) for expr in exprs)
     if needed > WORK_LIMIT:
         takes = f"evaluating them takes {needed} operations, but the limit is {WORK_LIMIT}"
         message = f"{takes} ({counted(codes, 'code')}, {counted(slots, 'slot')})"

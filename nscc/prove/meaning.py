@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import assert_never
 
-from nscc.prove.forms import IN, Form, Forms
+from nscc.prove.diagrams import IN, Form, Forms
 from nscc.words import pictures as p
 from nscc.words.reach import Reach
 
@@ -106,17 +105,15 @@ class PictureMeaning:
             case p.Agreement():
                 if not forms.inside(x, y):
                     return forms.beyond()
-                return forms.sum(*self._agreeing(value, at))
+                # A count: 2 * bit - 1 with the sign of the weight, for each pixel.
+                terms: list[tuple[Fraction, Form]] = []
+                for (dx, dy), weight in self.weights[value.kernel].taps.items():
+                    steps = self.count_steps if weight > 0 else -self.count_steps
+                    bit = self.bit(value.condition, (x + dx, y + dy))
+                    terms.append((Fraction(1), forms.counted(bit, 2 * steps)))
+                    terms.append((Fraction(-1), forms.counted(forms.diagrams.one, steps)))
+                return forms.sum(*terms)
         assert_never(value)
-
-    def _agreeing(self, value: p.Agreement, at: Place) -> Iterator[tuple[Fraction, Form]]:
-        """Yield the terms of a count: 2 * bit - 1 with the sign of the weight, for each pixel."""
-        forms, (x, y) = self.forms, at
-        for (dx, dy), weight in self.weights[value.kernel].taps.items():
-            steps = self.count_steps if weight > 0 else -self.count_steps
-            bit = self.bit(value.condition, (x + dx, y + dy))
-            yield Fraction(1), forms.counted(bit, 2 * steps)
-            yield Fraction(-1), forms.counted(forms.diagrams.one, steps)
 
     def bit(self, condition: p.Condition, at: Place) -> int:
         """Return a plane at a place, which may be outside the array."""

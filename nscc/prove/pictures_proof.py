@@ -1,6 +1,6 @@
 """Prove images and planes: replay the words after the exposure on a small array.
 
-Registers contain exact forms in the exposures of pixels (`nscc.prove.forms`); bits are decision
+Registers contain exact forms in the exposures of pixels (`nscc.prove.diagrams`); bits are decision
 diagrams over answers of comparisons. The array is just large enough that its pixels are affected by
 the border in every way that is possible on a larger array; its middle pixel has all the pixels that
 it depends on. The final register contents must be what the text defines, for all exposures and
@@ -16,8 +16,7 @@ from fractions import Fraction
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
-from nscc.prove.diagrams import TooLarge
-from nscc.prove.forms import IN, Form, Forms
+from nscc.prove.diagrams import IN, Form, Forms, TooLarge
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words
@@ -127,17 +126,15 @@ class PictureReplay:
                     at: forms.sum((gain, forms.exposure(readout.bucket, *at))) for at in places
                 }
             else:
-                self.analog[name] = {at: self._junk(name, *at) for at in places}
+                held = f"what {name} held"
+                self.analog[name] = {at: {(held, *at): forms.diagrams.one} for at in places}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
-            self.digital[name] = {at: forms.unknown_bit(at) for at in places}
+            self.digital[name] = {at: forms.diagrams.new_variable(at) for at in places}
         pictures = container.pictures
         assert pictures is not None
         for state in pictures.states:
             register = pictures.registers.get(state.name, "")
             self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}
-
-    def _junk(self, name: str, x: int, y: int) -> Form:
-        return {(f"what {name} held", x, y): self.forms.diagrams.one}
 
     def fields(self, name: str, flag: Bits | None = None) -> Fields:
         """Return the content of an analog register; with `flag`, correct only where `flag` is 1."""
@@ -206,13 +203,11 @@ class PictureReplay:
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
         return {
-            (x, y): fields.get((x + right, y + down)) or self._edge(fields, x + right, y + down)
+            (x, y): fields[place]
+            if (place := (x + right, y + down)) in fields
+            else self.forms.beyond()
             for x, y in fields
         }
-
-    def _edge(self, fields: Fields, x: int, y: int) -> Form:
-        """Return the zero form of a pixel of the array, else a new unknown value."""
-        return fields[x, y] if (x, y) in fields else self.forms.beyond()
 
     def _bus(self, op: Op, level: int | None) -> None:
         forms, flag = self.forms, self.digital["FLAG"]

@@ -23,9 +23,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.operations import Op, Phase, WordEffect
-from nscc.prove.noise import Noise
 from nscc.truth import columns, members, rows
 from nscc.words.container import Container
+
+
+class Noise:
+    """A pseudo-random stream from a seed, equal on all machines.
+
+    It comes from a counter and the SplitMix64 mixer (Steele, Lea, Flood, OOPSLA 2014). Importing
+    numpy.random would take longer than most proofs."""
+
+    def __init__(self, seed: int) -> None:
+        self._next = seed << 32
+
+    def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
+        """Return distinct values between 1/4 and 1: (rows, columns)."""
+        end = self._next + rows * columns
+        x = np.arange(self._next, end, dtype=np.uint64)
+        self._next = end
+        x *= np.uint64(0x9E3779B97F4A7C15)
+        x ^= x >> np.uint64(30)
+        x *= np.uint64(0xBF58476D1CE4E5B9)
+        x ^= x >> np.uint64(27)
+        x *= np.uint64(0x94D049BB133111EB)
+        x ^= x >> np.uint64(31)
+        unit = (x >> np.uint64(11)).astype(np.float64) * 2.0**-53
+        return (0.25 + 0.75 * unit).reshape(rows, columns)
+
 
 TOLERANCE = 1e-9
 """Largest error of an exposure, relative to the total light of the frame."""
@@ -160,9 +184,19 @@ class ReplayPixels:
         """Run a word in every lane."""
         match word.operation.effect:
             case WordEffect.RESET_PIX:
-                self._reset()
+                lanes: Lanes = slice(None)
+                unsure = None
+                if self.target.reset_honours_flag != "no":
+                    lanes, unsure = self._flagged("rpix")
+                if self.target.reset_honours_flag == "unknown":
+                    unflagged = self.everything & ~self.read("FLAG")[0]
+                    unsure = members(unflagged, self.lanes) if unflagged else None
+                self._store("PIX", self._reset_level, lanes, unsure)
             case WordEffect.BUS:
-                self._bus(word)
+                lanes, unsure = self._flagged(str(word))
+                value = self.total(word, lanes) / -word.operation.divisor
+                for name in word.destinations:
+                    self._store(name, value, lanes, unsure)
             case WordEffect.FLAG_ALL:
                 self.write("FLAG", (self.everything, 0))
             case WordEffect.FLAG_ANALOG:
@@ -171,22 +205,6 @@ class ReplayPixels:
                 self.write("FLAG", self._or_sources(word))
             case WordEffect.DIGITAL:
                 self._digital(word)
-
-    def _reset(self) -> None:
-        lanes: Lanes = slice(None)
-        unsure = None
-        if self.target.reset_honours_flag != "no":
-            lanes, unsure = self._flagged("rpix")
-        if self.target.reset_honours_flag == "unknown":
-            unflagged = self.everything & ~self.read("FLAG")[0]
-            unsure = members(unflagged, self.lanes) if unflagged else None
-        self._store("PIX", self._reset_level, lanes, unsure)
-
-    def _bus(self, word: Op) -> None:
-        lanes, unsure = self._flagged(str(word))
-        value = self.total(word, lanes) / -word.operation.divisor
-        for name in word.destinations:
-            self._store(name, value, lanes, unsure)
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
         self.analog[name][lanes] = value

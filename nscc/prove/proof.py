@@ -14,18 +14,155 @@ proved last."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 
-from nscc.diagnostics.diagnostic import Diagnostic, Label
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.operations import Op
 from nscc.prove.looks_proof import Looks
-from nscc.prove.noise import Noise
-from nscc.prove.pixels import ReplayError
-from nscc.prove.readout import readout_fault
-from nscc.prove.replay import Replay
+from nscc.prove.pixels import (
+    TOLERANCE,
+    WRONG_CODE,
+    WRONG_EXPOSURE,
+    Noise,
+    ReplayError,
+    ReplayPixels,
+    Values,
+)
 from nscc.source import Source, Span
 from nscc.words.container import Container
-from nscc.words.legality import target_fault
+from nscc.words.file import read_container
+from nscc.words.legality import decoded, target_fault
+from nscc.words.readout import converter_of, preparation_of
+from nscc.words.stream import schedule
+
+
+class Replay(ReplayPixels):
+    """The simulated pixels of all codes."""
+
+    def __init__(
+        self, container: Container, kernels: Sequence[Sequence[Op]], *, lights: int = 1,
+        quiet: bool = False,
+    ) -> None:  # fmt: skip
+        super().__init__(container, kernels, container.encoding, lights=lights, quiet=quiet)
+        self.code = self.code_bits(container.encoding)
+
+    def exposures(self, light: Values) -> dict[str, Values]:
+        """Run one frame in `light` (N, lights), in electrons per slot.
+
+        Returns the exposure of each bucket in electrons (lanes, lights)."""
+        container = self.container
+        gathered = np.zeros((container.slots + 1, light.shape[1]))
+        np.cumsum(light, axis=0, out=gathered[1:])
+        self.start_frame()
+        before = 0
+        for boundary in self.launches:
+            self.analog["PIX"] += gathered[boundary] - gathered[before]
+            self.run_launches(boundary)
+            before = boundary
+        self.analog["PIX"] += gathered[-1] - gathered[before]
+        self.end_frame()
+        return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
+
+    def prove_frame(self, light: Values) -> None:
+        """Run one frame in `light` (N,); raise ReplayError if it differs from the decode table."""
+        measured = self.exposures(light[:, None])
+        table = self.container.table
+        for index, bucket in enumerate(self.container.buckets):
+            if bucket not in measured:
+                raise ReplayError("no register is read out", bucket)
+            opens = table.shutters[:, index, :]
+            rows = max(1, (1 << 20) // max(1, opens.shape[1]))  # blocks, to limit the memory
+            blocks = [opens[i : i + rows] @ light for i in range(0, len(opens), rows)]
+            expected = np.concatenate(blocks)
+            differs = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
+            if differs.any():
+                raise ReplayError(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
+        if any(self.read(name) != bits for name, bits in self.code.items()):
+            raise ReplayError(WRONG_CODE)
+
+
+# Number of slots whose light one float64 can distinguish: powers of four from 1 to 4^23, so that
+# weights of -1, 0, 1 and 2 a slot are exact.
+_SLOTS_A_LIGHT = 24
+
+
+def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
+    """Return S[n] of every lane (lanes, buckets, slots); None if a slot's weight is neither 0 nor
+    1.
+
+    The words are replayed with light in one slot at a time. Lanes are the rows of
+    `container.encoding`."""
+    slots = container.slots
+    lights = -(-slots // _SLOTS_A_LIGHT)
+    light = np.zeros((slots, lights))
+    numbers = np.arange(slots)
+    light[numbers, numbers // _SLOTS_A_LIGHT] = 4.0 ** (numbers % _SLOTS_A_LIGHT)
+    # A reset level of zero keeps the sums exact; the proof checks that programs subtract it.
+    replay = Replay(container, kernels, lights=lights, quiet=True)
+    measured = replay.exposures(light)
+    opened = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)
+    for index, bucket in enumerate(container.buckets):
+        value = measured[bucket]
+        if not np.isfinite(value).all():
+            return None
+        for digit in range(_SLOTS_A_LIGHT):
+            weight = np.rint(value) % 4
+            if not np.isin(weight, (0, 1)).all():
+                return None
+            columns_ = slice(digit, None, _SLOTS_A_LIGHT)
+            opened[:, index, columns_] = weight[:, : len(range(*columns_.indices(slots)))] == 1
+            value = (value - weight) / 4
+        if np.any(value != 0):
+            return None
+    return opened
+
+
+_TOLERANCE = 1e-9
+
+
+def readout_fault(container: Container) -> tuple[str, str] | None:
+    """Return the first bucket that is not read out as the target defines, and the error; None if
+    all are.
+
+    Random values suffice, because the words are linear."""
+    preparation = preparation_of(container)
+    buckets = {readout.register: readout.bucket for readout in container.readouts}
+    for word in preparation.words:
+        fault = target_fault(word, container.target)
+        if fault is not None:
+            return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
+    replay = Replay(replace(container, encoding=container.encoding[:1]), ())
+    replay.start_frame()
+    before = {name: float(replay.analog[name][0, 0]) for name in buckets}
+    replay.set_in(preparation.level or 0)
+    for word in preparation.words:
+        replay.run(word)
+    for register, bucket in buckets.items():
+        wrong_e = float(replay.analog[register][0, 0]) - _converter_input_e(
+            container, before[register]
+        )
+        if not abs(wrong_e) <= _TOLERANCE * container.target.full_well_e:
+            return bucket, "the converted value does not match the meaning of its codes"
+    return None
+
+
+def _converter_input_e(container: Container, exposure_e: float) -> float:
+    """Return the converter input, in electrons, for which the code means `exposure_e`.
+
+    The converter's codes are symmetric around an empty register."""
+    target = converter_of(container)
+    own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
+    middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0
+    if target.conversion == "spread":
+        middle = target.full_well_e / own_e
+    code = exposure_e / target.electrons_per_lsb + target.zero_lsb - target.adc_offset_lsb
+    return (code - middle) * own_e
+
 
 FRAMES = 2
 LIGHT_SEED = 7
@@ -128,3 +265,89 @@ def proof_too_large(
         ),
         data={"resource": "nodes", "available": MOST_NODES},
     )
+
+
+def prove_stream(container: Container) -> Proof:
+    """Follow the light of every pixel through the planes, and compare it with the decode table.
+
+    Planes must be completely loaded before they act, one at a time. The proof does not use the code
+    that made the planes. Without pixel codes there are no planes, and only the times are proved."""
+    table, target = container.table, container.target
+    failure = _times(container)
+    sent, pixels = container.stream, container.pixel_codes
+    count = 0
+    if failure is None and sent is not None and pixels is not None:
+        count = pixels.size
+        at_pixel = table.shutter_of_code[pixels]
+        for slot in range(container.slots):
+            place = sent.place(slot, target.cols)
+            for bucket, name in enumerate(container.buckets):
+                misrouted = (place == bucket) != table.shutters[:, bucket, slot][at_pixel]
+                if misrouted.any():
+                    y, x = np.argwhere(misrouted)[0].tolist()
+                    message = (
+                        f"the light of pixel x = {x}, y = {y} goes to another destination in "
+                        f"slot {slot}"
+                    )
+                    failure = failure or Failure(message, 1, name, int(at_pixel[y, x]))
+    return Proof(len(table.codes), container.slots, 1, failure, pixels=count)
+
+
+def _times(container: Container) -> Failure | None:
+    """Return the failure if planes overlap or act too early, else None."""
+    free_us, load_us = -np.inf, container.target.plane_load_us
+    end_us = np.cumsum(container.slot_us)
+    slack = 1e-6 * load_us
+    for slot, loading in enumerate(schedule(container.target, container.slot_us)):
+        loads_in_time = loading.load_us + load_us <= loading.acts_us + slack
+        if (
+            not loads_in_time
+            or loading.load_us < free_us - slack
+            or loading.acts_us >= end_us[slot]
+        ):
+            return Failure(f"slot {slot} is too short to load its plane", 1)
+        free_us = loading.load_us + load_us
+    return None
+
+
+def prove_file(path: Path) -> tuple[Container, Proof]:
+    """Return the container in `path`, and the proof that its words match its decode table.
+
+    Raises Rejected if the file cannot be read or has invalid words; with status 1, NS0443 if it has
+    no decode table, and NS0440 if the proof fails."""
+    container = read_container(path)
+    kernels = decoded(container)
+    if container.target.streamed:
+        return container, _accepted_proof(path, prove_stream(container), "planes")
+    if not container.has_table:
+        raise rejected(
+            "NS0443",
+            f"'{path.as_posix()}' has no decode table, so there are no shutters to compare "
+            "its words with",
+            helps=(
+                "`nscc shutters` prints the shutters that the words implement",
+                "add a decode table to the assembly text: `.shutter` and `.code` lines",
+            ),
+            status=1,
+        )
+    return container, _accepted_proof(path, prove(container, kernels), "words")
+
+
+def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
+    """Return a successful proof; raise NS0440 for a failed one, and NS0544 if it is too large."""
+    if proof.failure is not None and proof.failure.unproved is not None:
+        raise Rejected(proof_too_large(proof.failure.unproved))
+    if proof.failure is not None:
+        failure = proof.failure
+        places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}
+        place = ", ".join(f"{kind} {at}" for kind, at in places.items() if at is not None)
+        raise rejected(
+            "NS0440",
+            f"the {subject} of '{path.as_posix()}' do not match its decode table: "
+            f"{failure.reason} ({place})",
+            notes=failure.doubts,
+            helps=("build the program again; `nscc diff` shows which words changed",),
+            data=places,
+            status=1,
+        )
+    return proof

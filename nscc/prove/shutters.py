@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.replay import shutters
-from nscc.prove.stream_proof import prove_stream
+from nscc.prove.proof import prove_stream, shutters
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 
@@ -35,7 +34,15 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the
     container `name`."""
     if container.target.streamed:
-        return _sent(container, name)
+        failure = prove_stream(container).failure
+        if failure is None:
+            return container.table.shutters
+        raise rejected(
+            "NS0442",
+            f"the planes of {name} do not match its decode table: {failure.reason}",
+            helps=("build the program again",),
+            status=1,
+        )
     refuse_looking(container, name)
     opened = shutters(container, decoded(container))
     if opened is None:
@@ -47,19 +54,6 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
             status=1,
         )
     return opened
-
-
-def _sent(container: Container, name: str) -> NDArray[np.bool_]:
-    """Return the shutters that bit planes open: those of the decode table, after a proof."""
-    proof = prove_stream(container)
-    if proof.failure is None:
-        return container.table.shutters
-    raise rejected(
-        "NS0442",
-        f"the planes of {name} do not match its decode table: {proof.failure.reason}",
-        helps=("build the program again",),
-        status=1,
-    )
 
 
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:

@@ -1,17 +1,225 @@
-"""Compiler passes for chips without logic; `nscc.pipeline` lists all passes."""
+"""Compiler passes for chips without logic: the route of light for every pixel and slot, and the
+schedule of its bit planes. `nscc.pipeline` lists all passes.
+
+A bit chooses between two destinations, which are the same for all pixels in a slot. A program that
+needs more destinations does not fit."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Label
+from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
+from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
+from nscc.program.problems import counted
 from nscc.program.program import Program
-from nscc.stream.planes import laid, no_route
-from nscc.stream.route import NoRoute, route
-from nscc.stream.sending import Sending, late_fault
 from nscc.words.container import Container, Readout
+from nscc.words.stream import DRAIN, Loading, Stream, schedule
+
+
+@dataclass(frozen=True, eq=False)
+class Route:
+    """The two destinations of each slot, and the bits that choose between them.
+
+    `ones` and `zeros` int8 (N,) are the destinations for bit 1 and 0: the index of a tap, or DRAIN.
+    `bits` bool (shutters, N) are the chosen bits."""
+
+    ones: NDArray[np.int8]
+    zeros: NDArray[np.int8]
+    bits: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class NoRoute:
+    """The reason why there is no route, as half a sentence, with a help and the first such `slot`.
+
+    `bucket` is the index of the bucket that the message points at."""
+
+    reason: str
+    help: str
+    slot: int | None = None
+    bucket: int = 0
+
+
+def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
+    """Return the route of the light of `shutters` (shutters, buckets, N), with bucket b at tap b.
+
+    Light that no bucket collects goes to the drain, or to a tap without a bucket."""
+    taps = len(target.taps)
+    if len(buckets) > taps:
+        most = f"keep at most {taps} buckets, one for each tap"
+        return NoRoute(f"{len(buckets)} buckets need as many taps, but the chip has {taps}", most,
+                       bucket=len(buckets) - 1)  # fmt: skip
+    both = shutters.sum(axis=1) > 1
+    if both.any():
+        slot = int(np.flatnonzero(both.any(axis=0))[0])
+        first, second = np.flatnonzero(shutters[both[:, slot].argmax(), :, slot])[:2]
+        return NoRoute(
+            f"in slot {slot} a pixel is open in `{buckets[first]}` and in "
+            f"`{buckets[second]}`, but its light can go to only one tap",
+            "let the buckets' rules exclude each other", slot, int(second),
+        )  # fmt: skip
+    away = DRAIN if target.drain else len(buckets) if len(buckets) < taps else None
+    open_in = np.where(shutters.any(axis=1), shutters.argmax(axis=1), _NOWHERE)
+    return _chosen(open_in.astype(np.int8), away, buckets, target)
+
+
+_NOWHERE = 127
+
+
+def _chosen(
+    open_in: NDArray[np.int8], away: int | None, buckets: tuple[str, ...], target: Target
+) -> Route | NoRoute:
+    """Return the route for `open_in` (shutters, N): the index of the open bucket, or _NOWHERE."""
+    slots = open_in.shape[1]
+    ones, zeros = np.zeros(slots, np.int8), np.zeros(slots, np.int8)
+    for slot in range(slots):
+        places = np.unique(open_in[:, slot]).tolist()
+        if len(places) > 2:
+            names = [f"`{buckets[p]}`" if p != _NOWHERE else "no bucket" for p in places]
+            listed = f"{', '.join(names[:-1])} and {names[-1]}"
+            return NoRoute(
+                f"in slot {slot} light has {len(places)} destinations ({listed}), but a bit "
+                "chooses between two",
+                "use at most two destinations in every slot: two buckets, or one bucket and "
+                    "the drain", slot,
+                len(buckets) - 1,
+            )  # fmt: skip
+        if away is None and _NOWHERE in places:
+            return NoRoute(
+                f"in slot {slot} a pixel is open in no bucket, but {target.name} has no "
+                "drain: light always goes to a tap",
+                f"let one bucket collect the remaining light: `bucket {buckets[-1]} open "
+                    "when not (..)`", slot,
+                len(buckets) - 1,
+            )  # fmt: skip
+        named = [place for place in places if place != _NOWHERE]
+        ones[slot] = named[0] if named else 0
+        other_buckets = [place for place in range(len(buckets)) if place != ones[slot]]
+        zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other_buckets[0]
+    return Route(ones, zeros, open_in == ones)
+
+
+@dataclass(frozen=True, eq=False)
+class Sending:
+    """A program's route on a chip without logic, and the times of its bit planes."""
+
+    program: Program
+    route: Route
+
+    @property
+    def loadings(self) -> tuple[Loading, ...]:
+        """The times at which the plane of each slot is sent and takes effect."""
+        return tuple(schedule(self.program.target, self.program.frame.slot_us))
+
+    @property
+    def shortest_slot_us(self) -> float:
+        """The shortest slot in microseconds: the time to load a plane."""
+        return self.program.target.plane_load_us
+
+    @property
+    def bits_a_frame(self) -> int:
+        """The number of bits sent for a frame."""
+        target = self.program.target
+        return len(self.program.frame.slot_us) * target.rows * target.cols
+
+    @property
+    def bits_per_us(self) -> float:
+        """The data rate while a plane loads, in bits per microsecond."""
+        return self.program.target.cols / self.program.target.row_load_us
+
+    @property
+    def frame_us(self) -> float:
+        """The time from the start of the first slot to the end of the last, in microseconds."""
+        return sum(self.program.frame.slot_us)
+
+
+def late_fault(sending: Sending) -> Diagnostic | None:
+    """Return the error (NS0508) if a slot is shorter than the load time of a plane, else None."""
+    program, target = sending.program, sending.program.target
+    slots_us, needed_us = program.frame.slot_us, target.plane_load_us
+    # If light waits for the plane, a slot as short as the load time has no light.
+    late = [
+        n
+        for n, us in enumerate(slots_us)
+        if us < needed_us * (1 - 1e-9) or (not target.pipelined and us <= needed_us)
+    ]
+    if not late:
+        return None
+    worst = min(late, key=slots_us.__getitem__)
+    takes = f"{target.rows} rows x {time_text(target.row_load_us)}"
+    longer_text = "or longer" if target.pipelined else "and more"
+    rows = int(slots_us[worst] / target.row_load_us)
+    fewer: tuple[str, ...] = ()
+    if rows:
+        fits_text = f"a target of at most {counted(rows, 'row')} fits slots of "
+        fewer = (f"{fits_text}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
+    count = int(sum(slots_us) / needed_us)
+    fewer_slots = f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""
+    return Diagnostic(
+        "NS0508",
+        f"slot {worst} is shorter than the loading of its bits: it lasts "
+        f"{time_text(slots_us[worst])}, but {takes} take {time_text(needed_us)}",
+        source=program.source,
+        label=Label(program.frame.span, f"{len(late)} of {len(slots_us)} slots too short"),
+        related=chip_label(program, f"{takes} a plane"),
+        notes=(
+            *chip_note(program, f"{takes} a plane"),
+            "certain: every slot needs its own bit plane, which is sent row by row",
+        ),
+        helps=(
+            f"slots of {at_least(needed_us)} {longer_text} are long enough{fewer_slots}",
+            *fewer,
+        ),
+        data=resource("slot_us", needed_us, slots_us[worst], proved=True),
+    )
+
+
+def laid(container: Container, way: Route) -> Container:
+    """Add the bit planes of the pixel codes on a route to a container; none without pixel codes."""
+    pixels = container.pixel_codes
+    if pixels is None:
+        return replace(container, stream=None)
+    shutter = container.table.shutter_of_code[pixels]
+    planes = [
+        np.packbits(way.bits[:, slot][shutter], axis=1, bitorder="little")
+        for slot in range(container.slots)
+    ]
+    return replace(container, stream=Stream(np.stack(planes), way.ones, way.zeros))
+
+
+def with_planes(container: Container) -> Container:
+    """Add the bit planes of the current pixel codes to a container of a chip without logic.
+
+    Raises Rejected (NS0509) if there is no route for the light of its shutters."""
+    chosen_route = route(container.table.shutters, container.buckets, container.target)
+    if isinstance(chosen_route, NoRoute):
+        raise Rejected(no_route(chosen_route, container.target.name))
+    return laid(container, chosen_route)
+
+
+def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
+    """Return the error (NS0509) that the chip cannot route the light as the program requires."""
+    message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
+    help_text = (missing_route.help,)
+    if program is None:
+        return Diagnostic("NS0509", message, helps=help_text, data={"slot": missing_route.slot})
+    taps = ", ".join(program.target.taps)
+    return Diagnostic(
+        "NS0509",
+        message,
+        source=program.source,
+        label=Label(program.buckets[missing_route.bucket].span),
+        related=chip_label(program, f"taps: {taps}" + "; a drain" * program.target.drain),
+        notes=("certain: in each slot all pixels choose between the same two destinations",),
+        helps=help_text,
+        data={"slot": missing_route.slot},
+    )
+
 
 Found = Sequence[Diagnostic]
 
@@ -25,7 +233,17 @@ def plan_of(
     word_options = [f"--lowering {lowering}"] * (lowering != "auto")
     word_options += ["--max-words-per-slot"] * (most_words is not None)
     if word_options:
-        return NoRoute("", ""), [_no_words(program, word_options)]
+        options = " and ".join(word_options)
+        no_words = Diagnostic(
+            "NS0510",
+            f"{options} does not apply: the pixels of {program.target.name} have no logic and "
+            "run no words",
+            source=program.source,
+            label=Label(program.buckets[0].span),
+            notes=("on this chip, one bit per pixel and slot routes the light",),
+            helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
+        )
+        return NoRoute("", ""), [no_words]
     names = tuple(bucket.name for bucket in program.buckets)
     chosen_route = route(program.table.shutters, names, program.target)
     if isinstance(chosen_route, NoRoute):
@@ -62,16 +280,3 @@ def container_of(sending: Sending) -> Container:
         notes={"class": program.class_name, "codes": program.mode, "lowering": "stream"},
     )
     return laid(container, sending.route)
-
-
-def _no_words(program: Program, word_options: Sequence[str]) -> Diagnostic:
-    options = " and ".join(word_options)
-    return Diagnostic(
-        "NS0510",
-        f"{options} does not apply: the pixels of {program.target.name} have no logic and "
-        "run no words",
-        source=program.source,
-        label=Label(program.buckets[0].span),
-        notes=("on this chip, one bit per pixel and slot routes the light",),
-        helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
-    )

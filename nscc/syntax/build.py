@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 from lark import Token, Tree
@@ -57,7 +58,15 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         nodes = [child for child in children if isinstance(child, _Part)]
         depth = 1 + max([node.depth for node in nodes], default=-1)
         if depth > MOST_DEPTH:
-            raise _too_deep(span_of(last))
+            raise rejected(
+                "NS0110",
+                f"this expression is nested more than {MOST_DEPTH} deep",
+                label=Label(span_of(last), "the limit is exceeded here"),
+                notes=("brackets and every operator of a chain count",),
+                helps=(
+                    "name parts of the expression with `let`, or put data into a `tile` or a file",
+                ),
+            )
         make = _OF_NODES.get(data)
         arguments: list[Token | _Part] | list[_Part] = nodes
         if make is None:
@@ -66,22 +75,14 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         return _Part(make(span, *[node.value for node in arguments]), depth, first, last)
 
 
-def _compare(span: Span, first: tree.Expr, *operators_and_operands: Any) -> tree.Compare:
-    return tree.Compare(span, first, operators_and_operands[::2], operators_and_operands[1::2])
-
-
-def _from_file(make: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function that makes a statement with a file and its options, which come in any
-    order."""
-
-    def make_statement(
-        span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
-    ) -> Any:
-        key = next((option for option in options if isinstance(option, tree.Name)), None)
-        sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
-        return make(span, name, path, key, sha256)
-
-    return make_statement
+def _from_file(
+    make: Callable[..., Any], span: Span, name: tree.Name, path: tree.Text,
+    *options: tree.Name | tree.Text,
+) -> Any:  # fmt: skip
+    """Make a statement with a file and its options, which come in any order."""
+    key = next((option for option in options if isinstance(option, tree.Name)), None)
+    sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
+    return make(span, name, path, key, sha256)
 
 
 def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
@@ -136,7 +137,7 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
     "false": lambda span, _word: tree.Bool(span, False),
     "unary": tree.Unary,
     "binary": lambda span, first, sign, second: tree.Binary(span, sign, first, second),
-    "compare": _compare,
+    "compare": lambda span, first, *later: tree.Compare(span, first, later[::2], later[1::2]),
     "amount": lambda span, text: _amount(text, span),
     "assume": _assume,
     "place": lambda span, base, _open, right, _comma, down, _close: tree.Place(
@@ -167,9 +168,9 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
     "code_row": tree.CodeRow,
     "require": tree.Require,
     "book_inline": lambda span, name, *rows: tree.BookInline(span, name, rows),
-    "book_from_file": _from_file(tree.BookFromFile),
+    "book_from_file": partial(_from_file, tree.BookFromFile),
     "kernel": _kernel,
-    "kernel_from_file": _from_file(tree.KernelFromFile),
+    "kernel_from_file": partial(_from_file, tree.KernelFromFile),
     "image": tree.Image,
     "plane": tree.Plane,
     "outside": tree.Outside,
@@ -226,13 +227,3 @@ def _decimals(digits: str, span: Span) -> Fraction:
 
 def _refused(code: str, message: str, span: Span, help_text: str) -> Rejected:
     return rejected(code, message, label=Label(span), helps=(help_text,))
-
-
-def _too_deep(place: Span) -> Rejected:
-    return rejected(
-        "NS0110",
-        f"this expression is nested more than {MOST_DEPTH} deep",
-        label=Label(place, "the limit is exceeded here"),
-        notes=("brackets and every operator of a chain count",),
-        helps=("name parts of the expression with `let`, or put data into a `tile` or a file",),
-    )

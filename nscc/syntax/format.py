@@ -197,26 +197,22 @@ def _statement_lines(tokens: list[_Token]) -> list[_Line]:
     if table_lines is not None:
         return table_lines
     if any(token.comments for token in tokens):
-        return _as_it_stands(tokens)
+        # Comments inside: only blanks are corrected.
+        runs: dict[int, list[_Token]] = {}
+        comments: dict[int, str] = {}
+        for token in tokens:
+            comments |= dict(token.comments)
+            runs.setdefault(token.line, []).append(token)
+        lines = []
+        for number in sorted(runs.keys() | comments.keys()):
+            run, comment = runs.get(number, []), comments.get(number, "")
+            if not run:
+                lines.append(_Line(_INDENT + comment))
+                continue
+            indent = "" if not lines or [token.kind for token in run] == ["]"] else _INDENT
+            lines.append(_Line(indent + _joined(run), comment))
+        return lines
     return [_Line(text) for text in _wrapped(tokens, "")]
-
-
-def _as_it_stands(tokens: Sequence[_Token]) -> list[_Line]:
-    """Return the lines of a statement with comments inside, with corrected blanks."""
-    runs: dict[int, list[_Token]] = {}
-    comments: dict[int, str] = {}
-    for token in tokens:
-        comments |= dict(token.comments)
-        runs.setdefault(token.line, []).append(token)
-    lines = []
-    for number in sorted(runs.keys() | comments.keys()):
-        run, comment = runs.get(number, []), comments.get(number, "")
-        if not run:
-            lines.append(_Line(_INDENT + comment))
-            continue
-        indent = "" if not lines or [token.kind for token in run] == ["]"] else _INDENT
-        lines.append(_Line(indent + _joined(run), comment))
-    return lines
 
 
 @dataclass

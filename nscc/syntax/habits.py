@@ -9,8 +9,7 @@ from fractions import Fraction
 from nscc.diagnostics.diagnostic import Fix
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
-from nscc.syntax.lexer import Tokens
-from nscc.syntax.statement import Stuck
+from nscc.syntax.lexer import Stuck, Tokens
 
 _UNITS = {
     **dict.fromkeys(("ns", "nsec", "nsecs", "nanosecond", "nanoseconds"), "ns"),
@@ -52,7 +51,12 @@ def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
     """Yield hints for the statement of tokens `first` to `last` in which the parser stopped."""
     at, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
-        yield from _range_hints(tokens, first, at)
+        code_kind, follows = _text(tokens, first + 3, at), _text(tokens, first + 4, at)
+        nearest = closest(code_kind, ("bit", "row")) if follows in ("[", "of") else None
+        if nearest is not None and code_kind != nearest:
+            yield did_you_mean(nearest)
+        else:
+            yield "a range is two values with two dots between them, both included: `1..8`"
     if at >= last:
         return
     kind, text, before = tokens.kinds[at], tokens.text(at), tokens.text(at - 1)
@@ -111,16 +115,6 @@ def file_hint(tokens: Tokens, at: int) -> str | None:
 
 def _text(tokens: Tokens, at: int, last: int) -> str:
     return tokens.text(at) if 0 <= at < last else ""
-
-
-def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Yield a hint for a field whose range lacks its two dots."""
-    kind = _text(tokens, first + 3, at)
-    nearest = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
-    if nearest is not None and kind != nearest:
-        yield did_you_mean(nearest)
-    else:
-        yield "a range is two values with two dots between them, both included: `1..8`"
 
 
 def _quotient(tokens: Tokens, at: int) -> Iterator[str]:

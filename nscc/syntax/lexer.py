@@ -1,15 +1,18 @@
-"""The lexer: converts text to tokens; every character belongs to a token, so it accepts any
-text."""
+"""The lexer, which converts text to tokens, and lark's LALR parser for the tokens of one statement.
+
+Every character belongs to a token, so the lexer accepts any text."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cached_property
 
-from lark import Token
+from lark import Token, Tree, UnexpectedToken
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from nscc.source import Source, Span
-from nscc.syntax.grammar import START, parser, spellings
+from nscc.syntax.grammar import END, START, parser, spellings
 from nscc.syntax.words import names_in, statement_words
 
 
@@ -126,3 +129,50 @@ def _awaits_level(tokens: Tokens) -> bool:
         return False
     words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))
     return next(words, None) == "sense"
+
+
+@dataclass(frozen=True)
+class Stuck:
+    """The token at which the parser stopped because no statement can continue with it.
+
+    `token` is its index, one past the last token if the statement ends too early. `before` are the
+    statement's tokens before it."""
+
+    token: int
+    before: tuple[Token, ...]
+
+    @cached_property
+    def expected(self) -> frozenset[str]:
+        """The kinds of token that could follow instead; END if the statement could end.
+
+        They are computed from `before`, because the failed token may already have reduced the
+        parser's stack, after which fewer kinds appear possible."""
+        machine = _machine()
+        for token in self.before:
+            machine.feed_token(token)
+        words = spellings()
+        terminals = machine.accepts()  # type: ignore[no-untyped-call]
+        return frozenset(words.get(terminal, terminal) for terminal in terminals)
+
+
+def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stuck | None]:
+    """Parse the tokens from `first` up to, but not including, `last` as one statement.
+
+    Returns lark's tree and None. If parsing fails, returns a Stuck, with the tree of the tokens
+    before it if they are a complete statement."""
+    machine = _machine()
+    stuck = None
+    for index in range(first, last):
+        try:
+            machine.feed_token(tokens.lark_tokens[index])
+        except UnexpectedToken:
+            stuck = Stuck(index, tuple(tokens.lark_tokens[first:index]))
+            break
+    try:
+        return machine.feed_token(Token(END, "")), stuck
+    except UnexpectedToken:
+        return None, stuck or Stuck(last, tuple(tokens.lark_tokens[first:last]))
+
+
+def _machine() -> InteractiveParser:
+    return parser().parse_interactive(start=START)

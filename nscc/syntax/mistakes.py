@@ -9,8 +9,7 @@ from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
 from nscc.syntax import habits
 from nscc.syntax.grammar import END, spellings
-from nscc.syntax.lexer import Tokens
-from nscc.syntax.statement import Stuck
+from nscc.syntax.lexer import Stuck, Tokens
 from nscc.syntax.words import (
     FORMS,
     expected_words,
@@ -51,16 +50,48 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
-            place, helps = Label(tokens.span(stuck.token)), ("close the quotes on the same line",)
-            message = "the closing quotation mark is missing"
-            return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
+            return Diagnostic(
+                "NS0114",
+                "the closing quotation mark is missing",
+                source=tokens.source,
+                label=Label(tokens.span(stuck.token)),
+                helps=("close the quotes on the same line",),
+            )
         if kind == "STRAY":
             return _stray(tokens, stuck.token, stuck.expected)
         if END in stuck.expected and kind == "NAME":
             return unknown_statement(tokens, stuck.token)
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
-            return _reserved(tokens, first, stuck.token)
-    return _unexpected(tokens, first, last, stuck)
+            word = tokens.text(stuck.token)
+            return Diagnostic(
+                "NS0113",
+                f"`{word}` is a reserved word and cannot be a name",
+                source=tokens.source,
+                label=Label(tokens.span(stuck.token), "a name is required here"),
+                notes=_forms(tokens.kinds[first]),
+                helps=(f"choose another name, `{word}_` for example",),
+            )
+    statement = tokens.kinds[first]
+    expected = expected_words(stuck.expected)
+    if stuck.token < last:
+        place, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
+    else:
+        end = tokens.span(last - 1).end
+        place, actual = Span(end, end), "the end of the file"
+        if last < len(tokens.kinds):
+            actual = f"the next statement, {shown(tokens.text(last))}"
+    # The innermost open bracket where the parser stopped, if closing it would be valid.
+    opened = _open_brackets(tokens, first, stuck) if stuck.expected & {"]", ")"} else []
+    return Diagnostic(
+        "NS0107",
+        f"in this `{statement}` statement: expected {expected}, found {actual}",
+        source=tokens.source,
+        label=Label(place, f"expected {expected}"),
+        related=tuple(Label(tokens.span(at), "opened here") for at in opened[-1:]),
+        notes=_forms(statement),
+        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
+        fixes=tuple(_fixes(tokens, first, last, stuck)),
+    )
 
 
 def misspelt_statement(
@@ -74,16 +105,12 @@ def misspelt_statement(
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
-        if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
+        gap = tokens.source.text[tokens.span(index - 1).end : tokens.span(index).start]
+        if "\n" in gap or (index == stuck.token and END in stuck.expected):
             spelling = closest(tokens.text(index), statement_words(tokens.version))
             if spelling is not None:
                 return index, spelling
     return None
-
-
-def _first_on_line(tokens: Tokens, index: int) -> bool:
-    text = tokens.source.text
-    return "\n" in text[tokens.span(index - 1).end : tokens.span(index).start]
 
 
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
@@ -138,50 +165,8 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
     )
 
 
-def _reserved(tokens: Tokens, first: int, token: int) -> Diagnostic:
-    word, statement = tokens.text(token), tokens.kinds[first]
-    return Diagnostic(
-        "NS0113",
-        f"`{word}` is a reserved word and cannot be a name",
-        source=tokens.source,
-        label=Label(tokens.span(token), "a name is required here"),
-        notes=_forms(statement),
-        helps=(f"choose another name, `{word}_` for example",),
-    )
-
-
-def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
-    statement = tokens.kinds[first]
-    expected = expected_words(stuck.expected)
-    if stuck.token < last:
-        place, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
-    else:
-        end = tokens.span(last - 1).end
-        place, actual = Span(end, end), "the end of the file"
-        if last < len(tokens.kinds):
-            actual = f"the next statement, {shown(tokens.text(last))}"
-    return Diagnostic(
-        "NS0107",
-        f"in this `{statement}` statement: expected {expected}, found {actual}",
-        source=tokens.source,
-        label=Label(place, f"expected {expected}"),
-        related=_left_open(tokens, first, stuck),
-        notes=_forms(statement),
-        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
-        fixes=tuple(_fixes(tokens, first, last, stuck)),
-    )
-
-
 def _forms(statement: str) -> tuple[str, ...]:
     return tuple(f"written as: {form}" for form in FORMS[statement])
-
-
-def _left_open(tokens: Tokens, first: int, stuck: Stuck) -> tuple[Label, ...]:
-    """Return the innermost open bracket where the parser stopped, if closing it would be valid."""
-    opened = _open_brackets(tokens, first, stuck)
-    if not opened or not stuck.expected & {"]", ")"}:
-        return ()
-    return (Label(tokens.span(opened[-1]), "opened here"),)
 
 
 def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:

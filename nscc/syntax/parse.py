@@ -12,15 +12,14 @@ from functools import partial
 from itertools import pairwise
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected
-from nscc.diagnostics.many import MOST_ERRORS, more_errors
+from nscc.diagnostics.message import MOST_ERRORS, more_errors
 from nscc.diagnostics.suggest import did_you_mean
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.build import Builder
-from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.lexer import Tokens, lex, read
 from nscc.syntax.mistakes import misspelt_statement, mistake, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
-from nscc.syntax.statement import Stuck, read
 from nscc.syntax.words import statement_words
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
@@ -52,13 +51,31 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     errors = _Errors(source)
     if tokens.kinds[:1] != ["nsl"]:
         if "nsl" not in tokens.kinds and _OTHER_LANGUAGE.match(source.text):
-            return tree.File(span, ()), (_other_language(tokens),)
+            other_language = Diagnostic(
+                "NS0105",
+                "this looks like a hardware description, not like a shutter program",
+                source=source,
+                label=Label(tokens.span(0)),
+                notes=("files of the hardware description language NSL also end in .nsl",),
+                helps=("name a shutter program; its first statement is `nsl 1`",),
+            )
+            return tree.File(span, ()), (other_language,)
         errors.add(lambda: _no_language_line(tokens, starts))
     statements = tuple(_statements(tokens, starts, errors))
     versions = [s for s in statements if isinstance(s, tree.Version)]
     for version in versions:
-        if version.number.value not in VERSIONS:
-            return tree.File(span, statements), (_unknown_version(source, version),)
+        number = version.number
+        if number.value not in VERSIONS:
+            first, last = VERSIONS[0], VERSIONS[-1]
+            unknown_version = Diagnostic(
+                "NS0106",
+                f"this program uses version {number.value} of the language; this nscc reads "
+                f"versions {first} to {last}",
+                source=source,
+                label=Label(number.span),
+                helps=(f"write `nsl {first}`, or use the nscc that the program was written for",),
+            )
+            return tree.File(span, statements), (unknown_version,)
     if len(versions) > 1 and tokens.kinds[0] == "nsl":
         errors.add(lambda: _said_twice(source, versions))
     return tree.File(span, statements), errors.in_order()
@@ -126,9 +143,13 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
             at, first = first, None
             try:
                 parsed, stuck = read(tokens, at, last)
+                misspelt = None
                 if stuck is not None and not errors.are_many:
-                    first = _misspelt(tokens, at, last, stuck, errors)
-                if first is not None:
+                    misspelt = misspelt_statement(tokens, at, last, stuck)
+                if misspelt is not None:  # parsing continues at the misspelt keyword
+                    first, word = misspelt
+                    errors.add(partial(unknown_statement, tokens, first))
+                    tokens.read_as(first, word)
                     parsed, stuck = read(tokens, at, first)
                 statement = builder.build(parsed) if parsed is not None else None
             except Rejected as wrong:
@@ -138,16 +159,6 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
                     errors.add(partial(mistake, tokens, at, first or last, stuck))
                 if statement is not None:
                     yield statement
-
-
-def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Errors) -> int | None:
-    """Report a misspelt keyword; return its token, where parsing continues, or None."""
-    if (misspelt := misspelt_statement(tokens, first, last, stuck)) is None:
-        return None
-    index, word = misspelt
-    errors.add(partial(unknown_statement, tokens, index))
-    tokens.read_as(index, word)
-    return index
 
 
 def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
@@ -188,26 +199,4 @@ def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
         label=Label(versions[1].span, "said again"),
         related=(Label(versions[0].span, "said here"),),
         fixes=(Fix("remove it", versions[1].span, ""),),
-    )
-
-
-def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
-    return Diagnostic(
-        "NS0106",
-        f"this program uses version {version.number.value} of the language; this nscc reads "
-        f"versions {VERSIONS[0]} to {VERSIONS[-1]}",
-        source=source,
-        label=Label(version.number.span),
-        helps=(f"write `nsl {VERSIONS[0]}`, or use the nscc that the program was written for",),
-    )
-
-
-def _other_language(tokens: Tokens) -> Diagnostic:
-    return Diagnostic(
-        "NS0105",
-        "this looks like a hardware description, not like a shutter program",
-        source=tokens.source,
-        label=Label(tokens.span(0)),
-        notes=("files of the hardware description language NSL also end in .nsl",),
-        helps=("name a shutter program; its first statement is `nsl 1`",),
     )

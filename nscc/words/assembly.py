@@ -41,8 +41,7 @@ from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
 from nscc.words.assembly_text import read_block_line, read_string
 from nscc.words.container import Container, Word
-from nscc.words.directives import DIRECTIVES
-from nscc.words.draft import Draft, Faults, Instruction, TextBlock, Token, shown
+from nscc.words.directives import DIRECTIVES, Draft, Faults, Instruction, TextBlock, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
 
@@ -98,7 +97,23 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
         begin = offset + line.index(text)
         offset += len(line) + 1
         if text.startswith("|"):
-            _block_line(text, begin, block, faults)
+            span = Span(begin, begin + len(text))
+            content = read_block_line(text)
+            if block is None:
+                helps = (".target, .source and .pixels take lines that begin with `| `",)
+                faults.add(
+                    "NS0713",
+                    "this continuation line does not belong to a directive",
+                    span,
+                    helps=helps,
+                )
+            elif content is None:
+                helps = ('write `| text`, or `|= "text"` with a JSON string',)
+                faults.add(
+                    "NS0714", f"malformed continuation line: {shown(text)}", span, helps=helps
+                )
+            else:
+                block.lines.append((content, span))
             continue
         first = _PIECE.match(text)
         if first is None:  # a comment, or nothing
@@ -111,21 +126,6 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
             elif pieces is not None:
                 _instruction(head, pieces, draft, faults, own_words)
     return draft
-
-
-def _block_line(text: str, begin: int, block: TextBlock | None, faults: Faults) -> None:
-    span = Span(begin, begin + len(text))
-    content = read_block_line(text)
-    if block is None:
-        helps = (".target, .source and .pixels take lines that begin with `| `",)
-        faults.add(
-            "NS0713", "this continuation line does not belong to a directive", span, helps=helps
-        )
-    elif content is None:
-        helps = ('write `| text`, or `|= "text"` with a JSON string',)
-        faults.add("NS0714", f"malformed continuation line: {shown(text)}", span, helps=helps)
-    else:
-        block.lines.append((content, span))
 
 
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:

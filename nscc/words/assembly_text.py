@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import re
+from base64 import b64encode
 from collections.abc import Sequence
 from math import isfinite
 
@@ -17,6 +18,7 @@ _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_.+-]*")
 _INTEGER = re.compile(r"-?[0-9]{1,19}")
 _RANGE = re.compile(r"([0-9]{1,9})(?:\.\.([0-9]{1,9})(?:/([0-9]{1,9}))?)?")
 _FEW_TURNS = 8
+_BASE64_WIDTH = 96
 _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 
@@ -140,6 +142,12 @@ def block_text(lines: Sequence[str]) -> list[str]:
         else f"|= {json.dumps(line)}"
         for line in lines
     ]  # fmt: skip
+
+
+def base64_lines(data: bytes) -> list[str]:
+    """Return data as lines of base64, each after a bar."""
+    text = b64encode(data).decode("ascii")
+    return [f"| {text[at : at + _BASE64_WIDTH]}" for at in range(0, len(text), _BASE64_WIDTH)]
 
 
 def read_block_line(text: str) -> str | None:

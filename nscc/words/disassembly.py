@@ -6,8 +6,7 @@ pixel codes."""
 from __future__ import annotations
 
 import json
-from base64 import b64encode
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,14 @@ from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
 from nscc.words import machine_file, pictures_file
-from nscc.words.assembly_text import block_text, name_text, number_text, ranges_text, slots_text
+from nscc.words.assembly_text import (
+    base64_lines,
+    block_text,
+    name_text,
+    number_text,
+    ranges_text,
+    slots_text,
+)
 from nscc.words.container import Container, StoredKernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
@@ -25,7 +31,6 @@ from nscc.words.legality import pair_kind, refuse_planes, target_fault
 from nscc.words.machine import LIGHT
 
 _COMMENT_COLUMN = 40
-_BASE64_WIDTH = 96
 _LARGEST_TILE = 64 * 64
 _TIMES_A_LINE = 8
 
@@ -43,10 +48,10 @@ def disassemble(container: Container) -> str:
 
 def sections(container: Container) -> dict[str, list[str]]:
     """Return the lines of each part of the text by its title, in the order of the text."""
-    kernels = enumerate(container.kernels)
-    parts = {
+    kernels, lines = enumerate(container.kernels), container.source_lines
+    parts: dict[str, Iterable[str]] = {
         "target": _head(container),
-        "source": _source(container.source_lines),
+        "source": [".source", *block_text(lines)] if lines else [],
         "slots": _times(container.slot_us),
         **{f"kernel {kernel.name}": _kernel(container, number) for number, kernel in kernels},
         "schedule": _schedule(container),
@@ -131,12 +136,6 @@ def _counted(count: int, word: str, plural: str = "") -> str:
     return f"{count} {word if count == 1 else plural or word + 's'}"
 
 
-def _source(lines: Sequence[str]) -> Iterator[str]:
-    if lines:
-        yield ".source"
-        yield from block_text(lines)
-
-
 def _times(slot_us: Sequence[float]) -> Iterator[str]:
     at, pending = 0, ""
     for index in range(1, len(slot_us) + 1):
@@ -153,16 +152,14 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 def _kernel(container: Container, number: int) -> Iterator[str]:
     kernel: StoredKernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
-    instants_text = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
+    instants_text = ranges_text(sorted(set(instants))) if instants else "nowhere"
+    if len(instants_text) > 60:
+        instants_text = instants_text[:56] + " ..."
     cost = kernel_cost(kernel, container.target)
     comment = f"{_counted(cost.words, 'word')}, {cost.us:.4g} us; launched at {instants_text}"
     yield _commented(f".kernel {name_text(kernel.name)}", comment)
     for _, text, remark in instruction_lines(kernel.words, container.target):
         yield _commented(f"    {text}", remark)
-
-
-def _shortened(text: str) -> str:
-    return text if len(text) <= 60 else text[:56] + " ..."
 
 
 def _schedule(container: Container) -> Iterator[str]:
@@ -216,7 +213,7 @@ def _machine(container: Container) -> Iterator[str]:
         level = f"{comparison.level} steps of IN, {comparison.level * step_e:.6g} e"
         yield f"; at boundary {comparison.boundary}: {signal} above {level}"
     yield ".machine"
-    yield from block_text([*machine_file.to_text(container)])
+    yield from machine_file.to_text(container)
 
 
 def _pictures(container: Container) -> Iterator[str]:
@@ -233,7 +230,7 @@ def _pictures(container: Container) -> Iterator[str]:
     for name, register in pictures.registers.items():
         yield f"; {register} holds {name}"
     yield ".pictures"
-    yield from block_text([*pictures_file.to_text(pictures)])
+    yield from pictures_file.to_text(pictures)
 
 
 def _pixels(container: Container) -> Iterator[str]:
@@ -241,25 +238,16 @@ def _pixels(container: Container) -> Iterator[str]:
     if codes is None:
         return
     yield "; the code of every pixel"
-    tile = smallest_tile(codes)
-    if tile is not None:
-        yield f".pixels tile {tile.shape[0]} {tile.shape[1]}"
-        for row in tile.tolist():
+    # The smallest tile whose repetition, cut at the edges, is the plane.
+    rows = _period(codes)
+    cols = _period(codes[:rows].T)
+    if rows * cols <= _LARGEST_TILE:
+        yield f".pixels tile {rows} {cols}"
+        for row in codes[:rows, :cols].tolist():
             yield "| " + " ".join(map(str, row))
         return
     yield f".pixels plane {codes.shape[0]} {codes.shape[1]}"
-    text = b64encode(codes.astype("<i4").tobytes()).decode("ascii")
-    for start in range(0, len(text), _BASE64_WIDTH):
-        yield "| " + text[start : start + _BASE64_WIDTH]
-
-
-def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
-    """Return the smallest tile whose repetition, cut at the edges, is `plane` (rows, cols).
-
-    None if the tile is too large."""
-    rows = _period(plane)
-    cols = _period(plane[:rows].T)
-    return plane[:rows, :cols] if rows * cols <= _LARGEST_TILE else None
+    yield from base64_lines(codes.astype("<i4").tobytes())
 
 
 def _period(plane: NDArray[Any]) -> int:

@@ -84,17 +84,14 @@ def to_bytes(container: Container) -> bytes:
     text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
     sections = [text.encode("ascii"), *packed(_layout(header), arrays)]
     length = _PREAMBLE.size + sum(map(len, sections)) + _DIGEST
-    version = _version(container)
+    if container.target.streamed:
+        version = 3
+    elif container.pictures is not None:
+        version = 4
+    else:
+        version = 1 if container.machine is None else 2
     body = b"".join([_PREAMBLE.pack(MAGIC, version, len(sections[0]), length), *sections])
     return body + sha256(body).digest()
-
-
-def _version(container: Container) -> int:
-    if container.target.streamed:
-        return 3
-    if container.pictures is not None:
-        return 4
-    return 1 if container.machine is None else 2
 
 
 def _header(container: Container) -> dict[str, Any]:

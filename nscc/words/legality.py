@@ -80,7 +80,14 @@ def _decoded(
                     faults[operation] = fault_of(operation, target)
                 fault = faults[operation]
                 if fault is not None:
-                    diagnostics.append(_not_on_target(operation, place, fault, target))
+                    diagnostics.append(
+                        Diagnostic(
+                            "NS0708",
+                            f"{place}: {target.name} cannot run `{operation}`: {fault}",
+                            helps=(f"`nscc targets {target.name}` lists what the chip has",),
+                            data={"target": target.name},
+                        )
+                    )
                 ops.append(operation)
             if len(diagnostics) >= _MOST_SHOWN:
                 raise Rejected(diagnostics)
@@ -170,29 +177,18 @@ def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
         elif phase is Phase.WRITE and not (before and pair_kind(before, operation)):
             position = f"comes after `{before}`" if before else "begins the kernel"
         if position:
-            diagnostics.append(_split(kernel, index, operation, position))
+            kind = operation.name.partition(".")[0]
+            diagnostics.append(
+                Diagnostic(
+                    "NS0703",
+                    f"word {index} of kernel '{kernel}' is one half of a pair, and the other half "
+                    f"is missing: `{operation}` {position}",
+                    notes=(
+                        "the first word of a pair leaves its result on the pixel's bus, and any "
+                        "word between the halves loses it",
+                    ),
+                    helps=(f"keep `{kind}.read` and `{kind}.write` together in one kernel",),
+                    data={"kernel": kernel, "word": index},
+                )
+            )
     return diagnostics
-
-
-def _split(kernel: str, index: int, operation: Op, position: str) -> Diagnostic:
-    kind = operation.name.partition(".")[0]
-    return Diagnostic(
-        "NS0703",
-        f"word {index} of kernel '{kernel}' is one half of a pair, and the other half is "
-        f"missing: `{operation}` {position}",
-        notes=(
-            "the first word of a pair leaves its result on the pixel's bus, and any word "
-            "between the halves loses it",
-        ),
-        helps=(f"keep `{kind}.read` and `{kind}.write` together in one kernel",),
-        data={"kernel": kernel, "word": index},
-    )
-
-
-def _not_on_target(operation: Op, place: str, fault: str, target: Target) -> Diagnostic:
-    return Diagnostic(
-        "NS0708",
-        f"{place}: {target.name} cannot run `{operation}`: {fault}",
-        helps=(f"`nscc targets {target.name}` lists what the chip has",),
-        data={"target": target.name},
-    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64decode
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ from nscc.source import Span
 from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
-from nscc.words.draft import Draft, Faults, Token, shown
+from nscc.words.directives import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
 from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.pictures import Pictures
@@ -43,10 +44,17 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         raise AssertionError("a target was refused without a fault")
     check_instructions(draft, target, faults)
     _check_complete(draft, faults)
-    buckets = _buckets(draft, faults)
+    if draft.buckets:
+        buckets = tuple(_indexed(draft.buckets, "bucket", faults))
+    else:
+        named = (readout.bucket.text for readout in draft.readouts if readout.bucket)
+        buckets = tuple(dict.fromkeys(named)) or (_DEFAULT_BUCKET,)
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
-    load = _load(draft, target, faults)
+    registers = {name: i for i, name in enumerate(target.digital_registers)}
+    for token in draft.load:
+        _find(token, registers, "digital register", faults)
+    load = tuple(_indexed(draft.load, "register", faults))
     faults.stop()  # the following steps need valid sizes
 
     notes = dict(draft.notes)
@@ -59,15 +67,8 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         for plane in draft.planes:
             faults.add("NS0719", message, plane.register.span)
     else:
-        planes = read_planes(draft.planes, target, base, faults)
-        faults.stop()
-        load = _loading_order(draft, tuple(planes), load, target, faults)
-        encoding, pixels = codes_of_planes(planes, target)
-        table = _empty_table(len(encoding), len(buckets), len(draft.slot_us), bool(planes))
+        table, encoding, pixels, load = _table_of_planes(draft, target, base, load, buckets, faults)
         notes |= NO_TABLE
-        if draft.pixels is not None:
-            span = draft.pixels.directive.span
-            faults.add("NS0715", ".pixels needs codes, but .code is missing", span)
     machine: StateMachine | None = None
     state_planes: dict[str, StatePlanes] = {}
     if draft.machine is not None:
@@ -188,14 +189,6 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
     return names
 
 
-def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
-    """Return the buckets in `.bucket`, else those of the readouts, else `frame`."""
-    if draft.buckets:
-        return tuple(_indexed(draft.buckets, "bucket", faults))
-    named = [readout.bucket.text for readout in draft.readouts if readout.bucket]
-    return tuple(dict.fromkeys(named)) or (_DEFAULT_BUCKET,)
-
-
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
     """Return all launches, by boundary, in the order of the text."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
@@ -243,38 +236,33 @@ def _readouts(
     return tuple(readouts)
 
 
-def _load(draft: Draft, target: Target, faults: Faults) -> tuple[str, ...]:
-    registers = {name: i for i, name in enumerate(target.digital_registers)}
-    for token in draft.load:
-        _find(token, registers, "digital register", faults)
-    return tuple(_indexed(draft.load, "register", faults))
-
-
-def _loading_order(
-    draft: Draft,
-    planes: tuple[str, ...],
-    stated: tuple[str, ...],
-    target: Target,
+def _table_of_planes(
+    draft: Draft, target: Target, base: Path, load: tuple[str, ...], buckets: tuple[str, ...],
     faults: Faults,
-) -> tuple[str, ...]:
-    """Return the order in `.load`; by default the masked register comes first, while its
-    mask is 1."""
-    if stated and set(stated) != set(planes):
+) -> tuple[DecodeTable, NDArray[np.bool_], NDArray[np.int32] | None, tuple[str, ...]]:  # fmt: skip
+    """Return a table without open slots, for pixels of which only register contents are known,
+    with encoding, pixel codes and loading order.
+
+    Without planes all codes share one shutter, else each code has its own. By default the masked
+    register is loaded first, while its mask is 1."""
+    planes = read_planes(draft.planes, target, base, faults)
+    faults.stop()
+    if load and set(load) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
-    return stated or tuple(sorted(planes, key=lambda name: name != target.masked_register))
-
-
-def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
-    """Return a table without open slots, for pixels of which only register contents are known.
-
-    Without planes all codes share one shutter, else each code has its own."""
-    return DecodeTable(
+    if draft.pixels is not None:
+        span = draft.pixels.directive.span
+        faults.add("NS0715", ".pixels needs codes, but .code is missing", span)
+    encoding, pixels = codes_of_planes(planes, target)
+    codes = len(encoding)
+    table = DecodeTable(
         ("code",) if planes else (),
         np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),
         np.arange(codes, dtype=np.int32),
-        np.zeros((codes, buckets, slots), dtype=np.bool_),
+        np.zeros((codes, len(buckets), len(draft.slot_us)), dtype=np.bool_),
     )
+    order = load or tuple(sorted(planes, key=lambda name: name != target.masked_register))
+    return table, encoding, pixels, order
 
 
 def _table(
@@ -337,7 +325,14 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
         return None
     place = block.directive.span
     form, rows, cols = block.arguments[0].text, *(int(token.text) for token in block.arguments[1:])
-    values = _tile(block.lines) if form == "tile" else _plane(block.lines)
+    texts = [text for text, _ in block.lines]
+    values: NDArray[Any] | None = None
+    with suppress(ValueError):
+        if form == "tile":
+            integers = [read_integer(item) for text in texts for item in text.split()]
+            values = np.array(integers, np.int64) if None not in integers else None
+        else:
+            values = np.frombuffer(b64decode("".join(texts), validate=True), dtype="<i4")
     if values is None or values.size != rows * cols:
         faults.add("NS0714", f"the lines below are not {rows} x {cols} codes", place)
         return None
@@ -354,17 +349,3 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
     repeats = (-(-target.rows // rows), -(-target.cols // cols))
     tiled = np.tile(values.astype(np.int32), repeats)
     return np.ascontiguousarray(tiled[: target.rows, : target.cols])
-
-
-def _tile(lines: list[tuple[str, Span]]) -> NDArray[Any] | None:
-    values = [read_integer(item) for text, _ in lines for item in text.split()]
-    integers = [value for value in values if value is not None]
-    return np.array(integers, dtype=np.int64) if len(integers) == len(values) else None
-
-
-def _plane(lines: list[tuple[str, Span]]) -> NDArray[Any] | None:
-    try:
-        data = b64decode("".join(text for text, _ in lines), validate=True)
-    except ValueError:
-        return None
-    return np.frombuffer(data, dtype="<i4") if len(data) % 4 == 0 else None

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from base64 import b64decode, b64encode
+from base64 import b64decode
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.words.assembly_text import base64_lines
 from nscc.words.machine import LIGHT, Comparison, State, StateMachine, StatePlanes
 from nscc.words.stored_arrays import StoredArray, packed, unpacked
 
@@ -22,7 +23,6 @@ Read = tuple[StateMachine, dict[str, StatePlanes], list[int | None]]
 NO_LEVEL = -(2**31)
 """The stored level of a launch that does not set IN."""
 _LARGEST = 2**62
-_WIDTH = 96
 
 
 def header_of(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
@@ -90,8 +90,8 @@ def machine_from(
     return machine, planes
 
 
-def to_text(container: Container) -> Iterator[str]:
-    """Yield the `.machine` lines of assembly text: base64 of the header and the arrays."""
+def to_text(container: Container) -> list[str]:
+    """Return the `.machine` lines of assembly text: base64 of the header and the arrays."""
     machine = container.machine
     assert machine is not None
     header = header_of(machine, container.state_planes)
@@ -99,9 +99,7 @@ def to_text(container: Container) -> Iterator[str]:
     data = json.dumps(header, sort_keys=True, separators=(",", ":")).encode("ascii")
     layout = layout_of(header, len(container.buckets), container.slots)
     blocks = [len(data).to_bytes(4, "little"), data, *packed(layout, vars(machine))]
-    text = b64encode(b"".join(blocks)).decode("ascii")
-    for start in range(0, len(text), _WIDTH):
-        yield text[start : start + _WIDTH]
+    return base64_lines(b"".join(blocks))
 
 
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
@@ -149,24 +147,6 @@ def faults(container: Container) -> Iterator[str]:
     is_sum = (machine.open_us >= shortest_us) & (machine.open_us <= frame_us)
     if not (is_sum | np.isin(machine.open_us, (-1.0, 0.0))).all():
         yield "the open times of its machine are invalid"
-    yield from _step_faults(machine)
-    for comparison in machine.comparisons:
-        if comparison.boundary not in machine.looks:
-            yield f"a comparison at boundary {comparison.boundary}, which is not a look"
-        if not (LIGHT <= comparison.signal < buckets):
-            yield f"a comparison of signal {comparison.signal}"
-        if not target.in_low <= comparison.level <= target.in_high:
-            yield f"a comparison with {comparison.level} steps of IN"
-    behaviours = len(container.encoding)
-    if not np.array_equal(np.unique(machine.behaviour), np.arange(behaviours)):
-        yield "its machine has other behaviours than its encoding"
-    yield from _state_faults(container, machine)
-    for launch in container.launches:
-        if launch.level is not None and not target.in_low <= launch.level <= target.in_high:
-            yield f"a launch sets IN to {launch.level} steps"
-
-
-def _step_faults(machine: StateMachine) -> Iterator[str]:
     for stage in range(machine.stages):
         span = machine.nodes(stage)
         steps = machine.steps[span]
@@ -183,6 +163,20 @@ def _step_faults(machine: StateMachine) -> Iterator[str]:
             yield "a node of its machine leads out of the next stage"
         elif (machine.behaviour[inside] != machine.behaviour[span][:, None]).any():
             yield "a node of its machine leads to another behaviour"
+    for comparison in machine.comparisons:
+        if comparison.boundary not in machine.looks:
+            yield f"a comparison at boundary {comparison.boundary}, which is not a look"
+        if not (LIGHT <= comparison.signal < buckets):
+            yield f"a comparison of signal {comparison.signal}"
+        if not target.in_low <= comparison.level <= target.in_high:
+            yield f"a comparison with {comparison.level} steps of IN"
+    behaviours = len(container.encoding)
+    if not np.array_equal(np.unique(machine.behaviour), np.arange(behaviours)):
+        yield "its machine has other behaviours than its encoding"
+    yield from _state_faults(container, machine)
+    for launch in container.launches:
+        if launch.level is not None and not target.in_low <= launch.level <= target.in_high:
+            yield f"a launch sets IN to {launch.level} steps"
 
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:

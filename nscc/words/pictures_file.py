@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-from base64 import b64decode, b64encode
+from base64 import b64decode
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from nscc.words.assembly_text import base64_lines
 from nscc.words.pictures import (
     Condition,
     KeptPlane,
@@ -23,8 +24,6 @@ from nscc.words.pictures import (
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-
-_WIDTH = 96
 
 
 def header_of(pictures: Pictures) -> dict[str, Any]:
@@ -86,12 +85,10 @@ def _condition(plain: Any) -> Condition:
     return node
 
 
-def to_text(pictures: Pictures) -> Iterator[str]:
-    """Yield the `.pictures` lines of assembly text: base64 of the header."""
-    data = json.dumps(header_of(pictures), sort_keys=True, separators=(",", ":")).encode("ascii")
-    text = b64encode(data).decode("ascii")
-    for start in range(0, len(text), _WIDTH):
-        yield text[start : start + _WIDTH]
+def to_text(pictures: Pictures) -> list[str]:
+    """Return the `.pictures` lines of assembly text: base64 of the header."""
+    data = json.dumps(header_of(pictures), sort_keys=True, separators=(",", ":"))
+    return base64_lines(data.encode("ascii"))
 
 
 def from_text(text: str) -> Pictures | None:

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from hashlib import sha256
 from io import BytesIO
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +14,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import InvalidArrays, npy_array, npz_arrays
-from nscc.words.draft import Faults, PlaneDraft, shown
+from nscc.words.directives import Faults, PlaneDraft, shown
 
 _LARGEST_FILE = 1 << 28
 
@@ -86,13 +85,6 @@ def _plane(
     actual_sha256 = sha256(data).hexdigest()
     if stated_sha256 is not None and stated_sha256.lower() != actual_sha256:
         raise _BadPlaneError(f"its SHA-256 is {actual_sha256}, not {stated_sha256[:64]!a}")
-    values = _values(data, register, shape)
-    if not np.isin(values, (0, 1)).all():
-        raise _BadPlaneError("it contains values other than 0 and 1")
-    return values.astype(np.bool_)
-
-
-def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
     stream = BytesIO(data)
     try:
         if data.startswith(b"\x93NUMPY"):
@@ -110,4 +102,6 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
         raise _BadPlaneError(f"its shape is {values.shape}, but the array has {shape}")
     if values.dtype.kind not in "biuf":
         raise _BadPlaneError(f"its values are of type {values.dtype}, not numbers")
-    return values
+    if not np.isin(values, (0, 1)).all():
+        raise _BadPlaneError("it contains values other than 0 and 1")
+    return values.astype(np.bool_)

@@ -9,6 +9,7 @@ import numpy as np
 
 from nscc.words import machine_file, pictures_file, stream
 from nscc.words.container import Container
+from nscc.words.stored_arrays import array_faults
 
 MOST_WORDS = 1 << 18
 MOST_SLOTS = 1 << 20
@@ -54,17 +55,12 @@ def _table_faults(container: Container) -> Iterator[str]:
     codes, shutters = len(table.codes), len(table.shutters)
     registers = len(container.target.digital_registers)
     opens = shutters, len(container.buckets), container.slots
-    for name, array, shape, dtype in (
+    yield from array_faults(
         ("codes", table.codes, (codes, len(table.fields)), np.int64),
         ("shutter_of_code", table.shutter_of_code, (codes,), np.int32),
         ("shutters", table.shutters, opens, np.bool_),
         ("encoding", container.encoding, (shutters, registers), np.bool_),
-    ):
-        if array.shape != shape or array.dtype != dtype:
-            yield (
-                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape} as the "
-                "rest of it needs"
-            )
+    )
     if codes == 0 or shutters == 0:
         yield "its decode table is empty"
     elif not _within(table.shutter_of_code, shutters):

@@ -4,7 +4,7 @@ Eight booleans are packed into a byte, lowest bit first."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import prod
 from typing import Any, NamedTuple
 
@@ -23,6 +23,18 @@ class StoredArray(NamedTuple):
     def nbytes(self) -> int:
         items = prod(self.shape)
         return (items + 7) // 8 if self.dtype == "?" else items * np.dtype(self.dtype).itemsize
+
+
+def array_faults(
+    *arrays: tuple[str, NDArray[Any], tuple[int, ...], type[np.generic]],
+) -> Iterator[str]:
+    """Yield the arrays (name, array, shape, type) that have another shape or type."""
+    for name, array, shape, dtype in arrays:
+        if array.shape != shape or array.dtype != dtype:
+            yield (
+                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape} as the "
+                "rest of it needs"
+            )
 
 
 def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
+from nscc.words.stored_arrays import array_faults
 
 DRAIN = -1
 """The destination of light that no tap collects; other destinations are indices of taps."""
@@ -84,17 +85,17 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
     """Yield the errors of a container's planes, each as part of a sentence."""
     shape = slots, target.rows, -(-target.cols // 8)
-    for name, array, needed, dtype in (
-        ("planes", stream.planes, shape, np.uint8),
-        ("ones", stream.ones, (slots,), np.int8),
-        ("zeros", stream.zeros, (slots,), np.int8),
-    ):
-        if array.shape != needed or array.dtype != dtype:
-            yield (
-                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {needed} as the "
-                "rest of it needs"
-            )
-            return
+    fault = next(
+        array_faults(
+            ("planes", stream.planes, shape, np.uint8),
+            ("ones", stream.ones, (slots,), np.int8),
+            ("zeros", stream.zeros, (slots,), np.int8),
+        ),
+        None,
+    )
+    if fault is not None:
+        yield fault
+        return
     behind = target.cols % 8
     if behind and np.any(stream.planes[:, :, -1] >> behind):
         yield "a plane has bits after the last column"

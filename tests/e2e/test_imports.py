@@ -32,7 +32,6 @@ ROOMS = (
     (
         "columns",
         "html",
-        "notebooks",
         "npy",
         "operations",
         "requirements",

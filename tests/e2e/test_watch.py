@@ -15,7 +15,7 @@ from threading import Thread
 import numpy as np
 import pytest
 
-from nscc.editing.program_files import files_of
+from nscc.compiler import files_of
 from nscc_cli.main import main
 
 GOOD = 'nsl 1\nframe 8 slots of 1ms\ncode c : 0..1\nopen when n < c\npixels from "codes.npz"\n'

@@ -11,7 +11,7 @@ from lowering_oracle import program_from
 
 from nscc.logic.cubes import Budget
 from nscc.logic.halved_bumps import halved_bumps
-from nscc.logic.improve import improve
+from nscc.logic.improve.search import improve
 from nscc.logic.paired_bumps import paired_bumps
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import sys
+import importlib
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,7 +21,7 @@ from nscc.words.legality import decoded
 @pytest.fixture(autouse=True)
 def few_steps(monkeypatch):
     """Enough steps for a few sweeps."""
-    module = sys.modules["nscc.logic.improve.refine"]
+    module = importlib.import_module("nscc.lower.gates")
     for name in ("FIRST_STEPS", "MORE_STEPS", "ENRICH_STEPS"):
         monkeypatch.setitem(getattr(module, name), 2, 800)
 

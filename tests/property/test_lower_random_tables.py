@@ -18,8 +18,7 @@ from lowering_oracle import (
 
 from nscc.chips.load import load_target
 from nscc.lower.exposure_plan import LOWERINGS, Misfit
-from nscc.prove.proof import prove
-from nscc.prove.replay import shutters
+from nscc.prove.proof import prove, shutters
 from nscc.words.legality import decoded
 
 

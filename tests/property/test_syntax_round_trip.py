@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from syntax_text import EXPRESSIONS, PROGRAMS, bare, expression_text, nodes, read, statement_text
 
+from nscc.emit.listing import print_tree
 from nscc.source import Source
 from nscc.syntax import tree as t
-from nscc.syntax.printing import print_tree
 
 BLANKS = st.sampled_from(["\n", " ", "\t\n", "\r\n", " # let x = 1\n", "\n\n#\n"])
 

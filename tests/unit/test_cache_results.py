@@ -17,9 +17,8 @@ from nscc_command import invoke
 
 from nscc.cache import digest as digests
 from nscc.cache.digest import digest, version_digest
-from nscc.cache.results import LEAST_LEVEL, Results, results_of_user
+from nscc.cache.results import LEAST_LEVEL, Results, from_json, results_of_user, to_json
 from nscc.cache.store import Store
-from nscc.cache.values import from_json, to_json
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
 from nscc.emit.report import report, report_bytes

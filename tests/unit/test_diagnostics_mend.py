@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix
-from nscc.diagnostics.mend import mended
+from nscc.diagnostics.message import mended
 from nscc.source import Source, Span
 from nscc_cli.main import main
 

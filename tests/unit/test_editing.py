@@ -12,14 +12,11 @@ from syntax_text import bare
 
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
-from nscc.editing.actions import all_mended, fixes_at
-from nscc.editing.complete import complete
-from nscc.editing.document import Document
-from nscc.editing.hints import hints
+from nscc.editing.complete import Listing, complete, complete_listing
+from nscc.editing.costs import hints
+from nscc.editing.document import Document, all_mended, fixes_at, outline
 from nscc.editing.hover import hover
-from nscc.editing.listing import Listing, complete_listing
-from nscc.editing.outline import outline
-from nscc.editing.rename import CannotRename, renamed
+from nscc.editing.mentions import CannotRename, renamed
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options
 from nscc.source import Source, Span

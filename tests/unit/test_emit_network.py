@@ -13,8 +13,7 @@ from looks_oracle import Interpreter
 from nscc_command import invoke
 
 from nscc.compiler import compile_source
-from nscc.emit.looking_network import network_of
-from nscc.emit.network import dot_text, gate_network, graphml_bytes, interference
+from nscc.emit.network import dot_text, graphml_bytes, interference, network_of
 from nscc.emit.report import report
 from nscc.looks.passes import container_of
 from nscc.pipeline import Options
@@ -95,7 +94,7 @@ def expected(program, lowering):
 def test_the_file_alone_computes_the_shutters(name, lowering, level):
     compiled = built(TEXTS[name], lowering=lowering, level=level)
     lowered = compiled.lowered
-    network = nx.read_graphml(io.BytesIO(graphml_bytes(gate_network(lowered))))
+    network = nx.read_graphml(io.BytesIO(graphml_bytes(network_of(lowered))))
     values = values_of(network, network.graph["shutters"])
     asked = {}
     for node, facts in network.nodes(data=True):
@@ -189,7 +188,7 @@ def lowered_planes(lowered):
 
 def test_depth_and_registers_of_a_program_done_by_hand():
     """Two stops: planes p0, p1 and a WHERE for each; both planes live on, and FLAG."""
-    network = gate_network(
+    network = network_of(
         built("frame 3 slots of 1ms\ncode s : 1..3\nopen when n < s", lowering="latch").lowered
     )
     assert (network.graph["depth"], network.graph["registers"]) == (1, 3)
@@ -199,7 +198,7 @@ def test_depth_and_registers_of_a_program_done_by_hand():
 
 
 def test_dot_has_every_node_and_edge():
-    network = gate_network(built(TEXTS["d"], level=1).lowered)
+    network = network_of(built(TEXTS["d"], level=1).lowered)
     text = dot_text(network)
     assert set(re.findall(r"^  (\w+) \[shape", text, re.M)) == set(network)
     assert re.findall(r"^  (\w+) -> (\w+);$", text, re.M) == list(network.edges)

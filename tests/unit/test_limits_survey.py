@@ -13,8 +13,7 @@ from nscc.chips.load import load_target, target_toml
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import families
-from nscc.limits.limits_table import limits_json, limits_text
-from nscc.limits.survey import survey
+from nscc.limits.survey import limits_json, limits_text, survey
 from nscc.pipeline import Options
 from nscc.source import Source
 

@@ -15,7 +15,7 @@ from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 
 import nscc.logic.cube_tables
 from nscc.logic.cube_tables import BumpCubes, number_cubes
-from nscc.logic.gray import cycle
+from nscc.logic.digits import cycle
 from nscc.logic.halved_bumps import halved_bumps
 from nscc.logic.paired_bumps import paired_bumps
 from nscc.logic.problem import GaveUp, Machine

@@ -14,9 +14,8 @@ from marks import slow
 from nscc.logic.bound import level_bound
 from nscc.logic.cubes import Budget, cover
 from nscc.logic.encodings import covered_fields
-from nscc.logic.gates import Gates
 from nscc.logic.generate import GENERATORS, solutions
-from nscc.logic.problem import GaveUp, Machine
+from nscc.logic.problem import Gates, GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
 from nscc.lower.exposure_plan import levels, plan_exposure

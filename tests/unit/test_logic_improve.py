@@ -13,15 +13,16 @@ from lowering_oracle import program_from
 import nscc.logic.improve as package
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
-from nscc.logic.improve import balance, improve
-from nscc.logic.improve.blocks import blocks_of
+from nscc.logic.improve.balance import balance
 from nscc.logic.improve.code import flatten
 from nscc.logic.improve.enrich import enrich
-from nscc.logic.improve.refine import apart
+from nscc.logic.improve.kernels import blocks_of
+from nscc.logic.improve.search import improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
 from nscc.lower.exposure_plan import levels, plan_exposure
+from nscc.lower.gates import apart
 from nscc.lower.timeline import timeline
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source

@@ -23,7 +23,7 @@ from PIL import Image as PillowImage
 import nscc
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_file
-from nscc.emit.looking_network import network_of
+from nscc.emit.network import network_of
 from nscc.pipeline import Options
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable

@@ -11,14 +11,13 @@ from nscc_command import invoke
 
 from nscc import pipeline
 from nscc.checks import Inconsistent
-from nscc.emit.listing import text_after
+from nscc.emit.listing import print_tree, text_after
 from nscc.lower.exposure_plan import LOWERINGS
 from nscc.operations import Op, WordEffect
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
 from nscc.syntax.parse import parse, read_source
-from nscc.syntax.printing import print_tree
 
 ROOT = Path(__file__).parents[2]
 NAMES = [each.name for each in PASSES]

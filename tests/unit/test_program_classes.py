@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from program_oracle import program_of
 
+from nscc.emit.listing import print_program
 from nscc.emit.summary import summary
 from nscc.pipeline import Options, run_passes
-from nscc.program.capacity import bits_needed
-from nscc.program.printing import print_program
+from nscc.program.limits import bits_needed
 from nscc.source import Source
 
 FRAME = "nsl 1 frame 8 slots of 1ms "

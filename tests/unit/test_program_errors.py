@@ -11,7 +11,7 @@ from program_oracle import program_of
 
 import nscc.diagnostics
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.many import MOST_ERRORS
+from nscc.diagnostics.message import MOST_ERRORS
 from nscc.program.analyse import analyse
 from nscc.program.problems import Problems
 from nscc.source import Source, Span

@@ -19,7 +19,7 @@ from nscc.chips.load import load_target, target_toml
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.products import emitted
-from nscc.prove.stream_proof import prove_stream
+from nscc.prove.proof import prove_stream
 from nscc.shutter_program import ShutterProgram
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes

@@ -12,8 +12,7 @@ import pytest
 from nscc.chips.load import builtin_target
 from nscc.source import Source
 from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
-from nscc.toml.schema import FileCodes, Key, Schema
-from nscc.toml.schema_files import file_text
+from nscc.toml.schema import FileCodes, Key, Schema, file_text
 from nscc.toml.toml_text import parsed
 from nscc_runtime.sensor import default_sensor, parameter, parameters
 from nscc_runtime.sensor.file import schema_of

@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import pytest
 
-from nscc.tradeoff import device
-from nscc.tradeoff.device import processor_name
+from nscc.tradeoff import stopwatch
 from nscc.tradeoff.points import COLUMNS, Point, Refused, csv_text, dominated, table_text
+from nscc.tradeoff.stopwatch import processor_name
 
 
 def point(case: str, setting: str, error: float, *times_ms: float, bound: float | None = None):
@@ -95,7 +95,7 @@ def test_table_names_a_case_once() -> None:
 def test_the_processor_has_a_name(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert processor_name()
     info = tmp_path / "cpuinfo"
-    monkeypatch.setattr(device, "_CPUINFO", info)
+    monkeypatch.setattr(stopwatch, "_CPUINFO", info)
     assert processor_name(), "there is no such file elsewhere"
     info.write_text("processor\t: 0\nmodel name\t: Some   Chip (R) 3 GHz\nmodel name: other\n")
     assert processor_name() == "Some Chip (R) 3 GHz"

@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.toml.schema import Key, KeyValues
-from nscc.toml.schema_files import file_bytes, file_text, file_values
+from nscc.toml.schema import Key, KeyValues, file_bytes, file_text, file_values
 from nscc_training.settings import SCHEMA, RunSettings
 
 

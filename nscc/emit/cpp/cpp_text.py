@@ -54,13 +54,12 @@ def entry(title: str, text: str) -> list[str]:
 
 def literal(text: str) -> str:
     """Return `text` as a C string literal, in UTF-8."""
-    return '"' + "".join(map(_literal_byte, text.encode("utf-8", "replace"))) + '"'
-
-
-def _literal_byte(byte: int) -> str:
-    if byte in b'"\\?' or not 0x20 <= byte <= 0x7E:
-        return f"\\{byte:03o}"  # three digits: a following digit cannot belong to it
-    return chr(byte)
+    # Three octal digits: a following digit cannot belong to them.
+    shown = (
+        f"\\{byte:03o}" if byte in b'"\\?' or not 0x20 <= byte <= 0x7E else chr(byte)
+        for byte in text.encode("utf-8", "replace")
+    )
+    return f'"{"".join(shown)}"'
 
 
 def call_text(call: Call) -> str:

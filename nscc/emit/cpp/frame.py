@@ -179,13 +179,11 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
     yield "const Step schedule[] = {"
     texts = [_row_text(row, count, schedule) for row in schedule.rows]
     if len(texts) <= _COMMENTED_ROWS:
-        yield from remarked(
-            [
-                (f"    {text}", f"boundary {_shortened(row.instants)}")
-                for text, row in zip(texts, schedule.rows, strict=True)
-            ],
-            column=36,
-        )
+        boundaries = [ranges_text(sorted(set(row.instants))) for row in schedule.rows]
+        shown = [text if len(text) <= 50 else text[:46] + " ..." for text in boundaries]
+        remarks = [f"boundary {text}" for text in shown]
+        lines = [f"    {text}" for text in texts]
+        yield from remarked([*zip(lines, remarks, strict=True)], column=36)
     else:
         for start in range(0, len(texts), _ROWS_A_LINE):
             line_rows = schedule.rows[start : start + _ROWS_A_LINE]
@@ -194,7 +192,18 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
             yield f"{line}  // boundary {first} to {last}"
     yield "};"
     yield ""
-    yield from _expose(schedule, container.target)
+    moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
+    after = template_lines("after" if schedule.in_whole_us else "after_parts")
+    settle = (
+        template_lines("settle", settle=ceil(exact(container.target.in_settle_us)))
+        if schedule.sets_in
+        else []
+    )
+    begin = template_lines("begin_in") if schedule.sets_in else []
+    lines = template_lines("expose")
+    inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
+    for line in lines:
+        yield from inserted.get(line.strip(), [line])
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
@@ -209,24 +218,3 @@ def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
     if schedule.sets_in:
         numbers.append(AS_IT_IS if row.level is None else row.level)
     return f"{{{', '.join(map(str, numbers))}}},"
-
-
-def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
-    """Yield the C++ function that runs a frame."""
-    moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
-    after = template_lines("after" if schedule.in_whole_us else "after_parts")
-    settle = (
-        template_lines("settle", settle=ceil(exact(target.in_settle_us)))
-        if schedule.sets_in
-        else []
-    )
-    begin = template_lines("begin_in") if schedule.sets_in else []
-    lines = template_lines("expose")
-    inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
-    for line in lines:
-        yield from inserted.get(line.strip(), [line])
-
-
-def _shortened(instants: Sequence[int]) -> str:
-    text = ranges_text(sorted(set(instants)))
-    return text if len(text) <= 50 else text[:46] + " ..."

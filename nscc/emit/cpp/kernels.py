@@ -4,7 +4,7 @@ tables.
 A call is used only if `nscc.macros` expands it to exactly these words and the library accepts the
 number of operands. If any word of a kernel has no call, the whole kernel becomes a constant table.
 If the layout of tables is unknown, as in the devkit's simulator, several equivalent calls replace
-such a word (`nscc.emit.cpp.narrow`)."""
+such a word (`nscc.emit.cpp.kernels`)."""
 
 from __future__ import annotations
 
@@ -14,9 +14,78 @@ from itertools import product
 
 from nscc.emit.cpp.cpp_text import Call, call_text, remarked
 from nscc.macros import MNEMONICS, OperandError, expand
-from nscc.operations import Op, Phase, WordEffect
-from nscc.words.container import Word
-from nscc.words.encoding import encode, word_text
+from nscc.operations import Op, Phase, WordEffect, op, pair
+from nscc.words.container import Container
+from nscc.words.encoding import decode, encode, word_text
+
+
+def narrowed(container: Container) -> list[list[Op]] | None:
+    """Return the kernels in words that all have calls; None if a WHERE needs a free register."""
+    kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
+    target = container.target
+    used = {r for kernel in kernels for word in kernel for r in (*word.destinations, *word.sources)}
+    used_registers = (
+        *used,
+        *container.code_registers,
+        target.mask_register,
+        target.masked_register,
+    )
+    scratch = next((r for r in target.digital_registers if r not in used_registers), None)
+    try:
+        return [list(_kernel(kernel, scratch)) for kernel in kernels]
+    except _NoRegister:
+        return None
+
+
+class _NoRegister(Exception):
+    """Raised if no register is free."""
+
+
+def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
+    read: Op | None = None
+    for word in kernel:
+        if word.operation.phase is Phase.READ:
+            read = word
+        elif word.operation.phase is Phase.WRITE:
+            assert read is not None
+            (register,) = word.destinations
+            other_sources = tuple(name for name in read.sources if name != register)
+            if len(other_sources) < 2 or register not in read.sources:
+                yield from (read, word)
+            else:
+                yield from _accumulate_sources(read.name.partition(".")[0], register, other_sources)
+        elif word.name == "WHERE" and len(word.sources) > MOST_SOURCES["WHERE"]:
+            if scratch is None:
+                raise _NoRegister
+            yield from _gathered("OR", scratch, word.sources)
+            yield op("WHERE", (), (scratch,))
+        elif word.name in ("OR", "NOR") and len(word.sources) > MOST_SOURCES[word.name]:
+            yield from _gathered(word.name, word.destinations[0], word.sources)
+        elif word.name in ("SET", "CLR") and len(word.destinations) > MOST_DESTINATIONS:
+            for at in range(0, len(word.destinations), MOST_DESTINATIONS):
+                yield op(word.name, word.destinations[at : at + MOST_DESTINATIONS])
+        else:
+            yield word
+
+
+def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
+    """Yield words that write `kind` (OR or NOR) of `sources`, which do not include `register`, to
+    it."""
+    most = MOST_SOURCES["OR"]
+    if len(sources) <= most:
+        yield op(kind, (register,), sources)
+    else:
+        yield op("OR", (register,), sources[:most])
+        yield from _accumulate_sources(kind, register, sources[most:])
+
+
+def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
+    """Yield words that write `kind` of `register` and `sources` to `register`, one source at a
+    time."""
+    for source in sources[:-1]:
+        yield from pair("OR", register, (register, source))
+    yield from pair(kind, register, (register, sources[-1]))
+
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
 """Most sources that the library's calls accept; the chip itself accepts any number."""
@@ -74,7 +143,8 @@ def kernel_lines(
         return
     if tables:
         yield "#ifdef __LPC43XX__"
-        rows = [(f"    {{{_integers(encode(word))}}},", str(word)) for word in ops]
+        integers = [word_text(encode(word)).replace(" ", ", ") for word in ops]
+        rows = [(f"    {{{k}}},", str(word)) for k, word in zip(integers, ops, strict=True)]
         yield f"const uint32_t {name}_words[][5] = {{"
         yield from remarked(rows)
         yield "};"
@@ -100,10 +170,6 @@ def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Ite
     yield from remarked(body)
     yield "    scamp5_kernel_end();"
     yield "}"
-
-
-def _integers(word: Word) -> str:
-    return word_text(word).replace(" ", ", ")
 
 
 @cache

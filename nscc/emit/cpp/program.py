@@ -11,10 +11,8 @@ from dataclasses import dataclass, replace
 from math import ceil
 from pathlib import PurePath
 
-from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
-from nscc.emit.cpp.bitmap import bitmap
-from nscc.emit.cpp.codes import CodeLoading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.codes import CodeLoading, bitmap, loading_lines, loading_of, loading_rate
 from nscc.emit.cpp.cpp_text import comment, entry, literal, safe, section, template_lines
 from nscc.emit.cpp.devkit import Devkit, devkit_fault, devkit_of
 from nscc.emit.cpp.frame import (
@@ -25,10 +23,8 @@ from nscc.emit.cpp.frame import (
     schedule_lines,
     schedule_of,
 )
-from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
-from nscc.emit.cpp.narrow import narrowed
+from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines, narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.reports import MARGINS_GROW, report_lines
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
@@ -43,8 +39,26 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.encoding import decode
-from nscc.words.reach import film_reaches
+from nscc.words.reach import Reach, film_reaches
 from nscc.words.readout import converter_of, preparation_of
+
+MARGINS_GROW = (
+    "the states carry what is beyond the border one step further with every frame, so that reports "
+    "soon cover no pixel"
+)
+
+
+def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator[str]:
+    """Yield the function `report`, and for each report the margins of its plane in the frames of
+    `film`."""
+    pictures, target = container.pictures, container.target
+    yield "#ifdef __LPC43XX__"
+    for number, report in enumerate(pictures.reports if pictures else ()):
+        rows = (f"{{{', '.join(map(str, reaches[report.plane]))}}}" for reaches in film)
+        yield f"const uint16_t margin_{number}[][4] = {{{', '.join(rows)}}};"
+    yield from template_lines("report", rows=target.rows, cols=target.cols)
+    yield ""
+
 
 _SIDE = 1 << ADDRESS_BITS
 _WORDS = {
@@ -105,7 +119,9 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         "",
     ]
     if loading.loads:
-        lines += [*_pixel_statements(tree, program), *loading_lines(loading), ""]
+        kinds = PixelsExpr | PixelsTile | PixelsFromFile
+        statements = [node.span for node in tree.statements if isinstance(node, kinds)]
+        lines += [*(_statement(program, span) for span in statements), *loading_lines(loading), ""]
     lines += report_lines(exposure, film) if film else []
     lines += ["}  // namespace", "", *_main(container, loading)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
@@ -175,7 +191,10 @@ def _header(
     )
     yield "//"
     yield from entry("class", f"{program.class_name}: {program.class_reason}")
-    yield from entry("slots", _slots_text(container))
+    lengths = [number_text(us) for us in sorted({min(container.slot_us), max(container.slot_us)})]
+    total = number_text(float(sum(map(exact, container.slot_us))))
+    slots = f"{container.slots} of {' to '.join(lengths)} us, {total} us in all"
+    yield from entry("slots", slots)
     yield from entry("lowering", f"{lowered.plan.lowering}; encoding: {lowered.solution.encoding}")
     for title, holders in (
         ("digital", allocation.holders),
@@ -196,7 +215,10 @@ def _header(
     if container.pictures is not None:
         held = ", ".join(f"{name} in {r}" for name, r in container.pictures.registers.items())
         yield from entry("images", f"{held}; codes of images are signed, 128 is 0")
-    yield from entry("array", _array_text(target))
+    array = f"{target.rows} x {target.cols} pixels; the devkit's (0, 0) is the top right one"
+    if (target.rows, target.cols) != (_SIDE, _SIDE):
+        array += f", and so is the corner of the {_SIDE} x {_SIDE} that is used"
+    yield from entry("array", array)
     for load in loading.images:
         data = hashlib.sha256(bitmap(container.planes()[load.register])).hexdigest()
         yield from entry(
@@ -211,15 +233,6 @@ def _header(
 
 def _name(program: Program) -> str:
     return PurePath(program.source.name).name
-
-
-def _slots_text(container: Container) -> str:
-    total = number_text(float(sum(map(exact, container.slot_us))))
-    lengths = sorted(set(container.slot_us))
-    slot_length = f"of {number_text(lengths[0])} us"
-    if len(lengths) > 1:
-        slot_length = f"of {number_text(lengths[0])} to {number_text(lengths[-1])} us"
-    return f"{container.slots} {slot_length}, {total} us in all"
 
 
 def _time_text(container: Container, schedule: LaunchSchedule) -> str:
@@ -266,23 +279,10 @@ def _state_texts(container: Container) -> Iterator[str]:
             yield f"{text}: {', '.join(listed[:_MOST_VALUES])}{omitted}"
 
 
-def _array_text(target: Target) -> str:
-    text = f"{target.rows} x {target.cols} pixels; the devkit's (0, 0) is the top right one"
-    if (target.rows, target.cols) != (_SIDE, _SIDE):
-        text += f", and so is the corner of the {_SIDE} x {_SIDE} that is used"
-    return text
-
-
 def _statement(program: Program, span: Span, prefix: str = "") -> str:
     """Return the first source line of a span as a comment."""
     row, _ = program.source.row_column(span.start)
     return f"// {safe(f'{prefix}{_name(program)}:{row}: {program.source.line(row).strip()}')}"
-
-
-def _pixel_statements(tree: File, program: Program) -> Iterator[str]:
-    for statement in tree.statements:
-        if isinstance(statement, PixelsExpr | PixelsTile | PixelsFromFile):
-            yield _statement(program, statement.span)
 
 
 def _kernels(
@@ -291,8 +291,19 @@ def _kernels(
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):
-        narrow = _narrow(program, exposure, container.code_registers, devkit)
+        narrow = narrowed(replace(exposure, code_registers=container.code_registers))
+        if narrow is None and not devkit.tables:
+            reason = (
+                "a word has more sources than a call of the devkit's library takes, and no "
+                "register is free"
+            )
+            raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
         if narrow is not None:
+            proof = prove(exposure, narrow)
+            if not proof.holds:
+                raise ValueError(
+                    f"calls with few sources do not implement the program: {proof.failure}"
+                )
             narrow += kernels[len(narrow) :]
         if devkit.tables:
             yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]
@@ -319,27 +330,6 @@ def _kernels(
         narrow_ops = None if narrow is None else narrow[number]
         yield from kernel_lines(kernel_name(number), ops, narrow_ops, tables=devkit.tables)
         yield ""
-
-
-def _narrow(
-    program: Program, container: Container, code_registers: tuple[str, ...], devkit: Devkit
-) -> list[list[Op]] | None:
-    """Return the kernels in words that all have calls, proved like the original ones. They leave
-    `code_registers`, which include those of kept states, unchanged."""
-    narrow_kernels = narrowed(replace(container, code_registers=code_registers))
-    if narrow_kernels is None and not devkit.tables:
-        reason = (
-            "a word has more sources than a call of the devkit's library takes, and no register "
-            "is free"
-        )
-        raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
-    if narrow_kernels is not None:
-        proof = prove(container, narrow_kernels)
-        if not proof.holds:
-            raise ValueError(
-                f"calls with few sources do not implement the program: {proof.failure}"
-            )
-    return narrow_kernels
 
 
 def _main(container: Container, loading: CodeLoading) -> Iterator[str]:

@@ -47,7 +47,11 @@ def balance(
         return solution
     loads = _Loads(frame, items, other_words)
     with suppress(GaveUp):
-        while max(loads.words) > limit and _flatten_one(run, loads, max(loads.words)):
+        # All gates of the fullest boundaries must move, otherwise the largest stays as large.
+        while (most := max(loads.words)) > limit and all(
+            _relieve(run, loads, n, most)
+            for n in [n for n, words in enumerate(loads.words) if words >= most]
+        ):
             pass
     if max(loads.words) >= max(loads.counted(items)):
         return solution
@@ -83,13 +87,6 @@ class _Loads:
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
         return words
-
-
-def _flatten_one(run: TrackedRun, loads: _Loads, most: int) -> bool:
-    """Move one gate away from each boundary with `most` words; return False if that fails."""
-    # All gates must move, otherwise the largest boundary stays as large.
-    full = [n for n, words in enumerate(loads.words) if words >= most]
-    return all(_relieve(run, loads, n, most) for n in full)
 
 
 def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:

@@ -266,30 +266,28 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
         last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
             segments.append([])
-        segments[max(last, item.segment)].append(_gate(item, names, frame))
+        sources = tuple(names[i] for i in item.sources)
+        if item.destination == frame.flag:
+            gate = Gate("WHERE", "FLAG", sources)
+        else:
+            kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
+            masked = item.destination == frame.masked and frame.mask is not None
+            mask = names[frame.mask] if masked and frame.mask is not None else None
+            gate = Gate(kinds[min(len(sources), 2)], names[item.destination], sources, mask)
+        segments[max(last, item.segment)].append(gate)
         used |= item.reads | 1 << item.destination
     spare = used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1)
+    parts = {
+        place: tuple(tuple(segment) for segment in segments if segment)
+        for place, segments in segments_at.items()
+    }
     return replace(
         solution,
         scratch=max(spare.bit_length(), 1 if solution.state_in_flag else 0),
-        opening=_without_empty(segments_at[OPENING]),
-        answers=tuple(_without_empty(segments_at[i]) for i in range(len(solution.answers))),
-        closing=_without_empty(segments_at[CLOSING]),
+        opening=parts[OPENING],
+        answers=tuple(parts[i] for i in range(len(solution.answers))),
+        closing=parts[CLOSING],
     )
-
-
-def _without_empty(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
-    return tuple(tuple(segment) for segment in segments if segment)
-
-
-def _gate(item: GateOp, names: Sequence[str], frame: FrameContext) -> Gate:
-    sources = tuple(names[i] for i in item.sources)
-    if item.destination == frame.flag:
-        return Gate("WHERE", "FLAG", sources)
-    kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
-    masked = item.destination == frame.masked
-    mask = names[frame.mask] if masked and frame.mask is not None else None
-    return Gate(kinds[min(len(sources), 2)], names[item.destination], sources, mask)
 
 
 def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:

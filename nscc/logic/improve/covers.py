@@ -39,18 +39,14 @@ def cover(
         chosen.append(best)
         uncovered &= ~best[1]
     if len(chosen) > 2:
-        chosen = _irredundant(target, chosen)
+        for source in list(chosen):
+            others = [content for register, content in chosen if register != source[0]]
+            if not target & ~union(others):
+                chosen.remove(source)
     if limit is not None and len(chosen) > limit:
         exact = _within(target, sources, limit)
         return None if exact is None else tuple(sorted(exact))
     return tuple(sorted(register for register, _ in chosen))
-
-
-def _irredundant(target: int, chosen: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    for source in list(chosen):
-        if not target & ~union(content for register, content in chosen if register != source[0]):
-            chosen.remove(source)
-    return chosen
 
 
 def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:

@@ -21,7 +21,7 @@ from nscc.logic.improve.code import (
     unflatten,
 )
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.shrink import shrink
+from nscc.logic.improve.rewrite import shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -55,26 +55,18 @@ def _richer(
         planes = (*slim.planes, vector)
         wider = replace(slim, planes=planes, holders=(*slim.holders, HOLDER))
         try:
-            shorter, words = _shortened(wider, problem, machine, budget)
+            run = TrackedRun(*flatten(wider, problem, machine), budget)
+            shrink(run, NEAR)
+            shorter = unflatten(run.frame, run.items)
+            frame, items = flatten(shorter, problem, machine)
+            states_before(frame, items)
         except GaveUp:
             break
         except Illegal:
             continue
-        if words < least:
-            best, least = shorter, words
+        if frame.total(items) < least:
+            best, least = shorter, frame.total(items)
     return best
-
-
-def _shortened(
-    solution: Solution, problem: Problem, machine: Machine, budget: Budget
-) -> tuple[Solution, int]:
-    """Return a shortened solution, and its number of words."""
-    run = TrackedRun(*flatten(solution, problem, machine), budget)
-    shrink(run, NEAR)
-    shorter = unflatten(run.frame, run.items)
-    frame, items = flatten(shorter, problem, machine)
-    states_before(frame, items)
-    return shorter, frame.total(items)
 
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
@@ -95,22 +87,8 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
 def _promising(run: TrackedRun) -> list[int]:
     """Return truth vectors that would save words if loaded before the frame, most words first."""
     frame = run.frame
-    makers, feeds, readers = _flow(run)
-    stored = set(frame.start[: frame.planes])
-    gains = {
-        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in stored
-    }
-    worth = [vector for vector, gain in gains.items() if gain > REFRESH_WORDS]
-    return sorted(worth, key=lambda vector: -gains[vector])
-
-
-def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
-    """Return how values flow between items.
-
-    The result contains the items that write each vector, the items whose values each item reads,
-    and the number of readers of each item. A plane that holds an item's value at the end counts as
-    a reader."""
-    frame = run.frame
+    # The items that write each vector, the items whose values each item reads, and the number of
+    # readers of each item. A plane that holds an item's value at the end counts as a reader.
     makers: dict[int, list[int]] = {}
     feeds: list[set[int]] = []
     writer = [-1] * (frame.flag + 1)
@@ -124,7 +102,12 @@ def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counte
             writer[item.destination] = k
     readers = Counter(chain.from_iterable(feeds))
     readers.update(writer[r] for r in range(frame.planes) if writer[r] >= 0)
-    return makers, feeds, readers
+    stored = set(frame.start[: frame.planes])
+    gains = {
+        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in stored
+    }
+    worth = [vector for vector, gain in gains.items() if gain > REFRESH_WORDS]
+    return sorted(worth, key=lambda vector: -gains[vector])
 
 
 def _saved(

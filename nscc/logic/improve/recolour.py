@@ -199,7 +199,10 @@ class _Painter:
         waits.add_nodes_from(astray)
         waits.add_edges_from((plane, at) for plane, at in astray.items() if at in astray)
         rank = {plane: i for i, plane in enumerate(astray)}
-        circles = [_from_first(circle, rank) for circle in nx.simple_cycles(waits)]
+        circles = []
+        for circle in nx.simple_cycles(waits):
+            first = circle.index(min(circle, key=rank.__getitem__))
+            circles.append(circle[first:] + circle[:first])
         waits.remove_nodes_from([plane for circle in circles for plane in circle])
         for plane in nx.lexicographical_topological_sort(waits, rank.__getitem__):
             copy(plane, astray[plane])
@@ -212,12 +215,6 @@ class _Painter:
                 copy(plane, astray[plane])
             copy(first, free[0])
         return out
-
-
-def _from_first(circle: list[int], rank: dict[int, int]) -> list[int]:
-    """Return the cycle, starting with its plane of lowest rank."""
-    first = min(range(len(circle)), key=lambda i: rank[circle[i]])
-    return circle[first:] + circle[:first]
 
 
 def _copies(item: GateOp) -> bool:

@@ -19,6 +19,32 @@ from nscc.logic.improve.covers import gate, inner
 from nscc.logic.improve.tracked_run import HORIZON, TrackedRun
 
 
+def shrink(run: TrackedRun, span: int) -> None:
+    """Try to drop each operation, then each pair at most `span` apart."""
+    for k in reversed(range(len(run.items))):
+        if k < len(run.items):
+            _drop(run, k)
+    k = len(run.items) - 2
+    while k >= 0:
+        for j in range(k + 1, min(k + 1 + span, len(run.items))):
+            if _drop(run, k, j):
+                # A later change may make this one possible.
+                k = min(k + span, len(run.items) - 1)
+                break
+        k -= 1
+
+
+def _drop(run: TrackedRun, *dropped: int) -> bool:
+    """Drop operations, starting repair at the first, if that saves words; return whether it
+    does."""
+    if not all(isinstance(run.items[k], GateOp) for k in dropped):
+        return False
+    rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
+    if rewriting is not None:
+        run.splice(rewriting.start, rewriting.end, rewriting.items)
+    return rewriting is not None
+
+
 @dataclass(frozen=True)
 class Rewrite:
     """A replacement of items[start:end] of a run by `items`, which saves `gain` words."""
@@ -141,12 +167,7 @@ class _Walk:
             self._store(item, value)
             return True
         self.gain += self.frame.words(item)
-        return self._repair(k, item, required & matters, matters & ~required)
-
-    def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Find other sources for operation k, or another gate before it, and update `gain`.
-
-        Returns whether that succeeded."""
+        ones, zeros = required & matters, matters & ~required
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:

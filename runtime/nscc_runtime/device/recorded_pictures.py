@@ -10,8 +10,8 @@ import numpy as np
 from nscc.operations import Op, WordEffect
 from nscc.words.container import Container, Readout
 from nscc.words.encoding import decode
-from nscc.words.live import live_registers
 from nscc.words.pictures import Constant, KeptPlane, Picture, Pictures, Source, TailLaunch
+from nscc.words.reach import live_registers
 
 IMAGE = 256
 """Added to the register number of a readout that is an image, not a bucket."""

@@ -7,8 +7,7 @@ from functools import cache
 from importlib import metadata
 
 from nscc import __version__
-from nscc.cache.contents import content
-from nscc.cache.digest import digest, package_digest, version_digest
+from nscc.cache.digest import content, digest, package_digest, version_digest
 from nscc_training.sweep.compiling import COMPILE, LIMITS
 from nscc_training.sweep.designing import DESIGN
 from nscc_training.sweep.emulating import EMULATE
