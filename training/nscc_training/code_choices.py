@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 ORDERED = ("two-phase", "staggered", "cyclic")
-"""Names of initial codes with staggered bumps (`nscc_training.encoders.ordered`)."""
+"""Names of initial codes with staggered bumps (`nscc_training.encoders.encoder_classes`)."""
 SCATTERED = ("poisson-disc", "non-adjacent")
 """Names of initial codes in which equal exposure times are far apart
 (`nscc_training.encoders.scattered`)."""
@@ -23,5 +23,5 @@ RELAXATIONS = (*SLOPED, "tried", "search")
 pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that a schedule lowers.
 `gumbel` (codebooks; `sigmoid` for other classes) uses soft shapes and a random soft choice of them.
 `tried` uses hard shutters without a gradient; the loop tries other codes around them
-(`nscc_training.loop.trials`). `search` moves many places of a code together; the decoder, which is
-not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""
+(`nscc_training.loop.step_loss`). `search` moves many places of a code together; the decoder, which
+is not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""

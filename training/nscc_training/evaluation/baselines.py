@@ -17,13 +17,12 @@ from nscc_training.evaluation import methods
 from nscc_training.evaluation.captured import CapturedScene, captured
 from nscc_training.evaluation.methods import Light, Method
 from nscc_training.evaluation.results import (
-    ResultSubject,
     Scored,
     also_saturated,
     mean_score,
+    result_of,
     scored,
     usable_scenes,
-    with_arrays,
 )
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
@@ -157,7 +156,10 @@ def evaluate_baseline(
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
-            return _decoded(baseline, frames), perf_counter() - begin
+            # Alone, a frame carries no information on slots outside of it.
+            parts = [frames.frame(k) for k in range(len(tile))] if baseline.alone else [frames]
+            light = np.concatenate([baseline.method.decode(part) for part in parts])
+            return light, perf_counter() - begin
 
         return list(scored(shown, decode))
 
@@ -167,21 +169,13 @@ def evaluate_baseline(
     published = protocol.values.get("published_db", {}).get(name)
     extra_settings = {} if published is None else {"published_db": published}
     spent_s = [entry.seconds for entry in scored_scenes]
-    subject = ResultSubject(
-        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
-        sees=baseline.method.sees,
+    return result_of(
+        protocol, name,
+        {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
+        files, scored_scenes, left_out, sees=baseline.method.sees,
         decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
+        **also_saturated(files, protocol, lambda shown: decoded(tile, shown)),
     )  # fmt: skip
-    other_shares = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
-    return with_arrays(protocol, subject, files, scored_scenes, left_out, **other_shares)
-
-
-def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
-    if not baseline.alone:
-        return baseline.method.decode(frames)
-    # A frame carries no information on slots outside of it.
-    count = len(frames.codes)
-    return np.concatenate([baseline.method.decode(frames.frame(k)) for k in range(count)])
 
 
 def _choices(
@@ -284,5 +278,6 @@ def evaluate_sci8(
 
     scored_scenes = list(scored(scenes_in(paths, protocol), decode))
     spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
-    subject = ResultSubject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
-    return with_arrays(protocol, subject, paths, scored_scenes, [])
+    return result_of(
+        protocol, method, options, paths, scored_scenes, [], sees=chosen.sees, decoder_ms=spent_ms
+    )

@@ -81,18 +81,12 @@ class Page:
             return _MISSING
         if metric.endswith("/source"):
             metric = metric.removesuffix("/source")
-            means = [
-                mean_of(results, metric, by_source=True)
+            first_mean, second_mean = (
+                mean_of(results, metric, by_source=True) or 0
                 for results in (first_results, second_results)
-            ]
-            return f"{(means[1] or 0) - (means[0] or 0):+.2f}"
-        count = max(len(first_results), len(second_results))
-        pairs = zip(
-            first_results * (count // len(first_results)),
-            second_results * (count // len(second_results)),
-            strict=True,
-        )
-        comparison = compare(list(pairs), metric)
+            )
+            return f"{second_mean - first_mean:+.2f}"
+        comparison = _compared(first_results, second_results, metric)
         digits = _decimals(metric)
         low, high = comparison["ci95"] or (None, None)
         between = "" if low is None else f" ({low:+.{digits}f} to {high:+.{digits}f})"
@@ -151,10 +145,8 @@ class Page:
             return f"* {label}, {unit}: {_MISSING}"
         best = max(means, key=lambda other: means[other])
         best_name = others[others.index(best) + 1]
-        first = self._results_of(best_name)
-        count = max(len(first), len(results))
-        pairs = zip(first * (count // len(first)), results * (count // len(results)), strict=True)
-        low, high = compare(list(pairs), metric)["ci95"] or (0.0, 0.0)
+        comparison = _compared(self._results_of(best_name), results, metric)
+        low, high = comparison["ci95"] or (0.0, 0.0)
         outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
         if all(entry["settings"].get("moved") == 0 for entry in results):
             return f"* {label}, {unit}: **not learned**, since no place moved from the start."
@@ -242,6 +234,15 @@ def page_of(
     page = Page(folder / "results" if (folder / "results").is_dir() else folder)
     source = template or files("nscc_training.evaluation") / "tables.md"
     return page.rows, page.filled(source.read_text(encoding="utf-8"))
+
+
+def _compared(
+    first: list[dict[str, Any]], second: list[dict[str, Any]], metric: str
+) -> dict[str, Any]:
+    """Compare two methods; the only result of one stands beside all seeds of the other."""
+    count = max(len(first), len(second))
+    repeated = (results * (count // len(results)) for results in (first, second))
+    return compare(list(zip(*repeated, strict=True)), metric)
 
 
 def _digits(value: float | None, metric: str) -> str:

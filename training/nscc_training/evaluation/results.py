@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -69,7 +68,17 @@ def scored(
     for index, scene in enumerate(scenes):
         if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
-            check_finite(result_e, scene.file.name)
+            bad_count = int(np.count_nonzero(~np.isfinite(result_e)))
+            if bad_count:
+                raise rejected(
+                    "NS0804",
+                    f"{bad_count} of {result_e.size} values of the reconstruction of "
+                    f"'{scene.file.name}' are not finite",
+                    notes=("PSNR and SSIM of such values are meaningless",),
+                    helps=("check the decoder and its weights, which are the source of NaN and "
+                           "infinity",),
+                    data={"count": bad_count},
+                )  # fmt: skip
             reconstruction = scene.result(result_e).astype(np.float32)
             yield Scored(scene, scene.items(result_e), reconstruction, seconds)
 
@@ -99,44 +108,18 @@ def also_saturated(
     return {"also_saturated": rows} if rows else {}
 
 
-def check_finite(result: Array, name: str) -> None:
-    """Raise Rejected (NS0804) for a reconstruction with values that are not finite."""
-    bad_count = int(np.count_nonzero(~np.isfinite(result)))
-    if bad_count:
-        raise rejected(
-            "NS0804",
-            f"{bad_count} of {result.size} values of the reconstruction of '{name}' are not finite",
-            notes=("PSNR and SSIM of such values are meaningless",),
-            helps=("check the decoder and its weights, which are the source of NaN and infinity",),
-            data={"count": bad_count},
-        )
+def result_of(
+    protocol: Protocol, method: str, settings: dict[str, Any], files: Sequence[Path],
+    scored_scenes: Sequence[Scored], left_out: Sequence[Mapping[str, Any]], *,
+    sees: str = "capture", decoder_ms: float | None = None, device: str = "cpu",
+    parameters: int = 0, flops: int | None = None, **extra_keys: Any,
+) -> tuple[dict[str, Any], dict[str, Array]]:  # fmt: skip
+    """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
 
-
-@dataclass(frozen=True)
-class ResultSubject:
-    """The evaluated method: its name, settings, and costs of decoding."""
-
-    method: str
-    settings: dict[str, Any]
-    sees: str = "capture"
-    decoder_ms: float | None = None
-    device: str = "cpu"
-    parameters: int = 0
-    flops: int | None = None
-
-
-def result(
-    protocol: Protocol,
-    subject: ResultSubject,
-    files: Sequence[Path],
-    items: Sequence[Item],
-    left_out: Sequence[Mapping[str, Any]] = (),
-    **extra_keys: Any,
-) -> dict[str, Any]:
-    """Return the result of items as JSON values.
-
-    `extra_keys` are further keys. `left_out` lists the items that the protocol cannot use, each
-    with `file` and `reason`. Raises Rejected (NS0811) without items."""
+    The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
+    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`. Raises
+    Rejected (NS0811) without items."""
+    items = [item for entry in scored_scenes for item in entry.items]
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
@@ -146,42 +129,26 @@ def result(
             helps=("name a folder with other scenes, or convert these to the protocol's form",),
         )
     values = [number(item.metrics[protocol.metrics[0]]) for item in items]
-    return {
+    report = {
         "schema": SCHEMA,
         "protocol": protocol.name,
         "protocol_sha256": protocol.sha256,
-        "method": subject.method,
-        "settings": subject.settings,
-        "sees": subject.sees,
+        "method": method,
+        "settings": settings,
+        "sees": sees,
         "stage": "hard",
         "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
         "items": [item.as_json() for item in items],
         **summary(values, [item.file for item in items]),
-        "decoder_ms": subject.decoder_ms,
-        "device": subject.device,
-        "parameters": subject.parameters,
-        "flops": subject.flops,
+        "decoder_ms": decoder_ms,
+        "device": device,
+        "parameters": parameters,
+        "flops": flops,
         "left_out": list(left_out),
         **extra_keys,
     }  # fmt: skip
-
-
-def with_arrays(
-    protocol: Protocol,
-    subject: ResultSubject,
-    files: Sequence[Path],
-    scored_scenes: Sequence[Scored],
-    left_out: Sequence[Mapping[str, Any]],
-    **extra_keys: Any,
-) -> tuple[dict[str, Any], dict[str, Array]]:
-    """Return the result of scored scenes, and the arrays of `--save` by name.
-
-    The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
-    """
-    items = [item for entry in scored_scenes for item in entry.items]
-    report = result(protocol, subject, files, items, left_out, **extra_keys)
     called, arrays = labels(files), {}
     for scene, _, reconstruction, _ in scored_scenes:
         place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]

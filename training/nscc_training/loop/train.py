@@ -25,8 +25,6 @@ from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch,
 from nscc_training.data.moving import shown_picture
 from nscc_training.draws import generator_of
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
-from nscc_training.loop.folder_lock import locked_folder
-from nscc_training.loop.lesson_losses import lesson_losses
 from nscc_training.loop.log import METRICS, Log
 from nscc_training.loop.optimizers import optimizers_of, set_rates
 from nscc_training.loop.ranks import Ranks
@@ -36,12 +34,13 @@ from nscc_training.loop.state import (
     CHECKPOINT,
     TrainingProgress,
     TrainingState,
+    locked_folder,
     packed,
     set_tensors,
     tensors_of,
 )
 from nscc_training.loop.state import unpack as unpacked
-from nscc_training.loop.step_loss import StepLoss, anneal, codes_learn
+from nscc_training.loop.step_loss import StepLoss, anneal, codes_learn, lesson_losses
 from nscc_training.loop.steps import finite_norm
 from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.measures import means_text

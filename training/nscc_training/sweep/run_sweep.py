@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -12,7 +14,7 @@ from time import sleep
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.experiment_store import ExperimentStore
+from nscc.experiment_store import STORE, ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
@@ -20,11 +22,12 @@ from nscc_training.sweep.grid import Grid, of_parts
 from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow
 from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
-from nscc_training.sweep.store import POINTS, TIMES, put_row, rows_in, store_in, times_csv
 from nscc_training.sweep.work import FAILED, Done, PointTask, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
-_POINTS = "points"
+TIMES = "times.csv"
+POINTS = "points"
+"""The folder of outputs, and the store's experiment that contains all rows."""
 _MOST_REASONS = 5
 _POLL_S = 0.2
 _NAMED = {"train": "runs", "evaluate": "results", "design": "programs", "cell": "cells"}
@@ -161,14 +164,14 @@ def _task(
 ) -> PointTask:
     key = keys[point]
     runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
-    files = _output_path(out, point, key) or out.resolve() / _POINTS / key
+    files = _output_path(out, point, key) or out.resolve() / POINTS / key
     return PointTask(point, key, grid.folder.resolve(), files, how.threads, runs)
 
 
 def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
     """Return the output file or folder of a point, or None if its kind has no output."""
     ending = KINDS[point.kind].leaves
-    return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
+    return None if ending is None else out.resolve() / POINTS / (key[:16] + ending)
 
 
 def _compute(
@@ -310,3 +313,41 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
     for link, target in links.items():
         with suppress(FileExistsError):
             os.symlink(target, link)
+
+
+def store_in(folder: Path) -> ExperimentStore:
+    """Create `folder` and return the experiment store in it; raise Rejected (NS0784) if
+    that fails."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        message = f"cannot write into '{folder}': {error.strerror or error}"
+        help_text = "give --out a folder that you may write"
+        raise rejected("NS0784", message, helps=(help_text,)) from error
+    return ExperimentStore(folder / STORE)
+
+
+def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
+    """Return all rows by key."""
+    return {key: PointRow(key, **value) for key, value in store.values(POINTS).items()}
+
+
+def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
+    """Store a row with its computing time and worker; on return it is on the disk."""
+    value = {"figures": row.figures, "code": row.code, "error": row.error}
+    store.keep(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
+
+
+def times_csv(store: ExperimentStore) -> str:
+    """Return the time and worker of each point as CSV; times start with the first point."""
+    timings = store.timings(POINTS)
+    begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("key", "name", "seconds", "ended_s", "worker"))
+    writer.writerows(
+        (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",
+         timing.worker)
+        for timing in timings
+    )  # fmt: skip
+    return text.getvalue()

@@ -18,8 +18,7 @@ from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc.tradeoff.synthesis import DOES_NOT_FIT
 from nscc.words.container import Container
-from nscc_training.tradeoff.bench import Bench, scaled, whole_ticks
-from nscc_training.tradeoff.stages import PERCENT, StageResult, misfit
+from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, misfit, scaled, whole_ticks
 
 JOINED = {1: "all", 2: "halves", 4: "quarters"}
 """Names of programs in which this many neighbouring slots are joined into one."""

@@ -16,8 +16,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
-from nscc_training.tradeoff.bench import Bench, rms_percent
-from nscc_training.tradeoff.stages import PERCENT, StageResult
+from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent
 
 Values = NDArray[Any]
 

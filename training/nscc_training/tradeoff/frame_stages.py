@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import cached_property, partial
 from time import perf_counter
 from typing import Any
 
@@ -22,8 +22,7 @@ from nscc_runtime.planning.tolerance import LEAST_E
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_runtime.tradeoff.study import unknown
-from nscc_training.tradeoff.bench import Bench, rms_percent, scaled_text
-from nscc_training.tradeoff.stages import PERCENT, StageResult
+from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent, scaled_text
 
 Values = NDArray[np.float64]
 
@@ -71,9 +70,13 @@ def effects(bench: Bench) -> StageResult:
         for line, key in (("with planning", "first"), ("planned", "next"))
         for way, timing in values.items()
     ]
-    took_ms = bench.once("effects reference", lambda: truth.took_ms)
+    height = bench.light.shape[0]
+    took_ms = bench.once("effects reference", lambda: truth.frame[1] * height / len(truth.rows))
     points.append(Point("effects", "reference", "all", 0.0, PERCENT, (took_ms,)))
-    return StageResult(tuple(points), notes=(*truth.notes, *notes))
+    if len(truth.rows) < height:
+        notes.insert(0, f"the reference ran {len(truth.rows)} of {height} rows, spread evenly: "
+                        "errors are theirs, and its time is theirs scaled to all")  # fmt: skip
+    return StageResult(tuple(points), notes=tuple(notes))
 
 
 def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
@@ -97,50 +100,28 @@ class _Truth:
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
-        height = bench.light.shape[0]
-        self._rows: NDArray[np.intp] = np.arange(height)
+        self.rows: NDArray[np.intp] = np.arange(bench.light.shape[0])
         if bench.container.machine is None:
-            total_e, slots = bench.light.total_e(), bench.container.slots
-            self._rows = compared_rows(slots, total_e, COMPARED)
-        self.share = len(self._rows) / height
-        self._made: tuple[Values, NDArray[np.bool_], Any, float] | None = None
-
-    @property
-    def took_ms(self) -> float:
-        """The time of the whole frame in milliseconds."""
-        return self._frame[3] / self.share
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Notes for the reader."""
-        if self.share == 1:
-            return ()
-        return (
-            f"the reference ran {len(self._rows)} of {self._bench.light.shape[0]} rows, spread "
-            "evenly: errors are theirs, and its time is theirs scaled to all",
-        )
+            self.rows = compared_rows(bench.container.slots, bench.light.total_e(), COMPARED)
 
     def percent(self, frame: Frame) -> float:
         """Return the error of a frame in percent, over pixels that end in the same states
         in both."""
-        exposure_e, valid, opened, _ = self._frame
-        counted = valid & frame.valid[:, self._rows]
+        (exposure_e, valid, opened), _ = self.frame
+        counted = valid & frame.valid[:, self.rows]
         if opened is not None:
             counted = counted & (opened == frame.told[OPEN])
-        return rms_percent(
-            frame.exposure_e[:, self._rows], exposure_e, counted, self._bench.signal_e
-        )
+        seen_e = frame.exposure_e[:, self.rows]
+        return rms_percent(seen_e, exposure_e, counted, self._bench.signal_e())
 
-    @property
-    def _frame(self) -> tuple[Values, NDArray[np.bool_], Any, float]:
-        if self._made is None:
-            looks = self._bench.container.machine is not None
-            truth_arrays, took_ms = self._bench.watch.ms(
-                "reference", "all", self._looked if looks else partial(self._summed, self._rows),
-                first=(lambda: None) if looks else partial(self._summed, self._rows[:1]),
-            )  # fmt: skip
-            self._made = (*truth_arrays, took_ms)
-        return self._made
+    @cached_property
+    def frame(self) -> tuple[tuple[Values, NDArray[np.bool_], Any], float]:
+        """Exposure, validity and final states, and the time in milliseconds."""
+        looks = self._bench.container.machine is not None
+        return self._bench.watch.ms(
+            "reference", "all", self._looked if looks else partial(self._summed, self.rows),
+            first=(lambda: None) if looks else partial(self._summed, self.rows[:1]),
+        )  # fmt: skip
 
     def _summed(self, rows: NDArray[np.intp]) -> tuple[Values, NDArray[np.bool_], Any]:
         bench = self._bench

@@ -9,11 +9,10 @@ from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.tradeoff.points import Point, Refused, table_text
 from nscc.tradeoff.rows import Rows
-from nscc_training.tradeoff.bench import Bench, JointRequest
+from nscc_training.tradeoff.bench import Bench, JointRequest, StageResult, misfit
 from nscc_training.tradeoff.chip_stages import compiling, lowering, slots
 from nscc_training.tradeoff.decoder_stage import decoding
 from nscc_training.tradeoff.frame_stages import effects
-from nscc_training.tradeoff.stages import StageResult, misfit
 
 NEAR = 1.05
 """If no setting reaches the target, settings within this factor of the least error are
@@ -101,7 +100,7 @@ def measure(
         notes += [f"{name}: {note}" for note in stage_result.notes]
     return Joint(
         request.program.name, request.scene.name, request.target_error, request.stages,
-        100 * target.electrons / bench.signal_e, bench.shot_percent, bench.signal_e,
+        100 * target.electrons / bench.signal_e(), bench.shot_percent, bench.signal_e(),
         tuple(points), bench.largest, tuple(misfits), tuple(notes),
     )  # fmt: skip
 

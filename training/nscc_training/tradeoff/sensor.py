@@ -9,7 +9,6 @@ from functools import partial
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -157,21 +156,34 @@ def measure(
         kind: SensorBench.of(kind, target, settings)
         for kind in {configuration.kind for configuration in todo}
     }
+    measures = (
+        (
+            f"{asked.kind}, {asked.method}, {asked.slots}",
+            partial(_measured, asked, benches[asked.kind]),
+        )
+        for asked in progress(todo)
+    )
+    return SensorStudyResult(*points_of(measures, rows), target.name)
+
+
+def points_of(
+    measures: Iterable[tuple[str, Callable[[], Point | Refused]]], rows: Rows | None
+) -> tuple[tuple[Point, ...], tuple[Refused, ...]]:
+    """Return the points and the refused settings of named measurements; those in `rows` are
+    reused."""
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
-    for configuration in progress(todo):
-        name = f"{configuration.kind}, {configuration.method}, {configuration.slots}"
-        row = rows.once(name, partial(_row, configuration, benches[configuration.kind]))
+    for name, measured in measures:
+        row = rows.once(name, lambda measured=measured: asdict(measured()))  # type: ignore[misc]
         if "code" in row:
             refused.append(Refused(**row))
         else:
             points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
-    return SensorStudyResult(tuple(points), tuple(refused), target.name)
+    return tuple(points), tuple(refused)
 
 
-def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
-    """Return the fields of a configuration's Point, or of its Refused."""
+def _measured(configuration: Configuration, bench: SensorBench) -> Point | Refused:
     setting = f"{configuration.slots} slots"
     shutters = (
         _encoder(configuration, bench.settings)
@@ -180,25 +192,16 @@ def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
     )
     compiled = compiled_for(configuration, shutters, bench)
     if isinstance(compiled, Diagnostic):
-        return asdict(
-            Refused(
-                configuration.kind, configuration.method, setting, compiled.code, compiled.message
-            )
+        return Refused(
+            configuration.kind, configuration.method, setting, compiled.code, compiled.message
         )
     assert compiled.container is not None
     words = f"{setting}, {compiled.container.words_per_frame} words"
     psnr_db, slot_ms = bench.psnr_db(compiled.container, shutters), compiled.shortest_slot_us / 1e3
-    return asdict(
-        Point(
-            configuration.kind,
-            configuration.method,
-            words,
-            psnr_db,
-            "psnr_db",
-            (slot_ms,),
-            more_is_better=True,
-        )
-    )
+    return Point(
+        configuration.kind, configuration.method, words, psnr_db, "psnr_db", (slot_ms,),
+        more_is_better=True,
+    )  # fmt: skip
 
 
 def compiled_for(
