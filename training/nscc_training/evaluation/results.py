@@ -237,7 +237,15 @@ def compare(
                 notes=("results are compared in pairs: the same crop or frame of the same file",),
                 helps=("evaluate both on the same data",),
             )
-        _check_metric(items, metric)
+        metric_values = (v.get(metric) for items_by_key in items for v in items_by_key.values())
+        if any(not isinstance(v, int | float) and v != "inf" for v in metric_values):
+            known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
+            raise rejected(
+                "NS0808",
+                f"not every item of the results has the metric '{metric[:40]}'",
+                notes=(f"the first has {', '.join(known)}",),
+                helps=("name one of them with --metric",),
+            )
         for pair_scores, items_by_key in zip(scores, items, strict=True):
             for key, item in items_by_key.items():
                 pair_scores[f"{seed} {key}"] = number(item[metric])
@@ -273,15 +281,3 @@ def _check_alike(*results: dict[str, Any]) -> None:
                 notes=("results of different protocols cannot be compared",),
                 helps=("evaluate both under one protocol",),
             )
-
-
-def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> None:
-    metric_values = (v.get(metric) for items_by_key in items for v in items_by_key.values())
-    if any(not isinstance(v, int | float) and v != "inf" for v in metric_values):
-        known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
-        raise rejected(
-            "NS0808",
-            f"not every item of the results has the metric '{metric[:40]}'",
-            notes=(f"the first has {', '.join(known)}",),
-            helps=("name one of them with --metric",),
-        )

@@ -72,18 +72,22 @@ def artifacts(
     files["capture.toml"] = capture_toml(setup).encode()
     side = setup.settings.data.patch
     robustness = _robustness(setup, shown)
-    score_name = METRIC_NAMES[setup.protocol.metrics[0]]
+    effects, metrics = setup.settings.sensor.effects, setup.protocol.metrics
+    headline = {"effects": effects, **{key: robustness[0][key] for key in metrics}}
+    if effects:
+        alone = validated(setup, shown, by_model(setup))
+        headline |= {f"{_ALONE}{metric}": value for metric, value in alone.means.items()}
     result = {
         "schema": "nscc-run-2",
-        "headline": _headline(setup, shown, robustness[0]),
+        "headline": headline,
         "protocol": setup.protocol.name,
         "protocol_sha256": setup.protocol.sha256,
         "config_sha256": config_digest(setup.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
         "stages": _stages(setup, shown, build.container),
-        "stages_note": f"{score_name} of {len(shown)} validation scenes, as the protocol counts "
-        "it, without noise",
+        "stages_note": f"{METRIC_NAMES[metrics[0]]} of {len(shown)} validation scenes, as the "
+        "protocol counts it, without noise",
         "robustness": robustness,
         "words_per_slot": words_per_slot(build),
         "codes": _codes_report(setup, shown),
@@ -190,19 +194,6 @@ def _stages(
         stages[name] = scores.score
     emulated = validated(setup, shown, lambda light_e, _: scene_by_words(setup, container, light_e))
     return stages | {"emulated": emulated.score, "compiled_equals_hard": bool(same)}
-
-
-def _headline(
-    setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
-) -> dict[str, Any]:
-    """Return the scores with the sensor of training; with effects also the scores without
-    effects."""
-    effects = setup.settings.sensor.effects
-    headline = {"effects": effects, **{key: trained[key] for key in setup.protocol.metrics}}
-    if effects:
-        alone = validated(setup, shown, by_model(setup))
-        headline |= {f"{_ALONE}{metric}": value for metric, value in alone.means.items()}
-    return headline
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:

@@ -48,12 +48,17 @@ class Log:
         cells = (values.get(name) for name in self._columns)
         texts = ("" if value is None else repr(float(value)) for value in cells)
         self.rows.append(",".join([str(step), split, *texts]))
-        events = self._writer()
-        if events is not None:
-            for name, value in values.items():
-                if value is not None:
-                    events.add_scalar(f"{split}/{name}", float(value), step)
-            events.flush()
+        if find_spec("tensorboard") is None:
+            return
+        # Event files contain times and the host name, so they are not products of the run.
+        if self._events is None:
+            from torch.utils.tensorboard import SummaryWriter
+
+            self._events = SummaryWriter(str(self.out / EVENTS))
+        for name, value in values.items():
+            if value is not None:
+                self._events.add_scalar(f"{split}/{name}", float(value), step)
+        self._events.flush()
 
     def csv(self) -> bytes:
         """Return `metrics.csv`."""
@@ -63,13 +68,3 @@ class Log:
         """Close the event file, if there is one."""
         if self._events is not None:
             self._events.close()
-
-    def _writer(self) -> Any:
-        """Return the TensorBoard writer, made at first use; None if TensorBoard is not installed.
-
-        Event files contain times and the host name, so they are not products of the run."""
-        if self._events is None and find_spec("tensorboard") is not None:
-            from torch.utils.tensorboard import SummaryWriter
-
-            self._events = SummaryWriter(str(self.out / EVENTS))
-        return self._events

@@ -113,7 +113,12 @@ def _train(
             })  # fmt: skip
         _steps(run, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
-            _finish(run, out)
+            # A run interrupted after its last step has no further step that would anneal.
+            anneal(run.setup, settings.train.steps - 1)
+            take_best(run)
+            run.setup.decoder.eval()
+            files = artifacts(run.setup, run.shown, run.scenes, run.progress.best_step)
+            write_together({out / name: data for name, data in files.items()})
             chip = "" if run.setup.chip.file is None else f" --target {out / TARGET_FILE}"
             report(f"{out}: model_card.md says what it is worth; "
                    f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
@@ -339,14 +344,3 @@ def take_best(run: TrainingRun) -> None:
             helps=("raise [shutter] most_words, or give the search more steps",
                    "start with `quad` or `uniform`, which need few words"),
         )  # fmt: skip
-
-
-def _finish(run: TrainingRun, out: Path) -> None:
-    """Restore the best state, and write the artifacts."""
-    progress = run.progress
-    # A run interrupted after its last step has no further step that would anneal.
-    anneal(run.setup, run.setup.settings.train.steps - 1)
-    take_best(run)
-    run.setup.decoder.eval()
-    files = artifacts(run.setup, run.shown, run.scenes, progress.best_step)
-    write_together({out / name: data for name, data in files.items()})

@@ -110,7 +110,7 @@ def read_grid(path: Path) -> Grid:
     grid_parts: dict[str, dict[str, Any]] = {}
     unknown_parts = []
     for name, value in tables.items():
-        if not _is_part(name, value):
+        if not (isinstance(value, Mapping) and name != _PLOT):
             continue
         part_keys = _flat(value)
         like = part_keys.get(_LIKE.name)
@@ -185,10 +185,6 @@ def part_text(kind: str) -> str:
 
     text = file_text(schema, {key.path: key.default for key in schema.keys}, remark, head)
     return text if known else f"{text}\n[{kind}]\n"
-
-
-def _is_part(name: str, value: Any) -> bool:
-    return isinstance(value, Mapping) and name != _PLOT
 
 
 def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:

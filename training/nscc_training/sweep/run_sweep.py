@@ -203,7 +203,19 @@ def _compute(
 
         for result in track(all_results(), "computing points", len(tasks)):
             if result.other_key:
-                raise _differs(result)
+                raise rejected(
+                    "NS0836",
+                    f"the worker {result.worker} has other code or data than the process that "
+                    f"requested {result.task.point.name}",
+                    notes=(
+                        "its nscc, its Python or the files of the grid differ from those of this "
+                        "process, or they changed during the sweep",
+                    ),
+                    helps=(
+                        "install the same versions on all machines, and use a shared file system",
+                    ),
+                    status=3,
+                )
             put_row(store, result.row, result.task.point.name, result.seconds, result.worker)
 
 
@@ -261,20 +273,6 @@ def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iter
 
         return local_workers(min(how.workers, count), how.threads)
     return nullcontext(serially)
-
-
-def _differs(result: Done) -> Rejected:
-    return rejected(
-        "NS0836",
-        f"the worker {result.worker} has other code or data than the process that requested "
-        f"{result.task.point.name}",
-        notes=(
-            "its nscc, its Python or the files of the grid differ from those of this "
-            "process, or they changed during the sweep",
-        ),
-        helps=("install the same versions on all machines, and use a shared file system",),
-        status=3,
-    )
 
 
 def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:

@@ -56,10 +56,17 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     plot = grid.plot
     plot_axes = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
     for key, name in (*plot_axes, *(("y", name) for name in plot.y)):
-        if name:
-            _check(key, name, table)
+        if name and name not in table.columns:
+            raise rejected(
+                "NS0832",
+                f"plot.{key} is '{name[:60]}', but the table has no such column",
+                notes=(f"it has {', '.join(table.columns)}",),
+                helps=meant(name, table.columns, "name one of them"),
+            )
     used_names = {name for _, name in plot_axes}
-    free = [n for n in ("part", *grid.axes) if _several(table.columns[n]) and n not in used_names]
+    free = [
+        n for n in ("part", *grid.axes) if len(set(table.columns[n])) > 1 and n not in used_names
+    ]
     x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
     lines = [name for name in free if not name.endswith("seed")]
     panel = plot.panel
@@ -138,26 +145,12 @@ def _misfits(grid: Grid, table: Table) -> html.Html:
     return html.Html(heading + html.table(rows, ("code", "why", "points")))
 
 
-def _check(key: str, name: str, table: Table) -> None:
-    if name not in table.columns:
-        raise rejected(
-            "NS0832",
-            f"plot.{key} is '{name[:60]}', but the table has no such column",
-            notes=(f"it has {', '.join(table.columns)}",),
-            helps=meant(name, table.columns, "name one of them"),
-        )
-
-
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
     """Remove and return the first name that fits, or "" if none does."""
     first_fit = next((name for name in names if fits(name)), "")
     if first_fit:
         names.remove(first_fit)
     return first_fit
-
-
-def _several(values: Sequence[Any]) -> bool:
-    return len(set(values)) > 1
 
 
 def _number(value: Any) -> bool:

@@ -222,16 +222,6 @@ def _network(
     return run
 
 
-def names_of(folders: Sequence[RunFolder]) -> list[str]:
-    """Return the folder names of runs whose decoders have the same name and size, "" for other
-    runs."""
-    kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in folders]
-    return [
-        f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
-        for folder, kind in zip(folders, kinds, strict=True)
-    ]
-
-
 def _fixed(kind: Kind, settings: DecoderStudySettings) -> Case:
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
@@ -251,7 +241,11 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySetting
         for run in runs:
             check_unseen(run, files_of(protocol, settings.data))
     frames = _captures(protocol, setup.encoder.hard().cpu(), setup.model, settings)
-    apart = names_of(runs)
+    kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in runs]
+    apart = [
+        f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
+        for folder, kind in zip(runs, kinds, strict=True)
+    ]
     ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
     return Case(f"{kind}, code of {name}", frames, (*ways_of(kind), *ways))
 
