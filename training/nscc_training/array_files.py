@@ -66,7 +66,17 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
         if not path.is_file():
             raise rejected("NS0801", f"'{path}' is not a file", helps=("name an existing file",))
         if suffix in ARRAYS:
-            return _read_array(path, suffix, key)
+            if suffix == ".npy":
+                return npy_array(path, _MOST_BYTES)
+            if suffix == ".npz":
+                _, names = npz_arrays(path, lambda _: False)
+                name = _chosen(path, names, key)
+                return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
+            name = _chosen(path, mat_names(path), key)
+            array = mat_array(path, name, _MOST_BYTES)
+            return (
+                np.moveaxis(array, 2, 0) if name in ("orig", "video") and array.ndim == 3 else array
+            )
     except Rejected:
         raise
     except Exception as error:  # zipfile, numpy and scipy raise a dozen types for damaged files
@@ -74,18 +84,6 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
         hint = "check that the file is complete and that its ending matches its format"
         raise unreadable("NS0801", message, error, hint) from error
     return _read_image(path, suffix)
-
-
-def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
-    if suffix == ".npy":
-        return npy_array(path, _MOST_BYTES)
-    if suffix == ".npz":
-        _, names = npz_arrays(path, lambda _: False)
-        name = _chosen(path, names, key)
-        return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
-    name = _chosen(path, mat_names(path), key)
-    array = mat_array(path, name, _MOST_BYTES)
-    return np.moveaxis(array, 2, 0) if name in ("orig", "video") and array.ndim == 3 else array
 
 
 def _chosen(path: Path, names: list[str], key: str | None) -> str:
@@ -105,22 +103,6 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
     )
 
 
-def _pages(path: Path) -> list[NDArray[Any]]:
-    """Return the pictures of a file; raise an error if several pictures exceed the size limit of
-    arrays."""
-    from nscc_runtime.scenes.picture_files import open_pages
-
-    pages: list[NDArray[Any]] = []
-    for page in open_pages(path).read():
-        pages.append(page)
-        try:
-            check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
-        except InvalidArrays as error:
-            message = f"'{path}' holds too many pictures"
-            raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
-    return pages
-
-
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     from nscc_runtime.scenes.colour import linear, luminance
     from nscc_runtime.scenes.picture_files import LINEAR, PICTURES
@@ -132,7 +114,16 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    pages = _pages(path)
+    from nscc_runtime.scenes.picture_files import open_pages
+
+    pages: list[NDArray[Any]] = []
+    for page in open_pages(path).read():
+        pages.append(page)
+        try:
+            check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
+        except InvalidArrays as error:
+            message = f"'{path}' holds too many pictures"
+            raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
     stored = np.stack(pages) if len(pages) > 1 else pages[0]
     if pages[0].ndim == 2:
         return stored

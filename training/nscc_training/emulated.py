@@ -18,7 +18,6 @@ from torch import Tensor
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Exchange
-from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
@@ -137,11 +136,6 @@ def emulated_sensor(
     return EmulatedSensor(levels, shares, codes, spreads, marked, crosstalk)
 
 
-def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
-    """Return the codes of the first bucket above the ADC's offset."""
-    return np.asarray(frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
-
-
 def _measured(
     container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
     effects: Selection, chips: int, torch_device: str | None,
@@ -181,7 +175,9 @@ def _measured(
                 torch_device=torch_device,
             )  # fmt: skip
             frame = simulate(container, light, sensor, request).frame
-            codes = _codes_of(frame, sensor).astype(np.float64)
+            codes = np.asarray(
+                frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32
+            ).astype(np.float64)
             sums[level_slice] += mean(codes) / chips
             squares[level_slice] += mean(np.square(codes)) / chips
             full[level_slice] += mean(frame.saturated[..., 0, :, :]) / chips

@@ -30,13 +30,9 @@ def array_names(path: Path) -> list[str]:
 
 
 def real_array(path: Path, name: str) -> Floats:
-    """Return the array `name` of a file, or its only array; all values are finite real numbers.
+    """Return the array `name` of a file, or its only array: finite real numbers.
 
-    Raises
-    ------
-    Rejected
-        NS0845 for a file without such an array, or with other values.
-    """
+    Raises Rejected (NS0845) for a file without such an array, or with other values."""
     names, array = _read(path, name)
     if array is None:
         raise refused(path, f"the array `{name}` is missing", f"it holds {listed(sorted(names))}")
@@ -91,11 +87,7 @@ def _chosen(names: list[str], name: str | None) -> str | None:
 def read_mask(path: Path) -> Floats:
     """Return the array `mask` of a file, or its only array: three axes, values from 0 to 1.
 
-    Raises
-    ------
-    Rejected
-        NS0845 as for `real_array`, and for other shapes and values.
-    """
+    Raises Rejected (NS0845) as `real_array`, and for other shapes and values."""
     mask = real_array(path, "mask")
     if mask.ndim != 3 or 0 in mask.shape:
         reason = f"`mask` has the shape {mask.shape}"

@@ -95,16 +95,11 @@ class LinearDecoder:
 class MotionCell:
     """A trained cell, its program, its decoder `tuned`, and accuracies on test films.
 
-    Attributes
-    ----------
-    accuracies : dict
-        Fractions of correct directions. `real`: real weights and tanh. `binary`: the cell in torch
-        without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects, with the
-        decoder of `binary`. `effects`: emulated with every effect, with the decoder of `noisy`.
-        `tuned`: as `effects`, but with a decoder that was fitted to emulated films.
-    different_bits : int
-        Number of bits of the test films in which `exact` differs from `binary`.
-    """
+    `accuracies` are fractions of correct directions. `real`: real weights and tanh. `binary`: the
+    cell in torch without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects,
+    with the decoder of `binary`. `effects`: emulated with every effect, with the decoder of
+    `noisy`. `tuned`: as `effects`, but with a decoder that was fitted to emulated films. In
+    `different_bits` of the test films `exact` differs from `binary`."""
 
     cell: PixelCell
     program: ShutterProgram
@@ -147,7 +142,12 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
     program. Decoders are fitted to the fractions of 1 bits of training films. Raises Rejected if
     the cell does not fit the chip."""
     target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
-    cell = _start(settings, target)
+    torch.manual_seed(settings.seed)
+    cell = PixelCell(
+        kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
+        pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
+    )  # fmt: skip
+    set_moving_edges(cell)
     films, directions = motion_films(settings, settings.films, _TRAINING)
     test_films, test_directions = motion_films(settings, settings.test_films, _TEST)
     # The noise follows from the size of a cell: the program of the untrained cell gives it.
@@ -181,16 +181,6 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
     return MotionCell(
         cell, program, files, tuned, noise, accuracies, int((exact != in_torch).sum())
     )
-
-
-def _start(settings: MotionSettings, target: Target) -> PixelCell:
-    torch.manual_seed(settings.seed)
-    cell = PixelCell(
-        kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
-        pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
-    )  # fmt: skip
-    set_moving_edges(cell)
-    return cell
 
 
 def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:

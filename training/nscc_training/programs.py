@@ -185,36 +185,25 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")
-    table, expected_fields = container.table, _fields(spec)
+    table = container.table
+    expected_fields = [r.split()[1] for r in _RULES[spec.kind] if r.startswith("code ")]
     if set(table.fields) != set(expected_fields):
         have, want = (", ".join(names) or "none" for names in (table.fields, expected_fields))
         raise ValueError(f"its code has the fields: {have}; class {spec.kind} has: {want}")
     if len(container.buckets) > spec.buckets:
         raise ValueError(f"the program has {len(container.buckets)} buckets, but the run has one")
-    at = _tile_of(container.pixel_codes, spec.tile)
+    rows, cols = container.pixel_codes.shape
+    at = container.pixel_codes[: spec.tile[0], : spec.tile[1]]
+    repeated = np.tile(at, (-(-rows // spec.tile[0]), -(-cols // spec.tile[1])))[:rows, :cols]
+    if not np.array_equal(repeated, container.pixel_codes):
+        raise ValueError(
+            f"its pixels are not a repeated tile of {spec.tile[0]} x {spec.tile[1]}: give the run "
+            "the program's own tile"
+        )
     codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
     if spec.kind == "codebook":
         codes["book"] = _book_of(compiled_program, path, target)
     return Begun(codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1))
-
-
-def _fields(spec: ShutterSpec) -> tuple[str, ...]:
-    """Return the names of the fields of a class's code."""
-    return tuple(rule.split()[1] for rule in _RULES[spec.kind] if rule.startswith("code "))
-
-
-def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
-    """Return the codes of the tile (rows, cols) that repeats over the array; raise ValueError
-    without one."""
-    rows, cols = pixels.shape
-    tile_codes = pixels[: tile[0], : tile[1]]
-    repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
-    if not np.array_equal(repeated, pixels):
-        raise ValueError(
-            f"its pixels are not a repeated tile of {tile[0]} x {tile[1]}: give the run the "
-            "program's own tile"
-        )
-    return tile_codes
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:

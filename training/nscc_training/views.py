@@ -107,9 +107,12 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
         raise _nothing_to_view(path, str(error)) from error
     for name in ("image", "video"):
         if name in arrays:
-            _check_array(path, arrays, name, (2, 3) if name == "image" else (3, 4))
-            moving = name == "video"
-            light = arrays[name] if moving else _reduced(arrays[name])
+            values, moving = arrays[name], name == "video"
+            dimensions = (3, 4) if moving else (2, 3)
+            if not (values.dtype.kind in "buif" and values.ndim in dimensions and values.size):
+                shown = " x ".join(map(str, values.shape)) or "a single value"
+                raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
+            light = values if moving else _reduced(values)
             colour = light.ndim == (4 if moving else 3)
             content = Content({}, light, moving, colour, tone=tone,
                               usual="srgb" if moving else "log")  # fmt: skip
@@ -131,17 +134,6 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
     )
     shape = max(1, int(cols * share)), max(1, int(rows * share))
     return np.asarray(cv2.resize(picture_values, shape, interpolation=cv2.INTER_AREA))
-
-
-def _check_array(
-    path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...]
-) -> None:  # fmt: skip
-    """Raise Rejected (NS0801) for an array that is not numeric or has other dimensions."""
-    values = arrays[name]
-    numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
-    if not numbers:
-        shown = " x ".join(map(str, values.shape)) or "a single value"
-        raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
