@@ -26,7 +26,6 @@ from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, progress, say, say_done
 
 if TYPE_CHECKING:
-    from nscc_runtime.simulate import Request
     from nscc_training.run_files import RunCapture
 
 _MOST_REPEATS = 10000
@@ -120,9 +119,10 @@ def _run_on_emulator(
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
-    from nscc_runtime.simulate import Listener
+    from nscc_runtime.simulate import Listener, Request
 
-    request, out = _request(options), frame_path(program, options)
+    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
+    request, out = Request.of(**simulation_options, mark="--"), frame_path(program, options)
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.measure("compile_s"):
@@ -163,15 +163,6 @@ def _run_on_emulator(
         raise simulated.broken
 
 
-def _request(options: dict[str, Any]) -> Request:
-    """Return the simulation request; raise NS0739 (status 2) for options that contradict each
-    other."""
-    from nscc_runtime.simulate import Request
-
-    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
-    return Request.of(**simulation_options, mark="--")
-
-
 _SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
                "plan", "like", "fit", "color", "first", "single")  # fmt: skip
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
@@ -196,7 +187,14 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     sensor = sensor_of(converter_of(container), options)
     light, messages_so_far = None, list(messages)
     if scene:
-        messages_so_far.append(_scene_note(scene))
+        messages_so_far.append(
+            Diagnostic(
+                "NS0770",
+                f"the device exposes the real scene: --scene {scene[:60]} is only recorded",
+                severity=Severity.NOTE,
+                notes=("it is stored in meta, and in the file with --keep light,truth",),
+            )
+        )
         with timings.measure("scene_s"):
             named = scene_of(options)
             light = named.light(
@@ -239,12 +237,3 @@ def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> 
             notes=("a device exposes the real scene with its real noise",),
             helps=(f"leave {listed} out, or run on the emulator: leave --on out",),
         )
-
-
-def _scene_note(scene: str) -> Diagnostic:
-    return Diagnostic(
-        "NS0770",
-        f"the device exposes the real scene: --scene {scene[:60]} is only recorded",
-        severity=Severity.NOTE,
-        notes=("it is stored in meta, and in the file with --keep light,truth",),
-    )

@@ -169,15 +169,12 @@ class _Tradeoffs(Subcommands):
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Pass the name of a program or run to `nscc tradeoff of`; reject other names (NS0781)."""
-        if _may_be_program(Path(name)):
+        from nscc_training.run_files import shipped_runs
+
+        path = Path(name)
+        if path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs():
             return "of", self.commands["of"], args
         return super().resolve_unknown(name, args)
-
-
-def _may_be_program(path: Path) -> bool:
-    from nscc_training.run_files import shipped_runs
-
-    return path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs()
 
 
 @click.group("tradeoff", cls=_Tradeoffs)

@@ -95,9 +95,16 @@ class _Layer:
         if not background:
             corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
             outline = corners * size * generator.uniform(0.08, 0.4)
+        places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
+
+        def detail(place: NDArray[np.float64]) -> float:
+            row, col = (int(at) - size // 2 for at in place)
+            region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
+            return float(region.std())
+
         return cls(
             picture=picture,
-            centre=_detailed(picture, generator, size),
+            centre=np.asarray(max(places, key=detail)),
             velocity=speed * np.array([np.sin(heading), np.cos(heading)]),
             scale=float(np.exp(generator.uniform(np.log(0.6), np.log(1.7)))),
             zoom=float(np.exp(generator.normal(0, 0.01) * turning)),
@@ -142,18 +149,6 @@ class _Layer:
         edge = np.interp(bearing, places, np.append(self.outline, self.outline[0]))
         cover = np.clip(edge - np.hypot(rows, cols) + 0.5, 0, 1)
         return np.asarray(cover, np.float32)
-
-
-def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.float64]:
-    """Return the place (row, column) with the most detail among some random places of a picture."""
-    places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
-
-    def detail(place: NDArray[np.float64]) -> float:
-        row, col = (int(at) - size // 2 for at in place)
-        region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
-        return float(region.std())
-
-    return np.asarray(max(places, key=detail))
 
 
 def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:

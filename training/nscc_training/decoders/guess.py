@@ -71,24 +71,20 @@ def averaged(values: Tensor, weights: Tensor) -> Tensor:
     `weights` has the same shape. Autocast is switched off, so that the inputs' precision is kept.
     """
     with torch.autocast(values.device.type, enabled=False):
-        return _averaged(values, weights)
-
-
-def _averaged(values: Tensor, weights: Tensor) -> Tensor:
-    totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
-    while max(totals[-1][0].shape[-2:]) > 1:
-        totals.append(
-            tuple(functional.avg_pool2d(plane, 2, ceil_mode=True) for plane in totals[-1])
-        )
-    value, weight = totals.pop()
-    mean = value / weight.clamp(min=1e-12)
-    while totals:
+        totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
+        while max(totals[-1][0].shape[-2:]) > 1:
+            totals.append(
+                tuple(functional.avg_pool2d(plane, 2, ceil_mode=True) for plane in totals[-1])
+            )
         value, weight = totals.pop()
-        wide = functional.interpolate(
-            mean, size=value.shape[-2:], mode="bilinear", align_corners=False
-        )
-        mean = (value + _FAINT * wide) / (weight + _FAINT)
-    return mean
+        mean = value / weight.clamp(min=1e-12)
+        while totals:
+            value, weight = totals.pop()
+            wide = functional.interpolate(
+                mean, size=value.shape[-2:], mode="bilinear", align_corners=False
+            )
+            mean = (value + _FAINT * wide) / (weight + _FAINT)
+        return mean
 
 
 class _Tent(Function):

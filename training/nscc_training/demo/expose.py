@@ -182,7 +182,10 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     looked = _looked(scene, sensor, request, listener) if subject.still else None
     count, stop = len(compiled.table.shutters[0]), like.slots
     if subject.still:
-        stop = _metered(laid, compiled, sensor, "linear" if subject.transfer == "srgb" else "mu")
+        light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
+        curve: Curve = "linear" if subject.transfer == "srgb" else "mu"
+        chip = DesignChip.of(compiled.target, sensor)
+        stop = best_stop(chip, light_e, compiled.slots, curve)
     fair = None
     if subject.still or count > 1:
         ordinary = camera(like.slots, like.slot_us, target, count, stop)
@@ -236,14 +239,6 @@ def _laid(
             continue
         return laid, exposed
     raise AssertionError("there is an exposure to ask for")
-
-
-def _metered(
-    laid: Sequence[PlacedLight], container: Container, sensor: Sensor, curve: Curve
-) -> int:
-    """Return the number of slots for which a camera with automatic exposure opens."""
-    light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
-    return best_stop(DesignChip.of(container.target, sensor), light_e, container.slots, curve)
 
 
 def camera(

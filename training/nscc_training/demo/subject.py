@@ -56,7 +56,14 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
     if scene.name.startswith("builtin:"):
         return Subject(scene, not scene.name.startswith("builtin:motion"), "linear")
     if suffix in ARRAYS and path.is_file():
-        return _of_arrays(scene, path)
+        shapes: list[tuple[int, ...]] = []
+        if path.suffix.lower() == ".mat":
+            key, light = read_mat(path, shapes.append)
+            if key == MAT_CLIP_KEY:
+                return Subject(scene, False, scene.transfer or "linear")
+        else:
+            light = read_light(path, shapes.append)
+        return Subject(scene, light.ndim == 2, "linear", in_electrons=True)
     if path.is_dir():
         files = files_of(path)
         transfer = scene.transfer or default_transfer(files[0])
@@ -71,17 +78,6 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
         if pages.count > 1:
             return _of_clip(scene, pages.read(), transfer, slots, frame_s)
     return Subject(scene, True, scene.transfer or default_transfer(path))
-
-
-def _of_arrays(scene: Scene, path: Path) -> Subject:
-    shapes: list[tuple[int, ...]] = []
-    if path.suffix.lower() == ".mat":
-        key, light = read_mat(path, shapes.append)
-        if key == MAT_CLIP_KEY:
-            return Subject(scene, False, scene.transfer or "linear")
-    else:
-        light = read_light(path, shapes.append)
-    return Subject(scene, light.ndim == 2, "linear", in_electrons=True)
 
 
 def _of_clip(

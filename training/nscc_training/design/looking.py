@@ -115,7 +115,14 @@ class LookModel:
         if scenes == 1 or curve == "log":
             return schedule
         for _ in range(_WEIGHINGS):
-            by = 1 / np.maximum(self._by_scene(schedule, curve), 1e-12 * worth)
+            rows = self._rows(schedule)
+            after = self._after(list(schedule.at), rows, -1, curve)
+            group_errors = (self._start * after).sum(axis=1)
+            scene_errors, weights = (
+                np.bincount(self.scene.scene, values)
+                for values in (group_errors, self.scene.weight)
+            )
+            by = 1 / np.maximum(scene_errors / weights, 1e-12 * worth)
             weighed = LookModel(self.chip, self.scene.weighed(by), self._slot_us)
             weighed._exposure_errors, weighed._closed = self._exposure_errors, self._closed
             _, schedule = weighed._descended(schedule, curve)
@@ -130,15 +137,6 @@ class LookModel:
                 break
             worth = now
         return worth, schedule
-
-    def _by_scene(self, schedule: LookSchedule, curve: Curve) -> Values:
-        """Return the mean square error of every scene (scenes,)."""
-        rows = self._rows(schedule)
-        after = self._after(list(schedule.at), rows, -1, curve)
-        group_errors = (self._start * after).sum(axis=1)
-        return np.bincount(self.scene.scene, group_errors) / np.bincount(
-            self.scene.scene, self.scene.weight
-        )
 
     def _rows(self, schedule: LookSchedule) -> list[int]:
         """Return the indices of a schedule's levels among the chip's levels."""

@@ -89,13 +89,8 @@ def _alike(slots: int, speed: float, length: float) -> Values:
 
 def _in_parts(opened: Values) -> Values:
     """Return shutters (time steps, rows, cols), averaged over at most `_MOST_SLOTS` time steps."""
-    return np.stack(
-        [slot_group.mean(axis=0) for slot_group in np.array_split(opened, _part_count(len(opened)))]
-    )
-
-
-def _part_count(slots: int) -> int:
-    return min(slots, _MOST_SLOTS)
+    groups = np.array_split(opened, min(len(opened), _MOST_SLOTS))
+    return np.stack([slot_group.mean(axis=0) for slot_group in groups])
 
 
 def _windows(opened: Values) -> Sequence[Values]:

@@ -85,6 +85,8 @@ def sweep(
     its folder. `track` draws progress; `report` receives a text on the work to do. Raises Rejected:
     NS0834 for a damaged store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers
     have other files or another version of nscc."""
+    from nscc_training.sweep.sweep_report import diagram_of, report_html
+
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
     with store_in(out) as store:
@@ -106,11 +108,18 @@ def sweep(
     point_rows = [(point, rows[key]) for point, key in keys.items()]
     grid = replace(grid, points=tuple(keys))
     table = table_of(grid, point_rows)
-    files = _write(grid, table, out, times, parquet=parquet)
+    diagram = diagram_of(grid, table)
+    products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
+    if parquet:
+        products[out / PARQUET] = parquet_bytes(table)
+    if diagram is not None:
+        products[out / DIAGRAM] = diagram
+    products[out / REPORT] = report_html(grid, table, diagram).encode()
+    write_together({**products, out / TIMES: times.encode()})
     _name(out, keys)
     codes = [row.code for _, row in point_rows if row.code]
     failed = codes.count(FAILED)
-    return Swept(table, len(codes) - failed, failed, files)
+    return Swept(table, len(codes) - failed, failed, tuple(products))
 
 
 def summary_lines(swept: Swept) -> list[str]:
@@ -273,21 +282,6 @@ def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iter
 
         return local_workers(min(how.workers, count), how.threads)
     return nullcontext(serially)
-
-
-def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
-    """Write all products, or none of them."""
-    from nscc_training.sweep.sweep_report import diagram_of, report_html
-
-    diagram = diagram_of(grid, table)
-    products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
-    if parquet:
-        products[out / PARQUET] = parquet_bytes(table)
-    if diagram is not None:
-        products[out / DIAGRAM] = diagram
-    products[out / REPORT] = report_html(grid, table, diagram).encode()
-    write_together({**products, out / TIMES: times.encode()})
-    return tuple(products)
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
