@@ -36,7 +36,8 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
         error_text = " ".join(str(error).split())[:200]
         on_gpu = type(error).__name__ == "OutOfMemoryError"
         less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
-        processor = "with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, which is slower"
+        processor = ("with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, "
+                     "which is slower")  # fmt: skip
         return Diagnostic(
             "NS0902",
             f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
