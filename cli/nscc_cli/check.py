@@ -43,8 +43,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
-    """Compile all programs and print their messages; raise Rejected with the errors of all
-    programs."""
+    """Compile all programs and print their messages; raise Rejected with all errors."""
     diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:

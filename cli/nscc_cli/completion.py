@@ -33,8 +33,7 @@ class Name(click.types.StringParamType):
         self.files, self.several, self.signs = files, several, signs
 
     def names(self) -> Iterator[str]:
-        """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE), which is imported
-        here."""
+        """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE)."""
         yield from self.more
         if self.source:
             module, _, name = self.source.partition(":")

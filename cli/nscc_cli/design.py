@@ -149,8 +149,7 @@ def _scene_lights(
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
 ) -> list[NDArray[np.float64]]:
-    """Return the light of each scene in at most `parts` intervals of the frame, in electrons,
-    (intervals, rows, cols)."""
+    """Return each scene's light in electrons, (at most `parts` intervals, rows, cols)."""
     slots = options["slots"]
     starts = sorted({slots * part // parts for part in range(parts)})
     return [

@@ -20,8 +20,7 @@ CHIP = click.option(
 
 
 def beside_program(out: Path, arrays: str) -> Path:
-    """Return the path `STEM.ARRAYS.npz` beside a program; raise a usage error unless `out` ends in
-    .nsl."""
+    """Return the path STEM.ARRAYS.npz beside a program, whose name must end in .nsl."""
     if out.suffix.lower() != ".nsl":
         raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
     path = out.with_suffix(f".{arrays}.npz")

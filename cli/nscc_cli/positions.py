@@ -31,8 +31,7 @@ class Positions:
         return types.Range(self.of(span.start), self.of(span.end))
 
     def offset(self, position: types.Position) -> int:
-        """Return the character offset of a position; positions beyond a line or the text give its
-        end."""
+        """Return the character offset of a position, at most the end of its line or text."""
         if position.line >= len(self._starts):
             return len(self.text)
         begin = self._starts[position.line]

@@ -133,8 +133,7 @@ def command(
 
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Print the method that replaced the network because torch is missing, unless the user chose
-    one."""
+    """Print the method that replaced the network, for lack of torch."""
     if method is None and reconstruction.method != "network":
         method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(

@@ -124,8 +124,7 @@ def say_compiling(loop: Any, part_name: str) -> None:
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
-    """Save a reproducer if the diagnostic contains a traceback, and add a note that names the
-    file."""
+    """Save a reproducer of a diagnostic with a traceback, and add a note that names it."""
     trace = diagnostic.data.get("traceback")
     if trace is None:
         return diagnostic

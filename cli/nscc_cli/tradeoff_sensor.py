@@ -26,8 +26,7 @@ _MOST_READOUTS = 4
 def _numbers(
     quantity: str, least: int, most: int, none: bool = True
 ) -> Callable[..., tuple[int, ...]]:
-    """Return the callback of an option that takes distinct numbers, separated by commas; with
-    `none` also that word."""
+    """Return a callback for distinct numbers, separated by commas; with `none` also that word."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
         if none and value.strip() == "none":
@@ -48,8 +47,7 @@ _counts = _numbers("slots", 2, _MOST_SLOTS, none=False)
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Parse numbers of slots, each of which must divide the largest: the number of a clip's
-    frames."""
+    """Parse numbers of slots that divide the largest, the number of a clip's frames."""
     counts = _counts(context, option, value)
     for count in counts:
         if counts[-1] % count:

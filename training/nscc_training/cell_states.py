@@ -23,8 +23,7 @@ _SETTINGS = {"level": 0.5, "outside": 0, "pool_size": 1, "flips": 1}
 
 
 def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
-    """Return the cell of a state dict; raise Rejected (NS0851) for another layout. `path` is the
-    file that messages name."""
+    """Return the cell of a state dict; raise Rejected (NS0851) for another layout."""
     known = {"weight", "threshold", *_SETTINGS}
     unknown = sorted(name for name in state if name not in known)
     if unknown:

@@ -81,8 +81,7 @@ class Dark:
         return bool(Light.of_clip(clip).sha256() != scene)
 
     def _bright(self) -> Iterator[Diagnostic]:
-        """Yield a warning (NS0844) if pixels are saturated and it is unknown whether the scene has
-        light."""
+        """Warn (NS0844) if pixels are saturated by light that cannot be excluded."""
         if self.saturated > _LIT and self._is_lit() is None:
             yield Diagnostic(
                 "NS0844",
@@ -113,8 +112,7 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """Read a dark frame file; raise Rejected (NS0819) for another number of buckets or a missing
-    ADC offset."""
+    """Read a dark frame file; raise Rejected (NS0819) for other buckets or a missing offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:
@@ -129,6 +127,5 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
-    """Return the mean code above the ADC's offset from dark codes (repeats, buckets, rows,
-    cols)."""
+    """Return the mean code above the ADC's offset of (repeats, buckets, rows, cols)."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

@@ -25,7 +25,6 @@ def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None =
 
 def uniform(like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
             ) -> Tensor:  # fmt: skip
-    """Return uniform random numbers from 0 to 1 on the device of `like`, in its shape or in
-    `shape`."""
+    """Return random numbers from 0 to 1 on the device of `like`, in its shape or in `shape`."""
     size = like.shape if shape is None else shape
     return torch.rand(size, generator=generator, device=generator.device).to(like.device)

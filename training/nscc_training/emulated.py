@@ -89,8 +89,7 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
-        """Interpolate a table (K, r, c) between entries `after` - 1 and `after`; return (batch,
-        rows, cols)."""
+        """Interpolate a table (K, r, c) between entries `after` - 1 and `after`."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]

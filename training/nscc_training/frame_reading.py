@@ -71,8 +71,7 @@ def read_frame(path: Path) -> FrameRead:
 
 
 def refuse_missing(path: Path) -> None:
-    """Raise Rejected (NS0819) for a file that cannot be opened, before slow packages are
-    imported."""
+    """Raise Rejected (NS0819) for a missing file, before slow packages are imported."""
     try:
         path.open("rb").close()
     except OSError as error:
@@ -89,8 +88,7 @@ def by_colour(values: Array, in_colours: bool) -> Array:
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the arrays of a frame file as stored, with shutters unpacked; raise Rejected (NS0819)
-    for another file."""
+    """Return the arrays of a frame file, shutters unpacked; raise Rejected (NS0819)."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)

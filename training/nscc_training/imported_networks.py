@@ -53,8 +53,7 @@ def import_network(
 
 
 def read_cell(path: Path) -> PixelCell:
-    """Read a cell from a state dict (.pt, .pth) or an .onnx file; raise Rejected (NS0851) for
-    another file."""
+    """Read a cell from a state dict (.pt, .pth) or an .onnx file; raise Rejected (NS0851)."""
     suffix = path.suffix.lower()
     if suffix not in (".pt", ".pth", ".onnx"):
         raise refused(path, "its name does not end in .pt, .pth or .onnx")

@@ -48,8 +48,7 @@ def real_array(path: Path, name: str) -> Floats:
 
 
 def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
-    """Return the names in a file, and the array `name` or the only array; None without that
-    array."""
+    """Return the names in a file, and the array `name` or the only one, or None."""
     reads(path)
     suffix = path.suffix.lower()
     if suffix not in ENDINGS or not path.is_file():

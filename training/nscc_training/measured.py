@@ -40,8 +40,7 @@ class Measured(Generic[Array]):
 
     @classmethod
     def exact(cls, value: Array, mask: Array) -> Measured[Array]:
-        """Return one frame (batch, rows, cols) without noise; the mask is (batch or 1, N, rows,
-        cols)."""
+        """Return one frame (batch, rows, cols) without noise; masks are (.., N, rows, cols)."""
         value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
         return cls(value, mask[:, None], nothing, nothing != 0)
 
@@ -116,8 +115,7 @@ class Measured(Generic[Array]):
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
     def _joint(self, sigma: Array) -> Array:
-        """Return the covariance (batch, rows, cols, B, B) of each pixel's frames, divided by sigma
-        squared."""
+        """Return the covariance (.., B, B) of each pixel's frames, over sigma squared."""
         of = namespace(self.mask)
         masks = of.moveaxis(self.mask, (1, 2), (3, 4))
         noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
@@ -133,8 +131,7 @@ class Measured(Generic[Array]):
         return squares
 
     def mean(self) -> Array:
-        """Return the mean light (batch, rows, cols) in each pixel's open slots, 0 for pixels
-        without any."""
+        """Return the mean light (batch, rows, cols) in each pixel's open slots, else 0."""
         total = self.mask.sum((1, 2))
         light = self.value.sum(1) / total.clip(min=1e-6)
         known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))

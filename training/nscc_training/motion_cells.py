@@ -85,8 +85,7 @@ class LinearDecoder:
         return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
 
     def accuracy(self, shares: Tensor, directions: Tensor) -> float:
-        """Return the fraction of films whose direction has the highest score, given the fractions
-        of 1 bits `shares` (films, outputs) and direction numbers (films,)."""
+        """Return the share of right directions, given `shares` (films, outputs)."""
         scores = shares @ torch.from_numpy(self.weight).T + torch.from_numpy(self.bias)
         return float((scores.argmax(1) == directions).float().mean())
 
@@ -124,8 +123,7 @@ class MotionCell:
 
 
 def motion_films(settings: MotionSettings, count: int, stream: int) -> tuple[Tensor, Tensor]:
-    """Return films (count, frames, size, size) in full wells, and the numbers of their
-    directions."""
+    """Return films (count, frames, size, size) in full wells, and their directions."""
     generator = np.random.default_rng([settings.seed, stream])
     directions = np.arange(count) % len(DIRECTIONS)
     light = np.stack([
@@ -184,8 +182,7 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
 
 
 def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
-    """Return the files of a trained cell, by name: the program, its kernels, the decoder (`weight`
-    and `bias`), and the state dict."""
+    """Return a trained cell's files: program, kernels, decoder, state dict."""
     from safetensors.numpy import save
 
     state = io.BytesIO()
@@ -198,8 +195,7 @@ def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
 
 
 def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
-    """Return the cell of `examples/direction.nsl`, and a decoder fitted to its frames with every
-    effect. Both are files of this package."""
+    """Return the cell of `examples/direction.nsl`, and its decoder for every effect."""
     from safetensors.numpy import load_file
 
     from nscc_training.imported_networks import read_cell
@@ -251,8 +247,7 @@ def _emulated(
 
 
 def _means(bits: Tensor) -> Tensor:
-    """Return the fraction of 1 bits in each output: (films, outputs) of (films, frames, outputs,
-    rows, cols)."""
+    """Return the fraction of 1 bits (films, outputs) of (films, frames, outputs, rows, cols)."""
     return bits.float().mean((1, 3, 4))
 
 

@@ -65,8 +65,7 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Return whether a file is a measurement: .mat, .npy, .npz with `meas`, or any file with a mask
-    file."""
+    """Return whether a file is a measurement: an array file with `meas`, or with a mask."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True

@@ -216,8 +216,7 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 
 def words_per_slot(compiled_program: Compiled) -> float:
-    """Return the mean number of words per slot: digital, analog and refresh; 0 for a chip without
-    words."""
+    """Return the mean number of words per slot of all kinds; 0 for a chip without words."""
     if compiled_program.sending is not None:
         return 0.0
     assert compiled_program.lowered is not None
@@ -227,8 +226,7 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return all codes (codes, fields) that the class and `require` allow; raise Rejected if there
-    are none."""
+    """Return all codes (codes, fields) that class and `require` allow, or raise Rejected."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):

@@ -147,8 +147,7 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
-    """Return whether a digest is that of the run's program, compiled at any level, likely levels
-    first."""
+    """Return whether a digest is that of the run's program, compiled at any level."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)

@@ -170,8 +170,7 @@ class SensorModel:
 
 
 class _Masked(Function):
-    """Sum of light times shutters over slots, in float64; gradients have the precision of the
-    light."""
+    """Sum of light times shutters over slots, in float64; gradients are as precise as light."""
 
     @staticmethod
     def forward(ctx: Any, light: Tensor, shutters: Tensor) -> Tensor:

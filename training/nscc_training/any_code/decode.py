@@ -84,8 +84,7 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
 
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
-    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, in `count`
-    stages."""
+    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit."""
     # Scale so that nearly the largest value is 1, as the stages require.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)

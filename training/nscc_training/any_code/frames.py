@@ -78,8 +78,7 @@ class CodedFrame:
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """Return the measurement with shutter weights (shutters, B, N); raise ValueError if it is
-        too large."""
+        """Return the measurement with shutter weights (shutters, B, N)."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -228,8 +227,7 @@ def coded_frame(
 
 
 def _counts_photons(meta: Mapping[str, Any]) -> bool:
-    """Return whether the frame has photon noise; only simulations without the effect `shot`
-    do not."""
+    """Return whether the frame has photon noise; only simulations may lack it."""
     plan = meta.get("plan")
     if plan is None:
         return True

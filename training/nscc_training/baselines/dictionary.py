@@ -141,6 +141,5 @@ def _unit(atoms: Matrix) -> Matrix:
 
 
 def _places(size: int) -> list[int]:
-    """Return the first pixel of each block along an axis: every `STRIDE`, and the last that
-    fits."""
+    """Return the first pixels of blocks along an axis: every `STRIDE`, and the last that fits."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

@@ -93,8 +93,7 @@ def made_filters(seed: int = 0) -> Tensor:
 
 
 def summed(maps: Tensor, filters: Tensor) -> Tensor:
-    """Return the picture (1, 1, rows, cols): the sum of maps (1, K, rows, cols) convolved with
-    filters."""
+    """Return the sum (1, 1, rows, cols) of maps (1, K, rows, cols) convolved with filters."""
     return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
 
 
@@ -114,8 +113,7 @@ def blurred(picture: Tensor) -> Tensor:
 
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
-    """Return an upper bound of the largest eigenvalue of the masked sum of filters times its
-    adjoint."""
+    """Return a bound of the largest eigenvalue of the masked sum times its adjoint."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):

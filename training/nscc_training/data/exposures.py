@@ -56,8 +56,7 @@ class Batch:
 
     @cached_property
     def most(self) -> Tensor:
-        """Return the upper limit of predictions over the peak: 1 where the truth reaches it, else
-        infinity."""
+        """Return the limit of predictions over the peak: 1 where the truth reaches it, else inf."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
     @cached_property
@@ -147,8 +146,7 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return the light of a random region, the fraction of a still's pixels that saturates, and
-        its place."""
+        """Return the light of a random region, its saturated share, and its place."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):

@@ -162,8 +162,7 @@ def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np
 
 
 def pictures_below(folder: Path) -> list[Path]:
-    """Return all pictures in a folder and its subfolders; raise Rejected (NS0811) if there are
-    none."""
+    """Return all pictures below a folder; raise Rejected (NS0811) if there are none."""
     files = sorted({
         path for place in folders_of(str(folder)) for path in place.rglob("*")
         if path.suffix.lower() in PICTURES and path.is_file()

@@ -100,8 +100,7 @@ def _called(
     module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
     frame: Tensor, shutters: Tensor,
 ) -> Tensor:  # fmt: skip
-    """Return the output of the user's decoder. Raises Rejected (NS0822) for an output of another
-    type, shape or dtype, or without a gradient."""
+    """Return the output of the user's decoder; raise Rejected (NS0822) for an unusable one."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
@@ -127,8 +126,7 @@ def parameter_count(module: nn.Module) -> int:
 
 
 def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
-    """Return the floating-point operations of one exposure; a multiplication and an addition count
-    as two."""
+    """Return the operations of one exposure; a multiplication and an addition count as two."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))

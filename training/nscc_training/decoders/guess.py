@@ -52,8 +52,7 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
 
 
 def refuse_not_finite(values: Tensor, name: str) -> None:
-    """Raise ValueError for values that are not finite; averages would spread them over the
-    picture."""
+    """Raise ValueError for values that are not finite, which averages would spread."""
     # A finite sum has only finite values; an infinite sum is checked in detail. Compiled code
     # cannot branch on values.
     if not torch.compiler.is_compiling() and not bool(torch.isfinite(values.detach().sum())):

@@ -127,8 +127,7 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """Return the electrons of a display picture's white: over the frame for stills, per slot
-        for clips."""
+        """Return the electrons of a display's white: over the frame, per slot for clips."""
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 
@@ -143,8 +142,7 @@ class Exposed:
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
     def files(self) -> tuple[FrameFile, FrameFile]:
-        """Return the files of the coded frame and its dark frames; a grey frame includes the ground
-        truth."""
+        """Return the files of the coded frame, if grey with the truth, and its dark frames."""
         keep = ("truth",) if len(self.laid) == 1 else ()
         return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 

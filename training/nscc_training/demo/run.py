@@ -89,8 +89,7 @@ def demo(
 def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
-    """Return the light in the shape of the ground truth, the seconds it took, and the method's
-    name."""
+    """Return the light in the shape of the truth, its seconds, and the method's name."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 

@@ -62,16 +62,14 @@ class DesignChip:
 
     @cached_property
     def full_e(self) -> float:
-        """The largest exposure in electrons, limited by full well, converter codes, and register
-        linearity."""
+        """The largest exposure in electrons: of full well, codes, and linear registers."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
         soft = self.effects.find_part(Soft)
         return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
     def exposed_sd_e(self, electrons: Values) -> Values:
-        """Return the standard deviation of an exposure's estimate, in electrons at the
-        photodiode."""
+        """Return the standard deviation of an exposure, in electrons of the photodiode."""
         sensor, effects = self.sensor, self.effects
         fixed_e2 = converter_e2(sensor, effects)
         times = {"reads": _READS, "words": _WORDS, "resets": 0}
@@ -105,8 +103,7 @@ class DesignChip:
         return self.sensor.comparator_offset_fraction * self.sensor.full_well_e
 
     def compared_sd_e(self, electrons: Values) -> Values:
-        """Return the standard deviation of one comparison, from comparator, copies and photon
-        noise."""
+        """Return the standard deviation of one comparison, in electrons."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
         copies = sum(_COPIES * errors.sigma_e(self.sensor) ** 2 for errors in self._small())
         return np.sqrt(noise_e**2 + copies + electrons)

@@ -63,8 +63,7 @@ class LookModel:
         self._closed: dict[int, NDArray[np.float32]] = {}
 
     def exposure_errors(self, curve: Curve) -> Values:
-        """Return the error (groups, slots + 1) of exposures up to each boundary; infinity at
-        boundary 0."""
+        """Return the error (groups, slots + 1) of exposures up to each boundary."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -73,8 +72,7 @@ class LookModel:
         return self._exposure_errors[curve]
 
     def closed(self, at: int) -> NDArray[np.float32]:
-        """Return the fraction of pixels (levels, groups, offsets) above each level at boundary
-        `at`."""
+        """Return the share of pixels (levels, groups, offsets) above each level at `at`."""
         if at not in self._closed:
             if len(self._closed) == _MOST_KEPT:
                 self._closed.clear()

@@ -75,8 +75,7 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A designed program: its `text`, the compiler's result, and `lines` that describe the
-    design."""
+    """A program: its `text`, the compiler's result, and `lines` that describe the design."""
 
     text: str
     compiled: Compiled

@@ -150,8 +150,7 @@ def make_encoder(
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
-    """Set exposure times so that equal ones are far apart; raise ValueError for other classes than
-    b and c."""
+    """Set exposure times, equal ones far apart; raise ValueError unless for class b or c."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
         raise ValueError(f"{start} needs codes with one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()

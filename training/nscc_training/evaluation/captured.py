@@ -63,8 +63,7 @@ class CapturedScene:
 
     @property
     def white_e(self) -> float:
-        """Electrons per slot of the source's white, which is the unit of the total variation's
-        weight."""
+        """Electrons per slot of the source's white, the unit of total variation."""
         scene, slots = self.scene, self.tile.shape[1]
         scale_e = scene.scale_e if isinstance(scene, ClipWindow) else 1.0
         return float(scale_e * len(scene.light_e) / slots)

@@ -120,8 +120,7 @@ def looked_light(
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return a function that gives the program for a crop: the method's, or one designed for the
-    crop."""
+    """Return a function that gives a crop's program: the method's, or its own design."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

@@ -43,13 +43,11 @@ class Page:
         self._read = cache(read_result)
 
     def filled(self, template: str) -> str:
-        """Return a template with all words replaced; raise ValueError for unknown words and
-        metrics."""
+        """Return a template with its words replaced; raise ValueError for unknown ones."""
         return re.sub(r"\{\{(.*?)\}\}", lambda match: self._word(*shlex.split(match[1])), template)
 
     def mean(self, name: str, metric: str) -> str:
-        """Return the mean over items, then seeds: dB with two decimals, other metrics with
-        three."""
+        """Return the mean over items, then seeds, as text."""
         results = self._results_of(name)
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
@@ -132,8 +130,7 @@ class Page:
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def verdict(self, label: str, name: str, metric: str, *others: str) -> str:
-        """Return an item of a list that compares a learned code with the best code of its table
-        that was not learned. `others` are these codes, each LABEL and NAME."""
+        """Compare a learned code with the best of `others`, each LABEL and NAME."""
         unit = METRIC_LABELS[metric]
         means = {
             other: mean

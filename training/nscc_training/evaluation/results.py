@@ -94,8 +94,7 @@ def also_saturated(
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
-    """Return means at the other fractions of saturated pixels of hdr-v1; empty for other
-    protocols."""
+    """Return means at other fractions of saturated pixels, if the protocol has them."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)

@@ -117,8 +117,7 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
 
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
-    """Return a function that captures a scene and decodes it, as in training or on the emulated
-    chip."""
+    """Return a function that captures and decodes a scene, as in training or on the chip."""
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None

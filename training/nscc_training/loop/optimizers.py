@@ -38,8 +38,7 @@ class Muon(torch.optim.Muon):
 
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
-    """Return the optimizers of a run; the key `base` of each parameter group is its initial
-    rate."""
+    """Return the optimizers of a run; `base` of a parameter group is its initial rate."""
     settings = setup.settings
     inner, outer = _by_muon(setup.decoder) if settings.train.optimizer == "muon" else (
         [], list(setup.decoder.parameters()))  # fmt: skip

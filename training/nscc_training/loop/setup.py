@@ -191,8 +191,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return the encoder with the initial shutters of a run; raise Rejected (NS0815) if the start
-    is invalid."""
+    """Return the encoder at the start of a run; raise Rejected (NS0815) if invalid."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:

@@ -64,8 +64,7 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors; raise KeyError, RuntimeError or ValueError if they belong to another
-        network."""
+        """Load the tensors; raise KeyError, RuntimeError or ValueError for others."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -88,8 +87,7 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError if they belong to another
-    network."""
+    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError for others."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 

@@ -15,8 +15,7 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
-    """Return the shutters for a patch: a whole tile, or a random part of the array of free
-    codes."""
+    """Return the shutters for a patch: a whole tile, or a random part of free codes."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -78,8 +77,7 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 
 def changes_of(shutters: Tensor) -> Tensor:
-    """Return the fraction of slot boundaries at which the shutter of each place (N, rows, cols)
-    changes."""
+    """Return the share of slot boundaries at which the shutter of each place changes."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 

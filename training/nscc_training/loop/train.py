@@ -201,8 +201,7 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """Return the random draws of steps `first` to `last`, in order, made by `train.workers`
-    processes."""
+    """Return the random draws of steps `first` to `last`, in order."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,

@@ -33,8 +33,7 @@ Returns electrons and seconds."""
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and the means over scenes of the protocol's metrics as JSON values. The first mean
-    is the score."""
+    """The loss, and the means of metrics as JSON values, of which the first is the score."""
 
     loss: float
     means: dict[str, float | str]
@@ -125,8 +124,7 @@ def by_model(
 def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
-    """Return a function that captures with the emulated chip and decodes, with new noise for each
-    scene."""
+    """Return a function that captures with the emulated chip, with new noise, and decodes."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)

@@ -84,8 +84,7 @@ def windows_of(
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
 ) -> ClipWindow | Unusable:
-    """Return a window, scaled so that a percentile of its light over the frame is the part
-    `protocol.light` of a full well."""
+    """Return a window, scaled so that a percentile of its light nearly fills a well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(

@@ -43,8 +43,7 @@ _YARDSTICK = "quad, 1/4 of the frame"
 
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
-    """A design for clips: the `name` of its code, and the `expected` information in dB of every
-    code tried."""
+    """A design for clips: its code's `name`, and the `expected` dB of every code tried."""
 
     name: str
     expected: dict[str, float]

@@ -130,8 +130,7 @@ def design_clip(
 def _judged(
     codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
 ) -> list[ClipCode]:
-    """Return the codes that fit the chip with their PSNR, best first; raise the compiler's error if
-    not even an always open shutter fits."""
+    """Return the codes that fit the chip with their PSNR, best first."""
     sensor = frame.chip().sensor
     ranked: list[ClipCode] = []
     for code in (codes[number] for number in progress(range(len(codes)))):

@@ -131,8 +131,7 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Change the choice of rows, the shape of a row, or set all rows to shifted copies of one
-    shape."""
+    """Change the choice of rows, or a row; or set all rows to shifted copies of one."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:

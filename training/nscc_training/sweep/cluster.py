@@ -30,8 +30,7 @@ _AHEAD = 2
 
 @contextmanager
 def local_workers(workers: int, threads: int) -> Iterator[Executor]:
-    """Start `workers` processes with `threads` threads each on this machine, for the `with`
-    block."""
+    """Start `workers` processes on this machine, for the `with` block."""
     import dask
     from distributed import Client, LocalCluster
 

@@ -352,8 +352,7 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """Return a point's name: `called` with keys replaced by values; "/" in values separates
-    folders."""
+    """Return a point's name; "/" in values separates folders."""
 
     def spelled(value: Any) -> str:
         if not isinstance(value, str):

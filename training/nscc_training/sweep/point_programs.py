@@ -128,8 +128,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files that determine a program: its text, the files it names, and its chip
-    file."""
+    """Return the files of a program: its text, those that it names, and its chip."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))

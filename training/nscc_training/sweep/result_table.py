@@ -48,8 +48,7 @@ def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
 
 
 def _input(point: GridPoint, name: str) -> Any:
-    """Return the value of a key of a point or of the first run that it names; None if both
-    lack it."""
+    """Return the value of a key of a point, or of the first run that it names, or None."""
     if name in point.values:
         return plain(point.values[name])
     return _input(point.after[0], name) if point.after else None

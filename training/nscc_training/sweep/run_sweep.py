@@ -123,8 +123,7 @@ def sweep(
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """Return the summary of a sweep as lines: numbers of points, reasons for missing results,
-    files."""
+    """Return numbers of points, reasons for missing results, and files, as lines."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -308,8 +307,7 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
 
 
 def store_in(folder: Path) -> ExperimentStore:
-    """Create `folder` and return the experiment store in it; raise Rejected (NS0784) if
-    that fails."""
+    """Return the experiment store in `folder`, created if needed; raise Rejected (NS0784)."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

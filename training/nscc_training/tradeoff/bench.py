@@ -116,8 +116,7 @@ class Bench:
         return self._ideal_e(self.container, self.light)
 
     def signal_e(self) -> float:
-        """Return the mean of `ideal_e`, with each value limited to a full well; raise Rejected
-        (NS0826) for a dark scene."""
+        """Return the mean of `ideal_e` up to a full well; raise NS0826 for a dark scene."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -288,8 +287,7 @@ PERCENT = "percent"
 
 
 def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError) -> Refused:
-    """Return the refusal of a setting, or of a whole stage (setting ""), with the message's
-    reason."""
+    """Return the refusal of a setting, or with the setting "" of a whole stage."""
     if isinstance(why, ModuleNotFoundError):
         name = why.name or "a package"
         return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")

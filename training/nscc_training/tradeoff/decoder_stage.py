@@ -115,8 +115,7 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
 
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
-    """Return electrons over the frame (1, rows, cols) from merged neighbours, averaged over
-    buckets."""
+    """Return electrons over the frame (1, rows, cols) from merged neighbours."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [
@@ -141,8 +140,7 @@ def _by_any(measured: Any, stages: int, slots: Values) -> Values:
 
 
 def _by_tv(measured: Any, iterations: int) -> Values:
-    """Return the clip (N, rows, cols) reconstructed by GAP-TV, with light scaled so that white is
-    1."""
+    """Return the clip (N, rows, cols) of GAP-TV, in whose unit white is 1."""
     from nscc_training.any_code.decode import white
     from nscc_training.baselines.sci import gap_tv
 

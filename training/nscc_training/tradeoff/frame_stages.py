@@ -80,8 +80,7 @@ def effects(bench: Bench) -> StageResult:
 
 
 def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
-    """Return PARTS of the target error as tolerances, limited to the allowed range, and notes on
-    limits."""
+    """Return PARTS of the target error within the allowed range, and notes on limits."""
     target = bench.target
     tolerances, notes = dict[str, None](), list[str]()
     for share in PARTS:
@@ -105,8 +104,7 @@ class _Truth:
             self.rows = compared_rows(bench.container.slots, bench.light.total_e(), COMPARED)
 
     def percent(self, frame: Frame) -> float:
-        """Return the error of a frame in percent, over pixels that end in the same states
-        in both."""
+        """Return the error of a frame, over pixels that end in the same states in both."""
         (exposure_e, valid, opened), _ = self.frame
         counted = valid & frame.valid[:, self.rows]
         if opened is not None:

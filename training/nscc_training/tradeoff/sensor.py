@@ -169,8 +169,7 @@ def measure(
 def points_of(
     measures: Iterable[tuple[str, Callable[[], Point | Refused]]], rows: Rows | None
 ) -> tuple[tuple[Point, ...], tuple[Refused, ...]]:
-    """Return the points and the refused settings of named measurements; those in `rows` are
-    reused."""
+    """Return the points and refused settings of measurements; those in `rows` are reused."""
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
@@ -271,8 +270,7 @@ class SensorBench:
         return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
     def schedule(self, configuration: Configuration) -> LookSchedule:
-        """Return the looks of a configuration: those of a method of hdr-v1, or designed for the
-        scenes."""
+        """Return looks: those of a method of hdr-v1, or designed for the scenes."""
         assert configuration.exposures is not None
         if configuration.shutters == "looks":
             return row_of(configuration.method, self.target)
