@@ -52,9 +52,7 @@ class Name(click.types.StringParamType):
 
 
 class RunPath(click.Path):
-    """The click type of a run folder.
-
-    The shell suggests run folders, shipped runs, the names in `more`, and other folders."""
+    """The click type of a run folder; the shell also suggests shipped runs and `more`."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)

@@ -27,9 +27,7 @@ if TYPE_CHECKING:
 def scene_of(
     options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
-    """Return the scene that the options describe.
-
-    Raises NS0744 with the message `missing` if `--scene` is missing."""
+    """Return the scene that the options describe; raise NS0744 (`missing`) without `--scene`."""
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:

@@ -145,9 +145,7 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
 def _of_measurement(
     path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
 ) -> Reconstruction | None:
-    """Return the clip reconstructed from a measurement file; None if the file is a frame of nscc.
-
-    `of_frames` are the values of options that only frames accept."""
+    """Return the clip of a measurement file without options `of_frames`, else None."""
     from nscc_training.own_measurements import (
         NoiseModel,
         is_measurement,

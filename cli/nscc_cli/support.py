@@ -69,10 +69,7 @@ def use_color() -> bool:
 
 
 def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
-    """Print diagnostics to standard error in the format of session `of`, by default the running
-    one.
-
-    For SARIF the diagnostics are only stored; `show_gathered` prints them."""
+    """Print diagnostics to standard error; for SARIF, store them for `show_gathered`."""
     of = of or session()
     if of.message_format == "sarif":
         of.gathered += diagnostics

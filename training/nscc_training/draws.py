@@ -14,9 +14,7 @@ def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
 
 
 def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None = None) -> Tensor:
-    """Return standard normal numbers of the shape, type and device of `like`.
-
-    They are drawn on the generator's device, in `dtype` or the type of `like`."""
+    """Return standard normal numbers like `like`, drawn on the generator's device in `dtype`."""
     drawn = torch.randn(
         like.shape, generator=generator, dtype=dtype or like.dtype, device=generator.device
     )

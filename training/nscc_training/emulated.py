@@ -99,9 +99,7 @@ class EmulatedSensor:
 
 
 def captures_on(device: torch.device) -> str | None:
-    """Return the `torch_device` for captures beside networks on a device; None on the CPU.
-
-    On the CPU, compiled loops simulate frames faster."""
+    """Return the `torch_device` of captures; None on the CPU, where loops are faster."""
     return None if device.type == "cpu" else str(device)
 
 

@@ -48,9 +48,7 @@ class FrameRead:
 
 
 def read_frame(path: Path) -> FrameRead:
-    """Read a frame file with one exposure, or one per colour, and one or two buckets.
-
-    Raises Rejected (NS0819) for another file."""
+    """Read a frame file with one exposure, or one per colour; raise Rejected (NS0819)."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -79,9 +77,7 @@ def refuse_missing(path: Path) -> None:
 
 
 def by_colour(values: Array, in_colours: bool) -> Array:
-    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`.
-
-    The result is (colours, rows, cols), for two buckets (colours, 2, rows, cols)."""
+    """Return an array ([colours,] buckets, rows, cols) as (colours, [2,] rows, cols)."""
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]

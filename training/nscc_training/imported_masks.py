@@ -143,9 +143,7 @@ def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None)
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
-    """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest tile.
-
-    Raises NS0847 for a tile that is too large for a program."""
+    """Return the distinct shutters (K, slots) of a mask, and their indices in its tile."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -177,9 +175,7 @@ def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """Yield the classes that represent all shutters, with their codes.
-
-    The reasons against the other classes are appended to `reasons`."""
+    """Yield the classes of all shutters, with their codes; add `reasons` against others."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)

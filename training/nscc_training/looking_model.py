@@ -54,9 +54,7 @@ def looked(
 
 
 def _first(above: Tensor) -> Tensor:
-    """Return whether (or with what probability) a pixel takes each exposure (batch, looks + 1, ..).
-
-    The exposure ends at the first look above its level, or at the end of the frame."""
+    """Return whether a pixel takes each exposure, which ends at its first look above the level."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

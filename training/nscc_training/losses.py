@@ -49,9 +49,7 @@ def classification(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """Return a loss that applies a curve to both arguments.
-
-    The curve of the truth is kept for the next call with the same truth."""
+    """Return a loss on a curve, which keeps the curve of the truth for the next call."""
     known: list[Tensor] = []
 
     def both(prediction: Tensor, truth: Tensor) -> Tensor:

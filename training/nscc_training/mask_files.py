@@ -23,16 +23,12 @@ _MOST = 1e15
 
 
 def array_names(path: Path) -> list[str]:
-    """Return the names of the arrays in a .mat or .npz file; empty for an .npy file.
-
-    Raises Rejected (NS0845) for another file."""
+    """Return the names of arrays in a .mat or .npz file; raise Rejected (NS0845)."""
     return _read(path, None)[0]
 
 
 def real_array(path: Path, name: str) -> Floats:
-    """Return the array `name` of a file, or its only array: finite real numbers.
-
-    Raises Rejected (NS0845) for a file without such an array, or with other values."""
+    """Return the array `name` of a file, or its only array, of finite real numbers."""
     names, array = _read(path, name)
     if array is None:
         raise refused(path, f"the array `{name}` is missing", f"it holds {listed(sorted(names))}")
@@ -84,9 +80,7 @@ def _chosen(names: list[str], name: str | None) -> str | None:
 
 
 def read_mask(path: Path) -> Floats:
-    """Return the array `mask` of a file, or its only array: three axes, values from 0 to 1.
-
-    Raises Rejected (NS0845) as `real_array`, and for other shapes and values."""
+    """Return the array `mask` of a file, or its only one: three axes, values 0 to 1."""
     mask = real_array(path, "mask")
     if mask.ndim != 3 or 0 in mask.shape:
         reason = f"`mask` has the shape {mask.shape}"

@@ -48,9 +48,7 @@ class Measured(Generic[Array]):
     def read(
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
     ) -> Measured[NDArray[Any]]:
-        """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
-
-        `masks` are (B, N, rows, cols)."""
+        """Return the electrons of frames (B, rows, cols) in codes; masks (B, N, rows, cols)."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -78,9 +76,7 @@ class Measured(Generic[Array]):
         return frames
 
     def missing(self, predicted: Array, target: Array) -> Array:
-        """Return the difference between target and predicted frames.
-
-        At saturated pixels, a prediction above the target has the difference 0."""
+        """Return target minus predicted frames; saturated pixels miss no more than 0."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least

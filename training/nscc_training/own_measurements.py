@@ -55,9 +55,7 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """K measurements (K, rows, cols) with the same mask (slots, rows, cols).
-
-    `axes` describes how the axes of the files were interpreted."""
+    """Measurements (K, rows, cols) with one mask (slots, rows, cols); `axes` says how read."""
 
     values: Floats
     mask: Floats

@@ -67,9 +67,7 @@ class Chip:
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """A program's `text`, and the bytes of its code file (empty if the text names no file).
-
-    The code file contains every field on the tile, and a codebook's digits as `book`."""
+    """A program's `text`, and the bytes of its code file: all fields, and the `book`."""
 
     text: str
     codes: bytes
@@ -132,9 +130,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove a program; raise the compiler's errors.
-
-    `every_code` compiles for all codes that the class allows, instead of the used codes."""
+    """Compile and prove a program, with `every_code` for all codes that its class allows."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)

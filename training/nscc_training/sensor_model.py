@@ -313,9 +313,7 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """Return the shutters (N, rows, cols), or for two buckets (2, N, rows, cols).
-
-    The second bucket is the complement of the first."""
+    """Return the shutters, for two buckets (2, N, rows, cols) with their complement."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 

@@ -18,9 +18,7 @@ _WHITE = 0.995
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
-    """Return the given method, or by default the network.
-
-    Without torch, the default is merging for stills and GAP-TV for clips."""
+    """Return the given method, or the network, or without torch merging or GAP-TV."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"
@@ -39,9 +37,7 @@ def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
 
 
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
-    """Return the light over the frame (rows, cols) from a batch of one, in its unit.
-
-    Each pixel is the mean of the measurements in its neighbourhood, weighted by precision."""
+    """Return the light (rows, cols) of a batch of one, merged over neighbourhoods."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)

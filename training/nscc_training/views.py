@@ -147,9 +147,7 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Draw every bucket of a frame file: codes, electrons, saturation.
-
-    Of repeated frames the first is drawn; of colour frames all colours."""
+    """Draw the buckets of a frame file, of repeated frames the first, of colours all."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:

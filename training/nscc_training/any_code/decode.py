@@ -68,9 +68,7 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
 
 
 def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
-    """Return the mean of the clips after stages `first` to `count`, corrected towards the frames.
-
-    White is 1 in the unit of light."""
+    """Return the mean clip of stages `first` to `count`, led towards the frames; white is 1."""
     clip, target = gap_tv_of(measured)
     mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
@@ -96,9 +94,7 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
 
 
 def white(measured: Measured[Tensor]) -> Tensor:
-    """Return an estimate of white (batch,): the light at the 99.5 % quantile of the opened pixels.
-
-    The result is 1 if no pixel is ever open."""
+    """Return the 99.5 % quantile (batch,) of the light of opened pixels; 1 if none opens."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)

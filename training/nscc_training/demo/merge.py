@@ -20,9 +20,7 @@ def dark_codes(dark: Taken) -> NDArray[np.float64]:
 
 
 def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Return the array's offsets (rows, cols), repeated to the size of `codes`.
-
-    `codes` (rows, cols) or (rows, cols, colours) may cover several arrays side by side."""
+    """Return the array's offsets, repeated over `codes` (rows, cols[, colours])."""
     size = codes.shape[:2]
     times = [-(-side // most) for side, most in zip(size, offset.shape, strict=True)]
     tiled = np.tile(offset, times)[: size[0], : size[1]]

@@ -14,9 +14,7 @@ Tile = NDArray[np.int64]
 def scattered(
     name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
 ) -> Tile:
-    """Return one of `levels` (values,) for each place of a tile (rows, cols).
-
-    `name` is one of SCATTERED."""
+    """Return one of `levels` (values,) for each place of a tile, for one of SCATTERED."""
     pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
     chosen: Tile = levels[pattern(len(levels), tile, generator)]
     return chosen

@@ -80,9 +80,7 @@ def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Return the shutters of the frames of a film.
-
-    Bumps lie within a frame, or are `staggered` across its end into the next frame."""
+    """Return the shutters of a film, within its frames or `staggered` across their ends."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]

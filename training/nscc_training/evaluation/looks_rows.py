@@ -107,9 +107,7 @@ def looked_light(
     container: Container, light_e: NDArray[Any], sensor: Sensor, effects: Selection | str,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:  # fmt: skip
-    """Return the light over the frame in electrons, as measured by pixels that look at `light_e`.
-
-    `seeds` are the seeds of the noise and of the chip."""
+    """Return the light in electrons that pixels which look measure of `light_e`."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)

@@ -151,9 +151,7 @@ class Page:
                 f"not learned, {best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
-        """Return a table row with one cell for each result, NAME[@SHARE].
-
-        Metrics are joined by + and shown together in each cell."""
+        """Return a table row with a cell for each result, NAME[@SHARE], of `metrics` A+B."""
         cells = []
         for name, at, share in (name.partition("@") for name in names):
             means = (self.mean(name, f"{metric}{at}{share}") for metric in metrics.split("+"))

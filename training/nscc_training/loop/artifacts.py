@@ -197,9 +197,7 @@ def _stages(
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Return scores under sensors and exposures that differ from those of training.
-
-    With effects, changes that no values of the emulated chip express are left out."""
+    """Return scores under other sensors and exposures that the run can express."""
     rows = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(setup.model, key) * factor for key, factor in factors.items()}
@@ -216,9 +214,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
-    """Return the number, rank and condition of the shutters, moved places, and the start's score.
-
-    A place has moved if its shutter differs from the start of the run."""
+    """Return counts of shutters and places, how many differ from the start, its score."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

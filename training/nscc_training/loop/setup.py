@@ -236,9 +236,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Set an encoder to the shutters of a program.
-
-    Raises ValueError if the encoder cannot represent the program, or the compiler's errors."""
+    """Set an encoder to the shutters of a program; raise ValueError if it has others."""
     start = begun_with(path, encoder.spec, chip)
     encoder.load_codes(start.codes)
     if start.opened is None:

@@ -28,9 +28,7 @@ from nscc_training.settings import RunSettings
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in one step: shutters, capture, decoder, and a trial of codes.
-
-    It is a module so that gradients are averaged over processes."""
+    """The loss of a batch in one step, as a module so that ranks share its gradients."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
@@ -181,9 +179,7 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
-    """Return the error of light and of its logarithm, relative to the 99.9 % quantile.
-
-    The loss is close to the scores of protocol hdr-v1."""
+    """Return the error of light and of its logarithm, over the 99.9 % quantile."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
     linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()

@@ -66,9 +66,7 @@ def _decoded_looks(
 
 
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """Return the loss, plus the weighted fraction of shutters that change between slots.
-
-    The second term approximates the number of words."""
+    """Return the loss, plus a term for the number of words: how often shutters change."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:

@@ -51,9 +51,7 @@ from nscc_training.settings import RunSettings
 
 @dataclass
 class TrainingRun:
-    """A run in progress.
-
-    `dataset` contains the random draws of each step, `shown` the validation scenes."""
+    """A run in progress: `dataset` draws its steps, `shown` are its validation scenes."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -294,9 +292,7 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and keep the best state whose shutters compile.
-
-    With a moving average of the decoder, the average is scored and kept."""
+    """Score the hard shutters and decoder (or its average), log, and keep the best state."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None

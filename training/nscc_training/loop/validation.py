@@ -115,9 +115,7 @@ def by_model(
     model: SensorModel | None = None,
     seed: int = 0,
 ) -> Decode:
-    """Return a function that captures with the sensor model and decodes.
-
-    `tile` and `model` replace the run's shutters and sensor model."""
+    """Return a function that captures with `tile` by the sensor `model`, and decodes."""
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 

@@ -48,9 +48,7 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 def scenes_in(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of files, in order.
-
-    `fraction` replaces the protocol's fraction of saturated pixels."""
+    """Yield the scenes of files; `fraction` replaces the share of saturated pixels."""
     if protocol.name == "hdr-v1":
         return crops(files, protocol, fraction)
     if protocol.name == "deblur-v1":
@@ -87,9 +85,7 @@ def kinds_in(data: Path) -> list[Kind]:
 def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes, equally many per file; without `data`, procedural scenes.
-
-    Raises Rejected (NS0811) if the protocol can expose no scene."""
+    """Return at most `count` scenes, of `data` or procedural; raise Rejected (NS0811)."""
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:

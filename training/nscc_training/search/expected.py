@@ -75,9 +75,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 
 @cache
 def _alike(slots: int, speed: float, length: float) -> Values:
-    """Return the correlation (N, N, places, places) of light between slots and places of a window.
-
-    It is averaged over directions of a motion of `speed` pixels per frame."""
+    """Return the correlation (N, N, places, places) of light that moves in any direction."""
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)

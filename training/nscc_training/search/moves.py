@@ -145,9 +145,7 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
-    """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
-
-    Shutters that would never open stay unchanged."""
+    """Shift, lengthen or shorten shutters, or flip one slot; all of them still open."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:

@@ -46,9 +46,7 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
-    """Return the correlation length of light (rows, cols) in pixels, and its contrast.
-
-    The contrast is the standard deviation divided by the mean."""
+    """Return light's correlation length in pixels, and its contrast, sd over mean."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
     steps = [np.diff(picture, axis=axis) for axis in (0, 1) if picture.shape[axis] > 1]

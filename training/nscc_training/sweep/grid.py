@@ -145,9 +145,7 @@ def read_grid(path: Path) -> Grid:
 
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
-    """Return the grid with only the points of `grid_parts`, by default all, and the runs they name.
-
-    Raises Rejected (NS0832) for an unknown part."""
+    """Return the grid with only some parts and their runs; raise NS0832 for unknown ones."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:

@@ -90,9 +90,7 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return the error in the values of `program_keys`, or None.
-
-    `named` are the keys that the grid names."""
+    """Return the error in values of `program_keys`, of which the grid has `named`."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -116,9 +114,7 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """Return the error of naming a key that has no effect on a point, or None.
-
-    Points that differ only in such a key would be identical."""
+    """Return the error of naming a key without effect, which gives identical points, or None."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -154,9 +150,7 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove a point's program, without the cache of searches.
-
-    Raises Rejected for a program that is invalid or does not fit the chip."""
+    """Compile and prove a point's program, without the cache of searches."""
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],

@@ -230,9 +230,7 @@ def _compute(
 def _shared(
     store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
-    """Yield the results of tasks, and wait for tasks that another process computes.
-
-    A task whose process ended without a result is computed here."""
+    """Yield the results of tasks, also of those that another process claimed and dropped."""
     waiting = [*tasks]
     while waiting:
         claimed_tasks: list[PointTask] = []

@@ -65,9 +65,7 @@ def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def work(task: PointTask) -> Done:
-    """Compute a task in this process.
-
-    Errors become part of the row, except ModuleNotFoundError for a missing package."""
+    """Compute a task; errors are part of its row, except for a missing package."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # errors of the compiler and of scenes for this point
         current_key = key_of(task.point, task.threads)

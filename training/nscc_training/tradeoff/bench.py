@@ -76,9 +76,7 @@ class JointRequest:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """Values that all stages share, computed when first needed.
-
-    `warn` is called with messages about the program and the scene."""
+    """Values that all stages share, computed when first needed; `warn` takes messages."""
 
     request: JointRequest
     rows: Rows
@@ -110,9 +108,7 @@ class Bench:
 
     @cached_property
     def ideal_e(self) -> Values:
-        """The light (buckets, rows, cols) in electrons that falls while pixels are open.
-
-        For pixels that look it is the light of the whole frame, which they measure."""
+        """The electrons (buckets, rows, cols) that fall while pixels are open, or could look."""
         return self._ideal_e(self.container, self.light)
 
     def signal_e(self) -> float:
@@ -215,9 +211,7 @@ class Bench:
         return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
 
     def _light_in(self, container: Container) -> Light:
-        """Return the scene's light in the slots of other words, at the same brightness.
-
-        A shorter frame therefore receives less light."""
+        """Return the scene's light in other slots, as bright, so less in a shorter frame."""
         if container.slot_us == self.container.slot_us:
             return self.light
         scene_light = self.request.scene.light(container.slot_us, container.target)

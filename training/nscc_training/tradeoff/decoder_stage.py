@@ -131,9 +131,7 @@ def _stages(count: int) -> str:
 
 
 def _by_any(measured: Any, stages: int, slots: Values) -> Values:
-    """Return the clip (N, rows, cols), electrons per slot, of the decoder for any code.
-
-    `slots` (N, 1, 1) are the slot lengths relative to their mean."""
+    """Return the clip (N, rows, cols) of the decoder for any code, in electrons per slot."""
     from nscc_training.any_code.decode import decoded_clip
 
     return np.asarray(decoded_clip(measured, stages)[0].numpy() * slots)
@@ -155,9 +153,7 @@ def _of_run(
     truth: Values,
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[_Way]:
-    """Yield the run's decoder in both number formats, on a `region` of the array.
-
-    Yields nothing if the program does not belong to a run."""
+    """Yield the decoder of the program's run, if any, in both number formats."""
     if bench.request.run is None:
         return
     import torch

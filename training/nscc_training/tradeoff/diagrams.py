@@ -64,9 +64,7 @@ def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure
 
 
 def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
-    """Draw the points of all stages on one error axis and one time axis, one line for each stage.
-
-    The name of a line contains the recommended setting, whose point is marked."""
+    """Draw the points of all stages, a line for each, and mark the recommended ones."""
     advised = {id(advice.point) for advice in joint.advice}
     names = {
         advice.stage: f"{advice.stage}: {', '.join(filter(None, (point.method, point.setting)))}"

@@ -206,9 +206,7 @@ def _measured(configuration: Configuration, bench: SensorBench) -> Point | Refus
 def compiled_for(
     configuration: Configuration, shutters: Encoder | LookSchedule, bench: SensorBench
 ) -> Compiled | Diagnostic:
-    """Return the configuration compiled for its capture slots, or the message if it does not fit.
-
-    Words depend on the slot length only through refresh, which shorter slots need less often."""
+    """Return the configuration compiled for its capture slots, or why it does not fit."""
     settings = bench.settings
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:
