@@ -139,19 +139,11 @@ def compiled(
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
 
 
-@dataclass(frozen=True, eq=False)
-class Begun:
-    """The start of a run: `codes` by field on the tile, with a codebook's digits as `book`.
-
-    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for these codes;
-    None if they depend on the light."""
-
-    codes: dict[str, NDArray[np.int64]]
-    opened: NDArray[np.bool_] | None
-
-
-def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
-    """Return the codes of a program on the places of a tile, for pixels that look times and levels.
+def begun_with(
+    path: Path, spec: ShutterSpec, chip: Chip
+) -> tuple[dict[str, NDArray[np.int64]], NDArray[np.bool_] | None]:
+    """Return the codes of a program on the places of a tile, and the shutters that it opens for
+    them, (buckets, N, rows, cols); for pixels that look times and levels, and None.
 
     Raises ValueError for a program with other slots, fields, levels or buckets, or whose pixels are
     not a repetition of this tile, and the compiler's errors."""
@@ -173,10 +165,8 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
                 f"it looks {len(comparisons)} times, but the run looks {spec.tile[1]} times"
             )
         moments = np.array([[comparison.boundary for comparison in comparisons]])
-        return Begun(
-            {"at": moments, "level": np.array([[comparison.level for comparison in comparisons]])},
-            None,
-        )
+        levels = np.array([[comparison.level for comparison in comparisons]])
+        return {"at": moments, "level": levels}, None
     if container.machine is not None:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
@@ -199,7 +189,7 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
     if spec.kind == "codebook":
         codes["book"] = _book_of(compiled_program, path, target)
-    return Begun(codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1))
+    return codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1)
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:

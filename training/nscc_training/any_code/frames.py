@@ -214,7 +214,10 @@ def coded_frame(
         read, bias_e = undarkened(read, dark), 0
     exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain
-    if _counts_photons(meta):
+    plan = meta.get("plan")  # only simulations can lack photon noise
+    if plan is None or any(
+        e["name"] == "shot" and e["decision"] == "kept" for e in plan["effects"]
+    ):
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
     return CodedFrame(
         value_e.astype(np.float32),
@@ -224,14 +227,6 @@ def coded_frame(
         row,
         slot_us,
     )
-
-
-def _counts_photons(meta: Mapping[str, Any]) -> bool:
-    """Return whether the frame has photon noise; only simulations may lack it."""
-    plan = meta.get("plan")
-    if plan is None:
-        return True
-    return any(row["name"] == "shot" and row["decision"] == "kept" for row in plan["effects"])
 
 
 def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:

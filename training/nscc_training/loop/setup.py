@@ -237,13 +237,13 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
     """Set an encoder to the shutters of a program; raise ValueError if it has others."""
-    start = begun_with(path, encoder.spec, chip)
-    encoder.load_codes(start.codes)
-    if start.opened is None:
+    codes, opened = begun_with(path, encoder.spec, chip)
+    encoder.load_codes(codes)
+    if opened is None:
         return
     hard = encoder.hard()
-    mine = shared_out(hard, 2) if len(start.opened) > 1 else hard[None]
-    if not np.array_equal(mine.cpu().numpy() > 0, start.opened):
+    mine = shared_out(hard, 2) if len(opened) > 1 else hard[None]
+    if not np.array_equal(mine.cpu().numpy() > 0, opened):
         bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
         raise ValueError(
             f"the program has other shutters for them than class {encoder.spec.kind}{bump}"

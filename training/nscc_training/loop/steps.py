@@ -31,11 +31,14 @@ def decoded(
     """Capture `light` with `shutters`, a tile for the first bucket, and decode it.
 
     A model without photon noise has no other effects either."""
-    if setup.encoder.spec.kind == LOOKS:
-        return _decoded_looks(setup, light, shutters, model, generator)
     with torch.autocast(setup.device.type, enabled=False):
         # The run's own model defines the unit of a frame, under another sensor too.
-        if setup.emulated is None or not model.shot_noise:
+        if setup.encoder.spec.kind == LOOKS:
+            step_e = setup.target.electrons_per_step
+            codes, share = looked(light, shutters, setup.slots, step_e, model, generator)
+            frame = setup.model.relative(codes - model.adc_offset_lsb)
+            shutters = share.unsqueeze(1)  # the open fraction of each pixel
+        elif setup.emulated is None or not model.shot_noise:
             exposure = exposed(light, shared_out(shutters, setup.buckets))
             codes = read_out(exposure, model, generator) - model.adc_offset_lsb
             frame = setup.model.relative(codes)
@@ -46,22 +49,6 @@ def decoded(
     mixed = setup.settings.train.dtype == "bf16"
     with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):
         prediction: Tensor = setup.decoder(frame, shutters)
-    return prediction.float()
-
-
-def _decoded_looks(
-    setup: TrainingSetup, light: Tensor, fields: Tensor, model: SensorModel,
-    generator: torch.Generator | None,
-) -> Tensor:  # fmt: skip
-    """Capture with pixels that look, and decode; the decoder gets the open fraction of each
-    pixel."""
-    step_e = setup.target.electrons_per_step
-    with torch.autocast(setup.device.type, enabled=False):
-        codes, share = looked(light, fields, setup.slots, step_e, model, generator)
-        frame = setup.model.relative(codes - model.adc_offset_lsb)
-    mixed = setup.settings.train.dtype == "bf16"
-    with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):
-        prediction: Tensor = setup.decoder(frame, share.unsqueeze(1))
     return prediction.float()
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import nullcontext, suppress
+from collections.abc import Callable, Iterable
+from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -83,16 +83,7 @@ def train(
     at the end; both are used in the first process only. With `stop_after` the run stops after that
     step and writes a checkpoint."""
     is_first = os.environ.get("RANK", "0") == "0"  # only the first of several processes writes
-    with locked_folder(out) if is_first else nullcontext():
-        _train(settings, out, resume, track, report, stop_after)
-
-
-def _train(
-    settings: RunSettings, out: Path, resume: str, track: Track, report: Callable[[str], None],
-    stop_after: int | None,
-) -> None:  # fmt: skip
-    ranks = Ranks()
-    try:
+    with locked_folder(out) if is_first else nullcontext(), closing(Ranks()) as ranks:
         _check_ranks(settings, ranks)
         checkpoint = _checkpoint(out, resume)
         run = start(settings, checkpoint, ranks, out, report)
@@ -122,8 +113,6 @@ def _train(
                    f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
         run.log.close()
         ranks.meet()
-    finally:
-        ranks.close()
 
 
 def start(
@@ -254,21 +243,12 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
         take_best(run)
     if searches and learns:
         return torch.tensor(search(setup, batch_of(run, drawn), step))
-    losses = [_learn(run, loss, drawn.names, step) for loss in _losses(run, step, drawn)]
-    return torch.stack(losses).mean()
-
-
-def _losses(run: TrainingRun, step: int, drawn: Any) -> Iterator[Tensor]:
-    """Yield the losses of a step, one per update; only lessons have several."""
-    setup = run.setup
-    if isinstance(drawn, Lesson):
-        on_device = drawn._replace(
-            light=drawn.light.to(setup.device), mask=drawn.mask.to(setup.device)
-        )
-        seed = setup.settings.train.seed
-        yield from lesson_losses(setup, on_device, generator_of(setup.device, seed, 13, step))
-    else:
-        yield run.step_loss(batch_of(run, drawn), step)
+    if not isinstance(drawn, Lesson):
+        return _learn(run, run.step_loss(batch_of(run, drawn), step), drawn.names, step)
+    light, mask = drawn.light.to(setup.device), drawn.mask.to(setup.device)
+    generator = generator_of(setup.device, settings.train.seed, 13, step)
+    updates = lesson_losses(setup, drawn._replace(light=light, mask=mask), generator)
+    return torch.stack([_learn(run, loss, drawn.names, step) for loss in updates]).mean()
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:

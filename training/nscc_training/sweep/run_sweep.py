@@ -224,7 +224,10 @@ def _compute(
                     ),
                     status=3,
                 )
-            put_row(store, result.row, result.task.point.name, result.seconds, result.worker)
+            row = result.row
+            value = {"figures": row.figures, "code": row.code, "error": row.error}
+            store.keep(POINTS, row.key, value, label=result.task.point.name,
+                       seconds=result.seconds, worker=result.worker)  # fmt: skip
 
 
 def _shared(
@@ -318,12 +321,6 @@ def store_in(folder: Path) -> ExperimentStore:
 def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
     """Return all rows by key."""
     return {key: PointRow(key, **value) for key, value in store.values(POINTS).items()}
-
-
-def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
-    """Store a row with its computing time and worker; on return it is on the disk."""
-    value = {"figures": row.figures, "code": row.code, "error": row.error}
-    store.keep(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
 
 
 def times_csv(store: ExperimentStore) -> str:

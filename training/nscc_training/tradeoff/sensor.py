@@ -222,6 +222,7 @@ def compiled_for(
 
     if settings.slot_us is not None:
         return compiled(settings.slot_us)
+    # Words depend on the slot length only through refresh, which shorter slots need less often.
     longest_compiled = compiled(_LONG_US)
     if isinstance(longest_compiled, Diagnostic):
         return longest_compiled
