@@ -253,9 +253,8 @@ def differentiable_capture(
 def check_light(light: Tensor) -> None:
     """Raise ValueError for values that are complex, negative or not finite."""
     if light.is_complex():
-        raise ValueError(
-            "light is complex, but must contain real values: the electrons of each slot"
-        )
+        reason = "light is complex, but must contain real values: the electrons of each slot"
+        raise ValueError(reason)
     values = light.detach()
     low, high = (float(v) for v in torch.aminmax(values)) if values.numel() else (0.0, 0.0)
     if low >= 0 and high < inf:
@@ -277,10 +276,8 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
     batch."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
-    return (
-        differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
-        - sensor.adc_offset_lsb
-    )
+    frame = differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
+    return frame - sensor.adc_offset_lsb
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:

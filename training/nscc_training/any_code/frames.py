@@ -214,10 +214,9 @@ def coded_frame(
         read, bias_e = undarkened(read, dark), 0
     exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain
-    plan = meta.get("plan")  # only simulations can lack photon noise
-    if plan is None or any(
-        e["name"] == "shot" and e["decision"] == "kept" for e in plan["effects"]
-    ):
+    plan = meta.get("plan")
+    kept = [] if plan is None else [e["name"] for e in plan["effects"] if e["decision"] == "kept"]
+    if plan is None or "shot" in kept:  # only simulations can lack photon noise
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
     return CodedFrame(
         value_e.astype(np.float32),
