@@ -31,7 +31,7 @@ from nscc.editing.rename import CannotRename, renameable, renamed
 from nscc.source import Span
 from nscc.syntax.format import format_source
 from nscc_cli import protocol_values as values
-from nscc_cli.positions import Positions
+from nscc_cli.protocol_values import Positions
 
 Answer = TypeVar("Answer")
 AnyText = TypeVar("AnyText", bound=Text)

@@ -15,8 +15,7 @@ from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, say, say_done
 
 if TYPE_CHECKING:
-    from nscc_training.reconstruction import Reconstruction
-    from nscc_training.untrained import Method
+    from nscc_training.reconstruct_any import Method, Reconstruction
 
 
 @click.command("reconstruct", cls=CommonCommand)
@@ -92,7 +91,7 @@ def command(
     if frame is None:
         from nscc_runtime.frame_arrays import image_of
         from nscc_training.frame_reading import frame_arrays
-        from nscc_training.reconstruction import overexposed
+        from nscc_training.reconstruct_any import overexposed
 
         image = image_of(Path(run))
         say([*overexposed(run, frame_arrays(Path(run)).saturated)])

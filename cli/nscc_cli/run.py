@@ -163,7 +163,7 @@ def _run_on_emulator(
         raise simulated.broken
 
 
-_SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
+_MEANINGLESS = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
                "plan", "like", "fit", "color", "first", "single")  # fmt: skip
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
@@ -220,7 +220,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
     """Raise NS0770 if the user gave options that have no meaning for a device."""
     context = click.get_current_context()
-    meaningless = [*_SIMULATION, *(() if scene else _SCENE)]
+    meaningless = [*_MEANINGLESS, *(() if scene else _SCENE)]
     named = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
     refused_options = [
         named[name]

@@ -149,7 +149,6 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     return 0
 
 
-_LEVELS = [str(level) for level in LEVELS]
 _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.encoders.scattered import scattered
+from nscc_training.encoders.encoder_classes import scattered
 from nscc_training.evaluation.baselines import BASELINES, _decoded, evaluate_baseline
 from nscc_training.evaluation.captured import CapturedScene
 from nscc_training.protocol_scenes.deblur import DeblurMoment, moments

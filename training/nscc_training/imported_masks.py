@@ -14,10 +14,10 @@ from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
+from nscc_training.code_choices import ShutterSpec
 from nscc_training.codes_files import codes_bytes
 from nscc_training.mask_files import Floats, read_mask
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
-from nscc_training.shutter_spec import ShutterSpec
 
 Bits = NDArray[np.bool_]
 Codes = dict[str, NDArray[np.int64]]

@@ -20,10 +20,10 @@ from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.words.legality import refuse_pictures
+from nscc_training.code_choices import ShutterSpec
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
 from nscc_training.design.text import frame_text, looking_text
-from nscc_training.shutter_spec import ShutterSpec
 
 if TYPE_CHECKING:
     from nscc_training.encoders import Encoder

@@ -24,7 +24,7 @@ from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import FrameRead, no_frame, read_frame
 from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
-from nscc_training.reconstruction import Reconstruction, overexposed
+from nscc_training.reconstruct_any import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")

@@ -11,8 +11,16 @@ from torch import Tensor
 from torch.nn import functional
 
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
-from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage
-from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.any_code.stages import (
+    STAGES,
+    STILL_STAGES,
+    led,
+    mirrored,
+    schedule,
+    stage,
+    started_still,
+    still_stage,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.measured import Measured
 
@@ -88,7 +96,7 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
     measured = measured.over(unit)
     light = started_still(measured)
     with bf16_where_multiplied():
-        for sigma in still_schedule(count):
+        for sigma in schedule(count, still=True):
             light = still_stage(measured, shipped("still"), light, sigma)
     return light * unit.reshape(-1, 1, 1)
 
@@ -134,7 +142,9 @@ def always_open(measured: Measured[Tensor]) -> int | None:
 def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
     """Return the clip (batch, N, rows, cols), static where the readouts agree, elsewhere `clip`.
 
-    Readout `number` is always open. The static light is the mean of all readouts, weighted by
+    Readout `number` is always open. Without motion all readouts measure the same light, and their
+    mean has less noise than an ordinary frame. This needs no training, because the noise of every
+    readout is known. The static light is the mean of all readouts, weighted by
     precision. It is moved towards the mean of `clip` if their difference is within the noise. Its
     error is therefore close to the noise of the readouts at most, and it is smooth if `clip` is
     right."""

@@ -9,8 +9,15 @@ from torch import Tensor, nn
 
 from nscc_training.any_code.decode import shipped, white
 from nscc_training.any_code.network import WIDTHS, ClipDenoiser
-from nscc_training.any_code.stages import led, mirrored, schedule, stage
-from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.any_code.stages import (
+    STILL_STAGES,
+    led,
+    mirrored,
+    schedule,
+    stage,
+    started_still,
+    still_stage,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.measured import Measured
@@ -65,7 +72,7 @@ class AnyCode(nn.Module):
         measured = Measured(slots * frame, masks, variance, frame >= 1)
         if self.still:
             light = started_still(measured)
-            for sigma in still_schedule(self.stages):
+            for sigma in schedule(self.stages, still=True):
                 light = still_stage(measured, self.denoiser, light, sigma)
             return light
         with torch.no_grad():

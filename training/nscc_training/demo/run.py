@@ -15,8 +15,15 @@ from nscc_runtime.machine_code import working_s
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
-from nscc_training.demo.expose import DARK_FRAMES, DARK_SEED, Exposed, Settings, exposed
-from nscc_training.demo.merge import dark_codes, merged_light
+from nscc_training.demo.expose import (
+    DARK_FRAMES,
+    DARK_SEED,
+    Exposed,
+    Settings,
+    dark_codes,
+    exposed,
+    merged_light,
+)
 from nscc_training.demo.sheet import Shown, demo_sheet, readouts_text
 from nscc_training.demo.subject import subject
 from nscc_training.run_files import run_capture

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
-from nscc_training.demo.expose import Exposed, Looked
-from nscc_training.demo.merge import dark_codes, laid_like
+from nscc_training.demo.expose import Exposed, Looked, dark_codes, laid_like
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
 if TYPE_CHECKING:

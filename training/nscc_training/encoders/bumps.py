@@ -9,8 +9,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
-from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import CodeTrial, Over, drawn
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import CodeTrial, Over, decided
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62

@@ -12,8 +12,13 @@ from torch.nn import functional
 from nscc_training.any_code.decoder import AnyCode
 from nscc_training.any_code.lessons import Lesson, measured_lesson, noisy
 from nscc_training.any_code.network import SEEN
-from nscc_training.any_code.stages import schedule, stage
-from nscc_training.any_code.stills import coded_light, started_still, still_schedule, still_stage
+from nscc_training.any_code.stages import (
+    coded_light,
+    schedule,
+    stage,
+    started_still,
+    still_stage,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
 from nscc_training.data import Batch
@@ -92,6 +97,15 @@ def pull(
 ) -> Tensor:
     """Return a scalar 0 whose gradient with respect to the codes is the gradient of the loss.
 
+    A gradient through the capture shows the effect of a little more light on a measurement. It does
+    not show that a saturated pixel carries no more information, nor what information its neighbours
+    then lack. A trial does. Every pixel moves its code by independent normal noise, in both
+    directions, and is credited with the difference of the losses around it: the gradient of the
+    loss smoothed by that noise (Nesterov and Spokoiny, Foundations of Computational Mathematics
+    2017), with one trial per pixel and step. The decoder learns from the first side, so that it
+    also decodes the codes that are tried. Regular patterns then appear worse than they are; to
+    reduce this, only a share of the pixels moves in a step.
+
     `prediction` is the decoder's output for the first side of the trial. `noise` must be a
     generator in the state that it had before that prediction."""
     with torch.no_grad():
@@ -164,7 +178,7 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
         truth, measured, _ = measured_lesson(lesson, generator)
         light = started_still(measured)
     losses = []
-    for sigma in still_schedule(stages):
+    for sigma in schedule(stages, still=True):
         light = still_stage(measured, decoder.denoiser, light, sigma)
         losses.append(_still_loss(light, truth[:, 0]))
     return torch.stack(losses).mean()

@@ -22,7 +22,7 @@ from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
-from nscc_training.code_choices import RANKS
+from nscc_training.code_choices import RANKS, ShutterSpec
 from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
@@ -30,7 +30,6 @@ from nscc_training.design.stop_patterns import Progress, cheapest
 from nscc_training.metrics import psnr
 from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name
-from nscc_training.shutter_spec import ShutterSpec
 
 Clip = NDArray[np.floating]
 

@@ -11,22 +11,20 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.light import (
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import (
+    axis,
+    compiled_of,
     light_files,
+    program_fault,
+    program_files,
+    program_keys,
     scene_keys,
     scene_of,
     sensor_changes,
     sensor_file,
     sensor_keys,
     sensor_of,
-)
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
-from nscc_training.sweep.point_programs import (
-    axis,
-    compiled_of,
-    program_fault,
-    program_files,
-    program_keys,
     silent,
 )
 

@@ -11,9 +11,8 @@ from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES, PROCEDURAL
 from nscc_training.scene_files import folders_of
-from nscc_training.sweep.light import sensor_changes, sensor_keys
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
-from nscc_training.sweep.point_programs import axis
+from nscc_training.sweep.point_programs import axis, sensor_changes, sensor_keys
 
 RUN = "run"
 """The key that names a part of kind train, all of whose runs are evaluated."""

@@ -1,5 +1,5 @@
-"""Programs of points: from files, from rules for any number of slots, or random codes of a
-class."""
+"""Programs, scenes and sensors of points. Programs come from files, from rules for any number of
+slots, or are random codes of a class."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import MISSING, replace
 from math import prod
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
@@ -20,6 +21,11 @@ from nscc.toml.kinds import Axis, Integer, Number, Several, TextKind
 from nscc.toml.schema import Key
 from nscc_training.code_choices import STARTS
 from nscc_training.sweep.point import PointFault, Values
+
+if TYPE_CHECKING:
+    from nscc_runtime.scenes import Scene
+    from nscc_runtime.sensor import Sensor
+
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
 SOURCES = ("program", "rule", "class")
@@ -177,3 +183,63 @@ def _source(values: Values) -> tuple[Source, Path]:
     encoder = make_encoder(spec, values["init"], values["seed"])
     text = program_of(encoder, Chip(slot_us=values["slot_us"])).text
     return Source(f"class_{kind}.nsl", text), Path()
+
+
+_SENSOR, _FILE = "sensor.", "sensor.file"
+
+
+def scene_keys() -> tuple[Key, ...]:
+    return (
+        axis("scene", TextKind(), "a scene, as nscc run takes it"),
+        axis(
+            "exposure",
+            TextKind(),
+            "electrons over the frame, as --exposure; empty: the scene's",
+            "",
+        ),
+        axis(
+            "transfer",
+            TextKind(("", "linear", "srgb")),
+            "the scene's curve; empty: by its file",
+            "",
+        ),
+    )
+
+
+def sensor_keys() -> tuple[Key, ...]:
+    """Return the keys of sensors: the sensor file, and each value as `sensor.KEY`."""
+    from nscc_runtime.sensor.file import schema
+
+    numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
+    return (axis(_FILE, TextKind(), "a sensor file (nscc effects --toml)", ""), *numbers)
+
+
+def light_files(values: Values) -> Sequence[Path]:
+    """Return the files of a point's scene and sensor."""
+    named = values[_FILE], values.get("scene", "")
+    return [Path(name) for name in named if name and not name.startswith("builtin:")]
+
+
+def scene_of(values: Values) -> Scene:
+    from nscc_runtime.scenes import Scene
+
+    return Scene(
+        values["scene"], exposure=values["exposure"] or None, transfer=values["transfer"] or None
+    )
+
+
+def sensor_file(values: Values) -> Path | None:
+    return Path(values[_FILE]) if values[_FILE] else None
+
+
+def sensor_changes(values: Values) -> tuple[str, ...]:
+    """Return the sensor values that a point changes, in the form of --sensor-set."""
+    changed = [name for name in values if name.startswith(_SENSOR) and name != _FILE]
+    return tuple(f"{name.removeprefix(_SENSOR)}={values[name]!r}" for name in changed)
+
+
+def sensor_of(values: Values, target: Target) -> Sensor:
+    """Return the sensor of a point on a chip."""
+    from nscc_runtime.sensor import load_sensor
+
+    return load_sensor(target, sensor_file(values), sensor_changes(values))

@@ -82,7 +82,7 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
 def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_Way]:
     from nscc_training.any_code.decode import decoded_still
     from nscc_training.any_code.frames import coded_frame
-    from nscc_training.any_code.stills import STILL_STAGES
+    from nscc_training.any_code.stages import STILL_STAGES
 
     container, light, frame = bench.container, bench.light, capture.frame
     about = meta(container, light, frame, capture.origin)
