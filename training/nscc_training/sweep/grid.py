@@ -116,7 +116,7 @@ def read_grid(path: Path) -> Grid:
         like = part_keys.get(_LIKE.name)
         if like is not None and like not in grid_parts:
             message = f"[{name}]: there is no part {str(like)[:60]!a} above it"
-            unknown_parts.append(_wrong(message, name, _LIKE.name, source, _START))
+            unknown_parts.append(_problem(message, name, _LIKE.name, source, _START))
         grid_parts[name] = {**grid_parts.get(str(like), {}), **part_keys}
     if unknown_parts:
         raise Rejected(unknown_parts, status=2)
@@ -194,7 +194,7 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
     return flat_keys
 
 
-def _wrong(message: str, part: str, key: str, source: Source, help_text: str) -> Diagnostic:
+def _problem(message: str, part: str, key: str, source: Source, help_text: str) -> Diagnostic:
     """Return the error NS0832 at a key of a part."""
     return _schema({}).problem(_CODES.wrong_value, message, part, key, source, help_text)
 
@@ -209,7 +209,7 @@ def _kinds(
         kind = keys.get(_KIND.name, common)
         if not re.fullmatch(_NAME, grid_part):
             message = f"a part cannot be called {grid_part[:60]!a}: files are named after it"
-            problems.append(_wrong(message, grid_part, "", source, _NAME_SAID))
+            problems.append(_problem(message, grid_part, "", source, _NAME_SAID))
             continue
         if isinstance(kind, str) and kind in KINDS:
             kinds[grid_part] = kind
@@ -218,7 +218,7 @@ def _kinds(
         fault_text = "is missing" if kind is None else f"is not {str(kind)[:60]!a}"
         message = f"the kind of [{grid_part}] {fault_text}: it must be {_KIND.kind.allowed}"
         help_text = 'write kind = "compile" above all parts, or in this one'
-        problems.append(_wrong(message, section, _KIND.name, source, help_text))
+        problems.append(_problem(message, section, _KIND.name, source, help_text))
     if problems:
         raise Rejected(problems, status=2)
     return kinds
@@ -243,7 +243,7 @@ def _points(
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
         message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
-        raise Rejected(_wrong(message, "", "", source, "split it into several files"), status=2)
+        raise Rejected(_problem(message, "", "", source, "split it into several files"), status=2)
     problems: dict[tuple[str, str, str], Diagnostic] = {}
     points_by_part: dict[str, list[GridPoint]] = {}
     for grid_part in sorted(axes_by_part, key=lambda grid_part: RUN in axes_by_part[grid_part]):
@@ -253,7 +253,7 @@ def _points(
             fault = KINDS[point.kind].fault(point.values, axes) or _name_fault(name, point)
             if fault is not None:
                 message = f"[{grid_part}]: {fault.message}"
-                problem = _wrong(message, grid_part, fault.key, source, fault.help)
+                problem = _problem(message, grid_part, fault.key, source, fault.help)
                 problems.setdefault((grid_part, fault.key, message), problem)
                 continue
             if RUN not in point.values:
@@ -264,7 +264,7 @@ def _points(
                 message = f"[{grid_part}]: unknown part [{point.values[RUN][:60]}] of kind train"
                 trains = [part for part, kind in kinds.items() if kind == "train"]
                 help_text = f"such parts are {', '.join(trains)}" if trains else "add such a part"
-                problem = _wrong(message, grid_part, RUN, source, help_text)
+                problem = _problem(message, grid_part, RUN, source, help_text)
                 problems[grid_part, RUN, message] = problem
             points_by_part[grid_part] += (_about(point, run, axes, name) for run in runs)
     if problems:
@@ -285,7 +285,7 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
 
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
         help_text = "write the name of a point of kind train, as its `name` defines it"
-        return Rejected(_wrong(message, point.grid_part, key, source, help_text), status=2)
+        return Rejected(_problem(message, point.grid_part, key, source, help_text), status=2)
 
     def link(point: GridPoint, above: tuple[str, ...] = ()) -> GridPoint:
         if id(point) in linked:
