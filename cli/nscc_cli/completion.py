@@ -18,10 +18,8 @@ Items = list[CompletionItem]
 
 
 class Name(click.types.StringParamType):
-    """The click type of a name.
-
-    The shell suggests names; with `files` also files. `several` allows a list separated by commas,
-    in which each name may begin with one of the characters in `signs`."""
+    """The click type of a name: the shell suggests names, with `files` also files, with `several` a
+    list separated by commas, each after one of `signs`."""
 
     name = "text"
 

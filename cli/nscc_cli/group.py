@@ -74,10 +74,8 @@ class LazyGroup(click.Group):
 
 
 def added_by_packages() -> dict[str, click.Command]:
-    """Return the commands that other distributions add, by name.
-
-    Raises Rejected (NS0905) for an object that is not a click command, or has the name of an nscc
-    command."""
+    """Return the commands of other distributions, by name; raise Rejected (NS0905) for an unusable
+    one."""
     added_commands = added("nscc.commands", COMMANDS)
     for name, command in added_commands.items():
         if not isinstance(command, click.Command):

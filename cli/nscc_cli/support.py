@@ -245,9 +245,7 @@ class Subcommands(CommonCommand, click.Group):
 
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
-    """Show the elapsed time of a task on a terminal, if its progress cannot be counted.
-
-    Nothing is shown in the first second, or if `progress` shows nothing."""
+    """Show the elapsed time of a task on a terminal, after the first second."""
     if not _draws():
         yield
         return

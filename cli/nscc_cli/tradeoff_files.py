@@ -24,9 +24,8 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
-    """Return the path of each product by name: `csv`, `png`, with `-o` also `further_names`.
-
-    Raises NS0745 if two products have the same path, and NS0786 if the picture is not a .png."""
+    """Return the path of each product: `csv`, `png`, with `-o` also `further_names`. Raises NS0745
+    for equal paths, and NS0786 for a picture that is not a .png."""
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:

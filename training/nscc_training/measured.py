@@ -82,10 +82,8 @@ class Measured(Generic[Array]):
         return least
 
     def trust(self, sigma: Array) -> Array:
-        """Return the fraction of a difference that is due to the clip's error instead of noise.
-
-        It has the shape of `value`. The error of the clip has the standard deviation `sigma`
-        (batch,)."""
+        """Return the fraction of a difference that is due to the clip's error, of standard
+        deviation `sigma`, not to noise."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
         error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share

@@ -72,10 +72,8 @@ class MotionSettings:
 
 @dataclass(frozen=True)
 class LinearDecoder:
-    """A linear function from the bits of a film to a score for each direction.
-
-    The scores are `weight` (directions, outputs) times the fraction of 1 bits in each output, plus
-    `bias` (directions,)."""
+    """Scores for directions: `weight` (directions, outputs) times shares of 1 bits, plus `bias`
+    (directions,)."""
 
     weight: NDArray[np.float32]
     bias: NDArray[np.float32]
@@ -205,10 +203,8 @@ def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
 
 
 def fit_decoder(shares: Tensor, directions: Tensor) -> LinearDecoder:
-    """Fit a linear decoder by logistic regression.
-
-    `shares` (films, outputs): fractions of 1 bits. `directions` (films,): indices of `DIRECTIONS`.
-    """
+    """Fit a linear decoder of `shares` (films, outputs) to directions (films,) by logistic
+    regression."""
     mean, spread = shares.mean(0), shares.std(0).clamp(min=1e-6)
     inputs = (shares - mean) / spread
     layer = nn.Linear(shares.shape[1], len(DIRECTIONS))

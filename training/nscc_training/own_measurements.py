@@ -20,10 +20,8 @@ _KEYS = frozenset(("mask", "meas"))
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of a measurement, in the unit of the measurement.
-
-    `read_sd` is the standard deviation of the readout noise. The variance of the photon noise is
-    `gain` times the measured value."""
+    """Noise of a measurement, in its unit: the readout's standard deviation, and the photon noise's
+    variance over the value."""
 
     read_sd: float = 0.0
     gain: float = 0.0

@@ -132,10 +132,7 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """Raise ValueError for a file whose digest differs from the one in the result.
-
-    Such a folder contains files of different runs, after an unfinished later run or a partial copy.
-    """
+    """Raise ValueError for a file whose digest is not in the result: it belongs to another run."""
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]

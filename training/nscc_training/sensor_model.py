@@ -270,10 +270,8 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols).
-
-    `seed` determines the noise. `light` and `tile` are as in `differentiable_capture`, without the
-    batch."""
+    """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols), with
+    noise of a seed."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     frame = differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
@@ -315,10 +313,8 @@ def shared_out(shutters: Tensor, buckets: int) -> Tensor:
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Return the light in the open slots of each pixel: electrons (batch, rows, cols), float64.
-
-    `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
-    buckets, rows, cols)."""
+    """Return the electrons (batch, [buckets,] rows, cols) of open slots, float64, for a repeating
+    tile of shutters."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1

@@ -130,9 +130,8 @@ _STILL, _MOVING = 0.25, 0.6
 
 
 def always_open(measured: Measured[Tensor]) -> int | None:
-    """Return the index of the readout whose shutters never close; None if there is no such readout.
-
-    None is also returned if all readouts are always open."""
+    """Return the index of the readout whose shutters never close; None if there is none, or if all
+    are such."""
     opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
     if bool(opened.all()) or not bool(opened.any()):
         return None

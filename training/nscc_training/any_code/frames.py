@@ -53,9 +53,7 @@ class CodedFrame:
 
     @property
     def is_still(self) -> bool:
-        """Return whether all shutters open at the start and differ only in their end (class b).
-
-        Such codes are for stills with a high dynamic range, not for motion."""
+        """Return whether all shutters open at the start (class b), as for stills, not for motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
@@ -250,10 +248,8 @@ def _is_exposed_by(
     program: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
     table: Mapping[str, NDArray[Any]],
 ) -> bool:  # fmt: skip
-    """Return whether the frame was exposed with the shutters of the program, whose arrays are
-    `table`.
-
-    Compares the shutters in the frame file, or the digest of the program if the file has none."""
+    """Return whether the frame was exposed with the program's shutters, its `table`, by its own
+    shutters or its digest."""
     if "decode_row" in arrays:
         same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
         opened, table_shutters = (

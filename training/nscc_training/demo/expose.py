@@ -78,10 +78,8 @@ class Settings:
 
 @dataclass(frozen=True, eq=False)
 class Looked:
-    """A still exposed by pixels that look.
-
-    `light` is in electrons over the frame. `open_us` (rows, cols) is the open time of each pixel,
-    averaged over colours. `seconds` is the simulation time."""
+    """A still exposed by pixels that look: `light` over the frame, `open_us` of each pixel, and the
+    simulation's seconds."""
 
     light: NDArray[np.float64]
     open_us: NDArray[np.float64]
@@ -118,10 +116,8 @@ class Exposed:
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:
-        """Return the true light: electrons over the frame (rows, cols), or per slot (T, rows,
-        cols).
-
-        Colours are the last axis."""
+        """Return the electrons over the frame (rows, cols), or per slot (T, rows, cols); colours
+        last."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid
@@ -244,10 +240,8 @@ def _laid(
 def camera(
     slots: int, slot_us: float, target: str | None = None, frames: int = 1, stop: int | None = None
 ) -> Container:
-    """Return the program of an ordinary camera with `slots` of `slot_us`.
-
-    All shutters are open in all slots, or until slot `stop`. With several `frames`, the slots are
-    divided among consecutive buckets."""
+    """Return the program of an ordinary camera, open until slot `stop`, or one of `frames` after
+    the other."""
     rules = f"open when n < {stop or slots}\n"
     if frames > 1:
         ends = [slots * k // frames for k in range(frames + 1)]

@@ -80,10 +80,8 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
-        """Return the mean square error (groups, shares) of estimating light from exposures.
-
-        `light_e` (groups,) is in electrons over the frame; an exposure collects a `share` of it.
-        The error is measured on `curve`."""
+        """Return the mean square error (groups, shares) on `curve` of light from exposures that
+        collect a `share` of `light_e` (groups,)."""
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)
@@ -130,10 +128,8 @@ _MOST_LEVELS = 64
 
 
 def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Values:
-    """Return light on the curve on which errors are measured.
-
-    "mu" and "linear" divide by the peak and clip to 0..1. "log" is the natural logarithm, limited
-    below at `dark_e`."""
+    """Return light on a curve: over the peak and clipped to 0..1, or for "log" the logarithm of
+    light above `dark_e`."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)

@@ -39,10 +39,8 @@ class LookSchedule:
 
 @dataclass(frozen=True)
 class Expected:
-    """The expected mean square error of a schedule on each curve, and the fractions of closing
-    pixels.
-
-    `closing` has one value for each look; the last value is for the end of the frame."""
+    """The expected mean square error on each curve, and the shares of pixels that close at each
+    look and at the end."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]

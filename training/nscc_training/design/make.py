@@ -134,10 +134,8 @@ class Frame:
 
     @property
     def named(self) -> str | None:
-        """The target's name for the program text; None for a file, which is a compiler option
-        instead.
-
-        A program would resolve the file's path relative to itself instead of the working folder."""
+        """The target's name for the program text; None for a file, whose path is an option, not
+        relative to the program."""
         return None if self._from_file else self.target
 
     @property

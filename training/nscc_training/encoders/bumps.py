@@ -73,10 +73,8 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only the codes `legal` (codes, fields).
-
-        Parameters snap to the nearest legal code and stay within the range of each field. With a
-        generator the codes are drawn again, uniformly over the legal codes."""
+        """Allow only the codes `legal` (codes, fields), to which parameters snap; with a generator
+        they are drawn anew."""
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
             self.fill(*self.codes().values())

@@ -254,10 +254,8 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 def evaluate_sci8(
     paths: Sequence[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on the clips of the benchmark, and the reconstructions by name.
-
-    Raises Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown
-    method."""
+    """Return the result of a method on clips of the benchmark, and arrays; raise NS0809 for a file,
+    NS0810 for a method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(

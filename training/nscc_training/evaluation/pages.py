@@ -69,11 +69,8 @@ class Page:
         return "{} ({} to {})".format(text, *(_digits(end, metric) for end in ends))
 
     def gain(self, first: str, second: str, metric: str) -> str:
-        """Return the gain of the second result over the first, in pairs of items, with its
-        interval.
-
-        A result with one seed is compared with all seeds of the other. With /source only the
-        difference is returned."""
+        """Return the gain of the second result over the first with its interval; with /source only
+        the gain."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
             return _MISSING
@@ -104,10 +101,8 @@ class Page:
         return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
 
     def row(self, label: str, name: str, *cells: str) -> str:
-        """Return a table row.
-
-        Cells are metrics, keys of `value`, NAME:METRIC for the gain over that result, or = for an
-        empty cell."""
+        """Return a table row of metrics, keys of `value`, gains over NAME (NAME:METRIC), or empty
+        cells (=)."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")

@@ -41,10 +41,8 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the usable scenes, and the result's entries for the others.
-
-    The index of a scene seeds its noise. Under hdr-v1 only usable scenes are counted; under other
-    protocols None replaces each unusable scene."""
+    """Return the usable scenes, and entries for others. A scene's index seeds its noise; None keeps
+    the place of others, except under hdr-v1."""
     scenes: list[ProtocolScene | None] = []
     left_out = []
     for scene in candidates:

@@ -48,9 +48,7 @@ _ALONE, _START = "noise_alone_", "start_alone_"
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """Return the files of a finished run by name.
-
-    The setup is in its best state, reached at `step`. Scores are the protocol's, on the validation
+    """Return the files of a run in its best state, reached at `step`, by name, with scores on the
     scenes `shown`."""
     from safetensors.torch import save
 

@@ -32,10 +32,8 @@ _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
 
 @dataclass
 class TrainingProgress:
-    """Progress of a run after `step` updates.
-
-    `best_loss` is the lowest validation loss; `best` contains the tensors of encoder and decoder at
-    that validation."""
+    """Progress after `step` updates: the lowest validation loss, and the tensors at that
+    validation."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -195,10 +193,8 @@ def _refused(path: Path, reason: str) -> Exception:
 
 @contextmanager
 def locked_folder(folder: Path) -> Iterator[None]:
-    """Create a folder and lock it against other processes until the end of the block.
-
-    Raises Rejected (NS0848) if another process holds the lock. The lock ends with the process and
-    leaves no file."""
+    """Create a folder and lock it until the block or the process ends; raise NS0848 if another
+    process has it."""
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
     descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)

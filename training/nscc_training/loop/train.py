@@ -362,10 +362,8 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
 
 
 def take_best(run: TrainingRun) -> None:
-    """Restore the best validated state.
-
-    Without such a state, raises the compiler's errors, or Rejected (NS0850) if no code within
-    `shutter.most_words` was found."""
+    """Restore the best validated state; without one, raise the compiler's errors or NS0850 for too
+    many words."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         set_tensors(setup, run.progress.best)

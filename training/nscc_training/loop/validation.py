@@ -78,10 +78,8 @@ def validated(
     decode: Decode | None = None,
     exposure: float = 1.0,
 ) -> Validation:
-    """Score the decoder on scenes, as `nscc evaluate` does; by default captured `as_trained`.
-
-    `exposure` is a factor on the light, of which the decoder is not informed; the result is divided
-    by it."""
+    """Score the decoder on scenes, captured `as_trained` by default, with `exposure` times the
+    light."""
     decode = decode or as_trained(setup)
     losses: list[float] = []
     scores: dict[str, list[float]] = {name: [] for name in setup.protocol.metrics}
@@ -101,10 +99,8 @@ def validated(
 
 
 def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
-    """Return a function that captures and decodes under the run's conditions.
-
-    It uses the emulated chip if the run has effects, else the sensor model. `sensor` replaces the
-    chip's sensor."""
+    """Return a function that captures with the emulated chip if the run has effects, else the
+    model, and decodes."""
     effects = setup.settings.sensor.effects
     return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
 

@@ -34,10 +34,8 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes from arrays of light, taking one scene of each array in turn.
-
-    `lights` are (rows, cols) for stills, (T, rows, cols) for clips. `srgb` measures errors of clips
-    in display encoding."""
+    """Return at most `count` scenes of arrays of light in turn; `srgb` measures errors of clips in
+    display encoding."""
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
     scenes: list[ProtocolScene] = []

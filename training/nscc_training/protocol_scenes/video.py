@@ -23,10 +23,8 @@ Clip = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ClipWindow(ProtocolScene):
-    """A window of a clip.
-
-    `scale_e` electrons per slot correspond to the light 1 of the source. `srgb` measures errors in
-    display encoding."""
+    """A window of a clip: `scale_e` electrons per slot are the source's white; `srgb` measures
+    errors on display."""
 
     scale_e: float
     srgb: bool

@@ -44,10 +44,8 @@ class Motion:
 
 
 def told_db(opened: Opened, motion: Motion) -> float:
-    """Return by how many dB a frame reduces the variance of the light, averaged over speeds.
-
-    `opened` (N, rows, cols) is a tile of shutters, 0..1. The variance before is the variance of the
-    light of one slot at one place."""
+    """Return by how many dB a frame of shutters (N, rows, cols), 0..1, reduces the variance of one
+    slot's light."""
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
     decibels = []
     for speed in motion.speeds:

@@ -73,10 +73,8 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Return a tile of copies of one of its blocks, each later than those above and to the left.
-
-    A block of one place gives shutters that open in sequence. Small steps do not reach such tiles.
-    """
+    """Return a tile of copies of one block, each later than those above and to the left, as small
+    steps never give."""
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
     down, right = (int(value) for value in generator.integers(0, spec.slots, 2))

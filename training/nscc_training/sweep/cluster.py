@@ -109,10 +109,8 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def _finished(future: Future, task: PointTask) -> Done:
-    """Return the result of a task, or a failure if its worker died.
-
-    Raises ModuleNotFoundError if a package is missing, because other points of the kind would also
-    fail."""
+    """Return the result of a task, or a failure if its worker died; raise ModuleNotFoundError,
+    which all would meet."""
     if future.status == "finished":
         result: Done = future.result()
         return result

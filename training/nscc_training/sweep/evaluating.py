@@ -81,10 +81,8 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have this score.
-
-    An item may lack a score. For example, a crop without dark pixels has no score of dark pixels.
-    """
+    """Return the mean of each score over the items that have it; a crop without dark pixels lacks
+    one."""
     from nscc_training.statistics import summary
 
     means = {}

@@ -14,10 +14,8 @@ from nscc_training.sweep.point import GridPoint, PointRow
 
 @dataclass(frozen=True)
 class Table:
-    """A table by columns; None marks missing values.
-
-    The columns are `part`, the keys that the grid names, the results, `code` and `error` of points
-    without results, and `key`."""
+    """A table by columns: `part`, the keys that the grid names, results, `code` and `error`, and
+    `key`; None is missing."""
 
     columns: dict[str, list[Any]]
     inputs: tuple[str, ...]

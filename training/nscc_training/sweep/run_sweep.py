@@ -36,10 +36,8 @@ _NAMED = {"train": "runs", "evaluate": "results", "design": "programs", "cell": 
 
 @dataclass(frozen=True)
 class How:
-    """How points are computed.
-
-    `workers` processes with `threads` threads each run on this machine (0: this process), or a
-    `scheduler` provides the workers. `again` recomputes failed points."""
+    """How points are computed: by processes here (0: this one) or a scheduler; `again` repeats
+    those that failed."""
 
     workers: int = 0
     threads: int = 1
@@ -49,10 +47,8 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """The outcome of a sweep: its table and the files written.
-
-    `misfits` is the number of points with a message instead of results, `failed` the number of
-    failed points."""
+    """The outcome of a sweep: its table, its files, and the points with a message or a failure in
+    place of results."""
 
     table: Table
     misfits: int

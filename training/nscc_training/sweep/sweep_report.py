@@ -45,10 +45,8 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
 
 
 def diagram_of(grid: Grid, table: Table) -> bytes | None:
-    """Return the diagram that the grid describes, or a default one.
-
-    None for a single point, or without numeric results. Raises Rejected (NS0832) for unknown
-    columns."""
+    """Return the diagram that the grid describes, or a default one, or None; raise NS0832 for
+    unknown columns."""
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -104,10 +102,8 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """Return the points of each line of a panel.
-
-    If x is an axis of the grid, they are sorted, and points with the same x are averaged. If x is a
-    result, they keep the order of the table."""
+    """Return the points of a panel's lines: means by x, sorted, if x is an axis; else as in the
+    table."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):

@@ -44,10 +44,8 @@ class PointTask:
 
 @dataclass(frozen=True)
 class Done:
-    """The result row of a task, its time and worker.
-
-    `failed` means that it may be tried again. `other_key` is the key that the worker computed, if
-    it differs from the task's key."""
+    """The result row of a task. It may be tried again if it `failed`; `other_key` is the worker's
+    key if it differs."""
 
     task: PointTask
     row: PointRow

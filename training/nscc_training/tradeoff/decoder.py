@@ -168,10 +168,7 @@ def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str,
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
-    """Return PSNR in dB and SSIM, averaged over the scenes as the protocol defines.
-
-    Scenes without error have infinite PSNR and only enter the mean SSIM, unless all scenes are
-    without error."""
+    """Return mean PSNR and SSIM of scenes; infinite PSNR is left out unless all scenes have it."""
     pairs = zip(case.captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)

@@ -27,10 +27,8 @@ ANY_STAGES = (2, 8)
 
 
 class _Way(NamedTuple):
-    """A decoder with a setting.
-
-    The result of `run` is compared with `truth`; both are (T, rows, cols). `loads` distinguishes
-    settings that load different things."""
+    """A decoder with a setting: `run` gives what `truth` is, (T, rows, cols); `loads` differs with
+    what is loaded."""
 
     method: str
     setting: str

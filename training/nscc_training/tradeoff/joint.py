@@ -30,10 +30,8 @@ STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
 
 @dataclass(frozen=True)
 class Advice:
-    """The recommended setting of a stage.
-
-    It is the fastest within the target, otherwise the fastest near the least error. `point` is None
-    if nothing could be measured."""
+    """The fastest setting of a stage within the target, or near the least error; None if nothing
+    was measured."""
 
     stage: str
     point: Point | None

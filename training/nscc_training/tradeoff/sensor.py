@@ -85,10 +85,8 @@ class SensorStudySettings:
 
 @dataclass(frozen=True)
 class Configuration:
-    """A shutter class with a number of slots, compiled in one way.
-
-    `exposures` is the number of exposures of a pixel that looks, else None. Programs of pixels that
-    look have one code and one lowering."""
+    """A shutter class with a number of slots, or of `exposures` of pixels that look, compiled in
+    one way."""
 
     kind: Kind
     shutters: str
