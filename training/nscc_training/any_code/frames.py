@@ -53,7 +53,7 @@ class CodedFrame:
 
     @property
     def is_still(self) -> bool:
-        """Return whether all shutters open at the start (class b), as for stills, not for motion."""
+        """Return whether all shutters open at the start (class b), for stills, not motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:

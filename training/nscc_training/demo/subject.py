@@ -98,7 +98,7 @@ def _of_clip(
 
 
 def liveliest(frames: NDArray[np.float32], count: int) -> int:
-    """Return the first of `count` frames with the most motion in a clip, if possible without a cut."""
+    """Return the first of `count` frames with the most motion, if possible without a cut."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])

@@ -143,7 +143,7 @@ class Codebook(_Digits):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
-        """Return the shutters (N, rows, cols): for each pixel the row `choice` of `shapes` (K, N)."""
+        """Return the shutters (N, rows, cols): for each pixel the row `choice` of `shapes`."""
         # as a product, whose gradient is added up in the same order every time
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)

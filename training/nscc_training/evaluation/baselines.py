@@ -61,6 +61,14 @@ class Baseline:
     tiles: Callable[[Protocol, int], NDArray[np.bool_]] | None = None
     alone: bool = False
 
+    def decode(self, frames: CapturedScene) -> Light:
+        """Return the light of frames."""
+        if not self.alone:
+            return self.method.decode(frames)
+        # A frame carries no information on slots outside of it.
+        frame_lights = [self.method.decode(frames.frame(k)) for k in range(len(frames.codes))]
+        return np.concatenate(frame_lights)
+
 
 def _flutter(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
     """Return the same random bits for all pixels."""
@@ -154,10 +162,7 @@ def evaluate_baseline(
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
-            # Alone, a frame carries no information on slots outside of it.
-            parts = [frames.frame(k) for k in range(len(tile))] if baseline.alone else [frames]
-            light = np.concatenate([baseline.method.decode(part) for part in parts])
-            return light, perf_counter() - begin
+            return baseline.decode(frames), perf_counter() - begin
 
         return list(scored(shown, decode))
 

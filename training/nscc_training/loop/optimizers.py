@@ -19,7 +19,7 @@ _WARM_UP, _SHARE = 20, 50
 
 
 class Muon(torch.optim.Muon):
-    """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices in the same memory."""
+    """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         self.weights = list(weights)
