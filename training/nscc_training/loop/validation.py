@@ -18,7 +18,7 @@ from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_mo
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import decibels, number
 from nscc_training.protocol_scenes.classes import with_class
-from nscc_training.protocol_scenes.given_scenes import exposed_arrays
+from nscc_training.protocol_scenes.file_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.video import ClipWindow
 from nscc_training.protocols import Protocol
