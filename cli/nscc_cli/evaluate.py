@@ -224,9 +224,8 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     with all seeds together."""
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
-    from nscc_training.evaluation.result_text import comparison_text
     from nscc_training.evaluation.results import compare as compared
-    from nscc_training.evaluation.results import read_result
+    from nscc_training.evaluation.results import comparison_text, read_result
 
     read = [read_result(path) for path in results]
     comparison = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
@@ -237,7 +236,7 @@ def _of_scenes(
     evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
 ) -> None:
     """Print and write the scores of scenes."""
-    from nscc_training.evaluation.result_text import arrays_in, result_text
+    from nscc_training.evaluation.results import arrays_in, result_text
 
     products = {} if save is None else arrays_in(save, arrays)
     _finish(evaluation, result_text(evaluation), products, **outputs)
@@ -247,7 +246,7 @@ def _finish(
     result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
     """Print and write a result."""
-    from nscc_training.evaluation.result_text import result_json
+    from nscc_training.evaluation.results import result_json
 
     text = result_json(result)
     write_together({**({out: text.encode()} if out else {}), **products})

@@ -15,7 +15,7 @@ from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.encoder_classes import scattered
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
-from nscc_training.evaluation.captured import CapturedScene
+from nscc_training.evaluation.methods import CapturedScene
 from nscc_training.protocol_scenes.deblur import DeblurMoment, moments
 from nscc_training.protocol_scenes.file_scenes import files_of
 from nscc_training.protocol_scenes.video import ClipWindow

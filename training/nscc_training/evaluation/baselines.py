@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.evaluation import methods
-from nscc_training.evaluation.captured import CapturedScene, captured
-from nscc_training.evaluation.methods import Light, Method
+from nscc_training.evaluation.methods import CapturedScene, Light, Method, captured
 from nscc_training.evaluation.results import (
     Scored,
     also_saturated,

@@ -23,8 +23,7 @@ from nscc_training.design.make import Design, Frame
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.programs import Chip, program_of, words_per_slot
 from nscc_training.run_files import searched_codes
-from nscc_training.search.expected import Motion, told_db
-from nscc_training.search.scene_motion import speeds_of, texture_of
+from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db
 
 Kind = Literal["slow", "fast", "scene"]
 SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 32.0, 64.0)}

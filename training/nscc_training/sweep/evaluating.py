@@ -63,7 +63,7 @@ def _reads(values: Values) -> Sequence[Path]:
 def _evaluate(values: Values, place: Place) -> Figures:
     import torch
 
-    from nscc_training.evaluation.result_text import result_json
+    from nscc_training.evaluation.results import result_json
 
     torch.set_num_threads(place.threads)
     result = _result(values)

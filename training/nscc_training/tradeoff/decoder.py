@@ -20,8 +20,7 @@ from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.captured import CapturedScene, captured
-from nscc_training.evaluation.methods import CLIPS, STILLS, Light
+from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene, Light, captured
 from nscc_training.evaluation.runs import check_unseen
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean

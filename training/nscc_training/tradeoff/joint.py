@@ -10,9 +10,8 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.tradeoff.points import Point, Refused, table_text
 from nscc.tradeoff.rows import Rows
 from nscc_training.tradeoff.bench import Bench, JointRequest, StageResult, misfit
-from nscc_training.tradeoff.chip_stages import compiling, lowering, slots
+from nscc_training.tradeoff.chip_stages import compiling, effects, lowering, slots
 from nscc_training.tradeoff.decoder_stage import decoding
-from nscc_training.tradeoff.frame_stages import effects
 
 NEAR = 1.05
 """If no setting reaches the target, settings within this factor of the least error are

@@ -32,10 +32,9 @@ from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
-from nscc_training.evaluation.captured import CapturedScene
 from nscc_training.evaluation.looks_rows import ROWS as LOOKING_ROWS
 from nscc_training.evaluation.looks_rows import SLOTS, looked_light, row_of
-from nscc_training.evaluation.methods import CLIPS, STILLS
+from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.programs import Chip, program_of
