@@ -14,9 +14,9 @@ from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
+from nscc_training.array_files import Floats, read_mask
 from nscc_training.code_choices import ShutterSpec
 from nscc_training.codes_files import codes_bytes
-from nscc_training.mask_files import Floats, read_mask
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
 
 Bits = NDArray[np.bool_]

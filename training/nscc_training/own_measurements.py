@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_runtime.machine_code import working_s
-from nscc_training.mask_files import Floats, array_names, read_mask, real_array, refused
+from nscc_training.array_files import Floats, array_names, read_mask, real_array, refused
 from nscc_training.measured import Measured
 from nscc_training.reconstruct_any import Method, Reconstruction, gap_tv_clip, method_for
 
