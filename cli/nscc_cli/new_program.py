@@ -7,16 +7,11 @@ from pathlib import Path
 import click
 
 from nscc.files import refuse_same
-from nscc_cli.completion import TARGET
 from nscc_cli.options import OUT
 
 NEW_PROGRAM = click.option(
     "-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program."
 )
-CHIP = click.option(
-    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml",
-    help="The chip.",
-)  # fmt: skip
 
 
 def beside_program(out: Path, arrays: str) -> Path:

@@ -8,11 +8,10 @@ from typing import Any
 
 import click
 
-from nscc.files import Product
 from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import STAGES, Point, csv_text, table_text
+from nscc.tradeoff.points import STAGES, table_text
 from nscc.tradeoff.synthesis import (
     Count,
     builtin_cases,
@@ -62,6 +61,7 @@ def joint(program: Path, **options: Any) -> int:
     finished measurements are kept, and the same command continues after an interruption. Exits
     with status 1 if nothing could be measured."""
     from nscc_training.tradeoff.bench import JointRequest
+    from nscc_training.tradeoff.diagrams import joint_diagram
     from nscc_training.tradeoff.joint import joint_text, measure
 
     files = output_files(options)
@@ -77,22 +77,13 @@ def joint(program: Path, **options: Any) -> int:
     )  # fmt: skip
     with kept_rows(files, {**options, "program": request.program, "run": run}) as rows:
         joint = measure(
-            request,
-            rows,
-            lambda diagnostic: say([diagnostic]),
+            request, rows, lambda diagnostic: say([diagnostic]),
             lambda stages: progress(stages, "measuring"),
-        )
+        )  # fmt: skip
         click.echo(joint_text(joint))
         device = processor_name()
-
-        def png() -> bytes:
-            from nscc_runtime.pictures.sheet import png_of
-            from nscc_training.tradeoff.diagrams import joint_diagram
-
-            return png_of(joint_diagram, joint, request.repeats, device)
-
-        makers = {"csv": lambda: csv_text(joint.points, device).encode(), "png": png}
-        write_files(files, makers, rows)
+        diagram = (joint_diagram, joint, request.repeats, device)
+        write_files(files, rows, (joint.points, device), png=diagram)
     return 0 if joint.points else 1
 
 
@@ -119,7 +110,6 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     f32 and bf16, FC-net with 4, 2 and 1 blocks a pixel. All decode captures with the same code:
     that of the runs (runs with another code are compared separately), else random bits, and 2 x 2
     stops for stills."""
-    from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run
     from nscc_training.tradeoff.decoder import DecoderStudySettings, cases, measure, not_measured
@@ -141,11 +131,7 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
         for line in not_measured(folders):
             click.echo(line)
         device = processor_name()
-        makers = {
-            "csv": lambda: csv_text(points, device).encode(),
-            "png": lambda: png_of(decoder_diagram, points, repeats, device),
-        }
-        write_files(files, makers, rows)
+        write_files(files, rows, (points, device), png=(decoder_diagram, points, repeats, device))
     return 0
 
 
@@ -206,6 +192,8 @@ def synthesis(
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
     point is dominated if another point of the same program has no more words and no more time.
     Exits with status 1 if no program fits."""
+    from nscc_runtime.pictures.synthesis import synthesis_diagram
+
     outputs = output_files(places)
     cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
@@ -218,11 +206,8 @@ def synthesis(
         if not points:
             rows.remove()
             return 1
-        makers = {
-            "csv": lambda: csv_text(points, device).encode(),
-            "png": lambda: _png(points, _WORDS[count], repeats, device),
-        }
-        write_files(outputs, makers, rows)
+        diagram = (synthesis_diagram, points, _WORDS[count], repeats, device)
+        write_files(outputs, rows, (points, device), png=diagram)
     return 0
 
 
@@ -238,29 +223,12 @@ def images(file: Path, level: str, **places: Any) -> int:
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
     from nscc.tradeoff.images import image_points
+    from nscc_runtime.pictures.synthesis import images_diagram
 
     outputs = output_files(places)
     points = image_points(file, int(level))
     click.echo(table_text(points, ("kernel", "program", "noise"), ("us", 1000.0)))
     if points:
         with kept_rows(outputs, {}) as rows:
-            makers = {
-                "csv": lambda: csv_text(points, "the chip's table").encode(),
-                "png": lambda: _images_png(points),
-            }
-            write_files(outputs, makers, rows)
+            write_files(outputs, rows, (points, "the chip's table"), png=(images_diagram, points))
     return 0 if points else 1
-
-
-def _images_png(points: Sequence[Point]) -> Product:
-    from nscc_runtime.pictures.sheet import png_of
-    from nscc_runtime.pictures.synthesis import images_diagram
-
-    return png_of(images_diagram, points)
-
-
-def _png(points: Sequence[Point], words: str, repeats: int, device: str) -> Product:
-    from nscc_runtime.pictures.sheet import png_of
-    from nscc_runtime.pictures.synthesis import synthesis_diagram
-
-    return png_of(synthesis_diagram, points, words, repeats, device)

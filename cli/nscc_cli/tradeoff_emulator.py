@@ -10,7 +10,6 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import csv_text
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
@@ -60,7 +59,6 @@ def command(program: Path | None, **options: Any) -> int:
     and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
-    from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import StudySettings, measure
@@ -90,13 +88,10 @@ def command(program: Path | None, **options: Any) -> int:
         )
         click.echo(studies_text(studies, gb_per_s))
         points, device = [point for study in studies for point in study.points], processor_name()
-        makers = {
-            "csv": lambda: csv_text(points, device).encode(),
-            "png": lambda: png_of(study_diagram, studies, repeats, device),
-            "calibration": lambda: png_of(promise_diagram, studies),
-            "budget": lambda: png_of(budget_diagram, studies),
-        }
-        write_files(files, makers, rows)
+        write_files(
+            files, rows, (points, device), png=(study_diagram, studies, repeats, device),
+            calibration=(promise_diagram, studies), budget=(budget_diagram, studies),
+        )  # fmt: skip
     kept = (keeps_promise(plan) for study in studies for plan in study.measured_plans)
     return 0 if all(kept) else 1
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
@@ -11,8 +11,9 @@ from typing import Any
 from nscc import __version__
 from nscc.cache.contents import content
 from nscc.cache.digest import digest, package_digest
-from nscc.files import Product, refuse_inputs, refuse_same, write_together
+from nscc.files import refuse_inputs, refuse_same, write_together
 from nscc.tradeoff.device import processor_name
+from nscc.tradeoff.points import csv_text
 from nscc.tradeoff.rows import Rows
 from nscc_cli.support import say_done
 
@@ -75,10 +76,17 @@ def _version(distribution: str) -> str:
 
 
 def write_files(
-    files: Mapping[str, Path], makers: Mapping[str, Callable[[], Product]], rows: Rows
+    files: Mapping[str, Path], rows: Rows, csv: Sequence[Any], **diagrams: tuple[Any, ...]
 ) -> None:
-    """Make and write the products that have a path, print their names, and delete stored rows."""
-    write_together({path: makers[name]() for name, path in files.items()})
+    """Write the products that have a path, print their names, and delete stored rows.
+
+    `csv` are the arguments of `csv_text`, and `diagrams` those of `png_of`, by product."""
+    from nscc_runtime.pictures.sheet import png_of
+
+    write_together({
+        path: csv_text(*csv).encode() if name == "csv" else png_of(*diagrams[name])
+        for name, path in files.items()
+    })  # fmt: skip
     rows.remove()
     if files:
         say_done("wrote " + ", ".join(path.as_posix() for path in files.values()))
