@@ -20,10 +20,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CellFiles:
-    """The program of a cell.
-
-    `text`: the program. `kernels`: the bytes of the .npz file that the text names. `planes`: the
-    names of the planes that are read, one for each output."""
+    """The program of a cell: its text, the bytes of its kernel file, and the names of the planes
+    that are read."""
 
     text: str
     kernels: bytes
@@ -100,10 +98,8 @@ def compiled_cell(
 
 
 def level_on_chip(level: float, target: Target) -> float:
-    """Return `level`, in full wells, rounded to a step of IN, with which chips compare exposures.
-
-    A cell gives the same bits in torch and on the chip if its `level` is a result of this function.
-    """
+    """Return `level`, in full wells, in whole steps of IN, so that a cell gives the same bits in
+    torch and on the chip."""
     step_e = target.electrons_per_step
     return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 

@@ -23,10 +23,8 @@ from nscc_training.problems import listed, one_line
 
 @dataclass(frozen=True)
 class ImportedNetwork:
-    """The program of an imported cell.
-
-    `kernels`: the bytes of the kernel file. `words`: number of words per frame after the exposure.
-    `level`: the level in full wells with which the chip compares exposures."""
+    """The program of an imported cell, its kernel file, its words per frame, and the level of its
+    comparisons in full wells."""
 
     text: str
     kernels: bytes

@@ -132,10 +132,8 @@ class Measured(Generic[Array]):
         return known
 
     def planes(self: Measured[Tensor]) -> Tensor:
-        """Return the inputs of a denoiser, (batch, 3, N, rows, cols).
-
-        They are the mask summed over frames, the value divided by the mask, and its standard
-        deviation, at most 1. Only the mask differs between slots."""
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols): the mask, the value over the
+        mask, and its deviation up to 1."""
         import torch
 
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)

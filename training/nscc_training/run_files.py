@@ -33,10 +33,8 @@ _ELECTRONS = (".npz", ".npy")
 
 @dataclass(frozen=True)
 class RunCapture:
-    """The conditions under which a run's decoder expects frames to be captured.
-
-    `exposure` is in the form of `--exposure`. `still` means that scenes are stills. `sensor` and
-    `target` are files of the run; None means the default sensor and the program's target."""
+    """The conditions under which a run's decoder expects frames; no `sensor` or `target` means the
+    default one."""
 
     program: Path
     still: bool

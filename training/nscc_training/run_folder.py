@@ -29,10 +29,8 @@ _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A loaded run.
-
-    `setup` contains the learned codes and weights, `program` is the text of `shutter.nsl`, `result`
-    is `result.json`. `seen_digests` are the digests of the training and validation files."""
+    """A loaded run: learned codes and weights, program, result, and digests of the files that it
+    has seen."""
 
     path: Path
     setup: TrainingSetup

@@ -160,9 +160,8 @@ def _stops_drawn(generator: Generator, size: int) -> Mask:
 
 
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters (frames, size, size) of some class; every pixel opens at least once.
-
-    The classes are bits, bumps, tiles of bumps, codebooks and stops."""
+    """Return random shutters (frames, size, size) of bits, bumps, tiles of bumps, a codebook or
+    stops; every pixel opens."""
     kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
@@ -193,10 +192,8 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters: with probability 1/2 of any class, otherwise bumps in a 4 x 4 tile.
-
-    The bumps take a quarter of the frame and open one after another: within the frame, in two
-    phases, or wrapping around its end."""
+    """Return random shutters: half of them of any class, half of them bumps in a 4 x 4 tile that
+    open one after another."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)

@@ -122,10 +122,8 @@ def light_of(coded: Tensor) -> Tensor:
 
 
 def _planes(measured: Measured[Tensor]) -> Tensor:
-    """Return the denoiser's inputs (batch, 3, 1, rows, cols) from a measurement.
-
-    These are the open fraction, the light of each pixel alone, and its noise, all as logarithms; of
-    several frames the one with the least noise is used at each pixel."""
+    """Return the denoiser's inputs (batch, 3, 1, rows, cols): logarithms of open share, light and
+    noise of the frame with least noise."""
     mask = measured.mask[:, :, 0]
     opened = mask > 0
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)

@@ -112,10 +112,8 @@ def made_dictionary(frames: int) -> Matrix:
 
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
-    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together.
-
-    Each round adds the best atom and solves for all weights, using the inner products of the atoms.
-    """
+    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together,
+    with inner products of atoms."""
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
     chosen = np.zeros((count, 0), np.int64)

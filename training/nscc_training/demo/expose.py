@@ -284,11 +284,8 @@ def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[
 def merged_light(
     capture: Taken, offset: NDArray[np.float64], sensor: Sensor
 ) -> tuple[NDArray[np.float32], str]:
-    """Return the light of a frame with one bucket, and the name of the method.
-
-    The light is in electrons over the frame (rows, cols) for a still, or per slot (T, rows, cols)
-    for a clip; colours are the last axis. `offset` is the dark value of the array in converter
-    codes."""
+    """Return the light of a frame with one bucket, as `Exposed.truth`, and the method; `offset` is
+    the array's dark value in codes."""
     frame, container = capture.simulated.frame, capture.container
     assert container.pixel_codes is not None  # the frame has been exposed
     lanes = container.table.shutter_of_code[container.pixel_codes]

@@ -34,10 +34,7 @@ _CUT = 4.0
 
 @dataclass(frozen=True)
 class Subject:
-    """A scene before its exposure is chosen.
-
-    `still` tells a still from a clip. `chosen` describes the chosen part of a clip, or is empty.
-    `in_electrons` means that the scene is in electrons and needs no exposure."""
+    """A scene before its exposure is chosen: a still or a clip, of which a part may be `chosen`."""
 
     scene: Scene
     still: bool

@@ -105,10 +105,7 @@ Scenes = Sequence[NDArray[np.floating]]
 
 @dataclass(frozen=True)
 class Frame:
-    """The frame for which a program is designed.
-
-    It has `slots` equal slots of `slot_us`. `target` is a chip's name or file, `sensor` its sensor
-    (None: the default sensor), and `level` the compiler's optimisation level."""
+    """The frame of a design: `slots` of `slot_us` on a chip, with its default sensor or another."""
 
     slots: int = 256
     slot_us: float = 125.0

@@ -49,10 +49,8 @@ Field = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
-    """The images of a scene.
-
-    `light` contains arrays by name, (rows, cols) for a still or (T, rows, cols) for a clip.
-    `frames` contains the coded frame and the frame of always open pixels, as grey levels."""
+    """The images of a scene: `light` (rows, cols) or (T, rows, cols) by name, and coded and always
+    open `frames` in grey levels."""
 
     name: str
     light: Mapping[str, Field]

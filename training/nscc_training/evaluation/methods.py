@@ -120,11 +120,8 @@ Light = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Method:
-    """A decoder without training.
-
-    `decode` returns electrons over the frame (rows, cols), or per slot (slots, rows, cols). `sees`
-    is "capture", or "truth" for reference methods that use the ground truth. `settings` are named
-    options of `decode`, which `nscc tradeoff` compares."""
+    """A decoder without training: `decode` returns electrons; `sees` is "truth" for oracles;
+    `settings` are named options for `nscc tradeoff`."""
 
     decode: Callable[..., Light]
     sees: Literal["capture", "truth"] = "capture"

@@ -47,10 +47,8 @@ def scene_by_model(
     setup: TrainingSetup, light_e: Arrays, seed: int, tile: Tensor | None = None,
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Capture a scene with the sensor model and decode it; return the light and decoding seconds.
-
-    Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
-    `model` replaces the sensor model of training."""
+    """Capture a scene with the sensor model and decode it; return the electrons, over the frame or
+    per slot, and seconds."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:

@@ -43,10 +43,8 @@ _STARTS = (*STARTS, "learned")
 
 @dataclass(frozen=True, eq=False)
 class TrainingSetup:
-    """The objects of a training run.
-
-    `still` means that scenes are stills, not clips. `files` are the user's chip and sensor files,
-    by their names in a run folder. `chips` is the number of chips that `emulated` measures."""
+    """The objects of a training run, with the user's chip and sensor `files` by their names in a
+    run folder."""
 
     settings: RunSettings
     protocol: Protocol

@@ -31,10 +31,7 @@ class Item:
 
 @dataclass(frozen=True, eq=False)
 class ProtocolScene(ABC):
-    """A scene of a protocol.
-
-    `light_e` is in electrons, over the frame (rows, cols) or per slot (slots, rows, cols). `crop`
-    is its corner in a picture, `frame` its first frame in a clip."""
+    """A scene of a protocol: its light, over the frame or per slot, and its place in a file."""
 
     file: Path
     crop: tuple[int, int] | None

@@ -47,9 +47,8 @@ _JUDGED_SIDE = 128
 
 @dataclass(frozen=True, eq=False)
 class ClipCode:
-    """A tile of shutters (N, rows, cols), and its mean PSNR over scenes in dB.
-
-    With `long`, the frame has a second readout that is always open."""
+    """A tile of shutters (N, rows, cols) and its mean PSNR; with `long`, beside a readout that is
+    always open."""
 
     name: str
     opened: NDArray[np.bool_]

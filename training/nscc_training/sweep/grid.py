@@ -86,10 +86,8 @@ class Plot:
 
 @dataclass(frozen=True)
 class Grid:
-    """A grid, read from the file `name` in `folder`.
-
-    `columns` are the keys that occur in any part, in the order of the file; `axes` are those with
-    several values in a part. `text` is the file's text."""
+    """A grid: its points, the keys that occur (`columns`), those with several values in a part
+    (`axes`), and its text."""
 
     name: str
     folder: Path

@@ -281,9 +281,8 @@ def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iter
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Make named links to the outputs of the grid's points; remove the links of other grids.
-
-    Other processes may do the same for the same grid at the same time."""
+    """Make named links to the outputs of the grid's points, beside other processes, and remove
+    those of other grids."""
     links: dict[Path, str] = {}
     for point, key in keys.items():
         output_path = _output_path(out, point, key)

@@ -29,10 +29,8 @@ The current folder, warnings and torch's thread count are shared by the process.
 
 @dataclass(frozen=True)
 class PointTask:
-    """A point to compute.
-
-    Its paths are relative to `folder`, and its output file names begin with `files`. `runs` maps
-    each value of the point that names a run to the folder of this run."""
+    """A point to compute in `folder`, into names that begin with `files`, after the `runs` that its
+    values name."""
 
     point: GridPoint
     key: str

@@ -247,10 +247,8 @@ class Bench:
 def rms_percent(
     seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
 ) -> float:
-    """Return the root mean square difference where `counted`, in percent of the signal.
-
-    Arrays are (buckets, rows, cols); the bucket with the largest difference is used. Infinite if a
-    bucket has no counted pixel."""
+    """Return the root mean square difference where `counted`, in percent of the signal, of the
+    worst bucket; it may be infinite."""
     mean_squares = [
         float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
         for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)

@@ -47,10 +47,7 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 @dataclass(frozen=True)
 class DecoderStudySettings:
-    """The settings of the measurement of decoders.
-
-    `data` is a folder of scenes; None uses procedural scenes. `size` is the side of a scene in
-    pixels. Repeats end after `budget_s` seconds, but everything is measured at least once."""
+    """The settings of the measurement of decoders; no repeat starts after `budget_s` seconds."""
 
     data: Path | None
     count: int
@@ -62,10 +59,8 @@ class DecoderStudySettings:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A decoder with its settings.
-
-    `run` returns electrons, over the frame or per slot. `device` names a device other than the CPU.
-    `loads` distinguishes settings that load and compile different things."""
+    """A decoder with its settings; `loads` distinguishes settings that load and compile different
+    things."""
 
     method: str
     setting: str
