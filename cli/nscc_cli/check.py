@@ -74,21 +74,16 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
         for names in rounds(lambda: set().union(*map(files_of, files))):
             if names:
                 say_done(f"\n--- {', '.join(names)} changed ---")
-            status = _shown(files, fix, options)
+            try:
+                _check(files, fix, options)
+                status = 0
+            except Rejected as rejected:
+                show(rejected.diagnostics)
+                status = rejected.status
             say_done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
     except KeyboardInterrupt:
         say_done("")
     return status
-
-
-def _shown(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check the programs, print the errors, and return the exit status."""
-    try:
-        _check(files, fix, options)
-    except Rejected as rejected:
-        show(rejected.diagnostics)
-        return rejected.status
-    return 0
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:

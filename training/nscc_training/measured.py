@@ -97,8 +97,15 @@ class Measured(Generic[Array]):
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
             shares = gap / (self.energy + noise).clip(min=1e-6)
         else:
-            of, last = namespace(gap), namespace(gap).moveaxis(gap, 1, -1)[..., None]
-            shares = of.moveaxis(of.linalg.solve(self._joint(sigma), last)[..., 0], -1, 1)
+            # The covariance (batch, rows, cols, B, B) of each pixel's frames, over sigma squared.
+            of = namespace(gap)
+            masks = of.moveaxis(self.mask, (1, 2), (3, 4))
+            noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
+            # Avoid a division by 0 for pixels that never open in a frame.
+            identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
+            joint = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
+            last = of.moveaxis(gap, 1, -1)[..., None]
+            shares = of.moveaxis(of.linalg.solve(joint, last)[..., 0], -1, 1)
         update: Array = (self.mask * shares[:, :, None]).sum(1)
         return update
 
@@ -107,16 +114,6 @@ class Measured(Generic[Array]):
         """Return whether no light of a pixel is in two frames, as in the frames of a film."""
         shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
-
-    def _joint(self, sigma: Array) -> Array:
-        """Return the covariance (.., B, B) of each pixel's frames, over sigma squared."""
-        of = namespace(self.mask)
-        masks = of.moveaxis(self.mask, (1, 2), (3, 4))
-        noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
-        # Avoid a division by 0 for pixels that never open in a frame.
-        identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
-        joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
-        return joint
 
     @property
     def energy(self) -> Array:

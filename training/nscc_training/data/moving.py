@@ -47,7 +47,13 @@ def moving(
     clip = np.zeros((frames, size, size), np.float32)
     for frame in range(frames):
         for moment in range(moments):
-            clip[frame] += _composite(layers, frame + moment / moments - frames / 2, size)
+            time = frame + moment / moments - frames / 2
+            image = layers[0].picture_at(time, size)
+            for layer in layers[1:]:  # each covers those before it
+                cover = layer.cover_at(time, size)
+                if cover.any():
+                    image += cover * (layer.picture_at(time, size) - image)
+            clip[frame] += image
     clip /= moments * 255
     if generator.random() < 0.6:
         low, high = np.percentile(clip[0], (1, 99))
@@ -149,16 +155,6 @@ class _Layer:
         edge = np.interp(bearing, places, np.append(self.outline, self.outline[0]))
         cover = np.clip(edge - np.hypot(rows, cols) + 0.5, 0, 1)
         return np.asarray(cover, np.float32)
-
-
-def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
-    """Return the layers at a moment as a picture 0..255; each layer covers those before it."""
-    image = layers[0].picture_at(moment, size)
-    for layer in layers[1:]:
-        cover = layer.cover_at(moment, size)
-        if cover.any():
-            image += cover * (layer.picture_at(moment, size) - image)
-    return image
 
 
 def pictures_below(folder: Path) -> list[Path]:

@@ -134,9 +134,3 @@ def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Va
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)
     return mu_law(relative_light, MU) if curve == "mu" else relative_light
-
-
-def hermite(points: int) -> tuple[Values, Values]:
-    """Return points and weights of the Gauss-Hermite rule for the standard normal distribution."""
-    places, weights = np.polynomial.hermite_e.hermegauss(points)
-    return places, weights / weights.sum()

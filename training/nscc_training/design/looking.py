@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
-from nscc_training.design.chip import CURVES, Curve, DesignChip, hermite
+from nscc_training.design.chip import CURVES, Curve, DesignChip
 from nscc_training.design.scene import Histogram
 
 Values = NDArray[np.float64]
@@ -54,9 +54,9 @@ class LookModel:
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
         self.slots = len(slot_us)
-        places, weights = hermite(_OFFSETS)
+        places, weights = np.polynomial.hermite_e.hermegauss(_OFFSETS)
         self._offset_e = places * chip.offset_e
-        self._start = scene.weight[:, None] * weights
+        self._start = scene.weight[:, None] * (weights / weights.sum())
         self._exposure_errors: dict[Curve, Values] = {}
         self._closed: dict[int, NDArray[np.float32]] = {}
 

@@ -25,7 +25,7 @@ _WIDTH = 900
 def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
     """Return the HTML page: the diagram, points without results, all points, and the grid."""
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
-    shown += [name for name in table.figures if _says_something(table.columns[name])]
+    shown += [name for name in table.figures if any(v is not None for v in table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
     blocks = [
         html.Html() if diagram is None else html.picture(diagram, "", _WIDTH),
@@ -156,10 +156,6 @@ def _number(value: Any) -> bool:
 
 def _numbers(values: Sequence[Any]) -> bool:
     return all(value is None or _number(value) for value in values)
-
-
-def _says_something(values: Sequence[Any]) -> bool:
-    return any(value is not None for value in values)
 
 
 def _short(value: Any) -> str:
