@@ -19,9 +19,15 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.sensor import sensor_sha256
-from nscc_training.dark_frames import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks_encoder import LOOKS
-from nscc_training.frame_reading import FrameRead, no_frame, read_frame
+from nscc_training.frame_reading import (
+    FrameRead,
+    no_frame,
+    of_pixels,
+    read_dark,
+    read_frame,
+    undarkened,
+)
 from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
 from nscc_training.reconstruct_any import Reconstruction, overexposed

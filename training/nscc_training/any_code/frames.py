@@ -24,8 +24,7 @@ from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.dark_frames import read_dark, undarkened
-from nscc_training.frame_reading import are_lengths, number_of
+from nscc_training.frame_reading import are_lengths, number_of, read_dark, undarkened
 from nscc_training.measured import Measured
 from nscc_training.problems import one_line, why_no_arrays
 

@@ -98,11 +98,11 @@ def validated(
     )
 
 
-def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
+def as_trained(setup: TrainingSetup, sensor: Sensor | None = None) -> Decode:
     """Return a function that captures with the emulated chip if the run has effects, else the
     model, and decodes."""
     effects = setup.settings.sensor.effects
-    return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
+    return by_chip(setup, effects, sensor) if effects else by_model(setup)
 
 
 def by_model(
