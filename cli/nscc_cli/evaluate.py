@@ -224,12 +224,11 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     with all seeds together."""
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
-    from nscc_training.evaluation.results import compare as compared
-    from nscc_training.evaluation.results import comparison_text, read_result
+    from nscc_training.evaluation import results as saved
 
-    read = [read_result(path) for path in results]
-    comparison = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    _finish(comparison, comparison_text(comparison, metric) + "\n", {}, **outputs)
+    read = [saved.read_result(path) for path in results]
+    comparison = saved.compare(list(zip(read[::2], read[1::2], strict=True)), metric)
+    _finish(comparison, saved.comparison_text(comparison, metric) + "\n", {}, **outputs)
 
 
 def _of_scenes(

@@ -32,8 +32,8 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
     input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70) with a
     reproducer."""
+    error_text = " ".join(str(error).split())[:200]
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
-        error_text = " ".join(str(error).split())[:200]
         on_gpu = type(error).__name__ == "OutOfMemoryError"
         less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
         processor = ("with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, "
@@ -64,7 +64,9 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
         file_text = f" '{error.filename}'" if error.filename else ""
         reason = error.strerror or str(error)
         return Diagnostic("NS0784", f"cannot read or write{file_text}: {reason}"), WRONG_USAGE
-    return _fault(error, arguments), FAULT
+    notes, hint = save_reproducer("".join(traceback.format_exception(error)), arguments)
+    failed = f"nscc itself failed: {type(error).__name__}: {error_text}"
+    return Diagnostic("NS0901", failed, notes=notes, helps=(hint,)), FAULT
 
 
 def _no_memory(error: Exception) -> bool:
@@ -88,18 +90,6 @@ def _of_nscc(filename: object) -> bool:
     """Return whether the file belongs to nscc, so that its failure means a broken installation."""
     root = os.path.realpath(Path(__file__).parents[1]) + os.sep
     return isinstance(filename, str) and os.path.realpath(filename).startswith(root)
-
-
-def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
-    trace = "".join(traceback.format_exception(error))
-    error_text = " ".join(str(error).split())[:200]
-    notes, hint = save_reproducer(trace, arguments)
-    return Diagnostic(
-        "NS0901",
-        f"nscc itself failed: {type(error).__name__}: {error_text}",
-        notes=notes,
-        helps=(hint,),
-    )
 
 
 def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from nscc import __version__
 from nscc.cache.contents import content
 from nscc.cache.digest import digest, package_digest
 from nscc.files import refuse_inputs, refuse_same, write_together
+from nscc.requirements import installed_version
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
 from nscc.tradeoff.rows import Rows
@@ -53,7 +53,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
         name: _plain(value) for name, value in sorted(options.items()) if name not in _PLACES
     }
     ours = [package_digest(name) or __version__ for name in _PACKAGES if find_spec(name)]
-    versions = [(name, _version(name)) for name in _DISTRIBUTIONS]
+    versions = [(name, installed_version(name)) for name in _DISTRIBUTIONS]
     key = digest((option_values, list(of), ours, versions, processor_name()))
     first = next(iter(files.values()))
     return Rows(first.with_name(first.stem + STORE), key)
@@ -66,13 +66,6 @@ def _plain(value: Any) -> Any:
     if isinstance(value, str | Path):
         return [str(value), content(Path(value))]
     return value
-
-
-def _version(distribution: str) -> str:
-    try:
-        return metadata.version(distribution)
-    except metadata.PackageNotFoundError:
-        return ""
 
 
 def write_files(
