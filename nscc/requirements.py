@@ -51,6 +51,16 @@ def install_line(extra: str) -> str:
     return f"pip install 'nscc[{extra}]'" if extra else "pip install nscc"
 
 
+def installed_version(distribution: str) -> str:
+    """Return the version of an installed distribution, "" if it is absent."""
+    from importlib import metadata
+
+    try:
+        return metadata.version(distribution)
+    except metadata.PackageNotFoundError:
+        return ""
+
+
 def line_for(module: str) -> str:
     """Return the command that installs a module."""
     return install_line(extras().get(_normal(distribution_of(module)), "all"))

@@ -13,8 +13,8 @@ from nscc_training.config import settings_of
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
 from nscc_training.loop.setup import TrainingSetup, make_setup
+from nscc_training.loop.step_loss import pull, trial_of
 from nscc_training.loop.steps import decoded, loss_of
-from nscc_training.loop.trials import pull, trial_of
 from nscc_training.sensor_model import laid
 
 CPU = torch.device("cpu")

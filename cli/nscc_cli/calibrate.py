@@ -21,25 +21,21 @@ class _Calibrate(CommonCommand):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Parse the arguments after rewriting `--dark a b` as `--dark a --dark b`."""
-        return super().parse_args(ctx, _spread(args))
-
-
-def _spread(args: list[str]) -> list[str]:
-    spread_args: list[str] = []
-    taking, first = False, False
-    for arg in args:
-        if arg.startswith("-") and arg != "-":
-            # A `--dark` without files stays, so that click reports it.
-            if taking and first:
-                spread_args.append(_DARK)
-            taking = first = arg == _DARK
-            if not taking:
-                spread_args.append(arg)
-                taking = arg.startswith(_DARK + "=")
-            continue
-        spread_args += [_DARK, arg] if taking else [arg]
-        first = False
-    return [*spread_args, _DARK] if taking and first else spread_args
+        spread_args: list[str] = []
+        taking, first = False, False
+        for arg in args:
+            if arg.startswith("-") and arg != "-":
+                # A `--dark` without files stays, so that click reports it.
+                if taking and first:
+                    spread_args.append(_DARK)
+                taking = first = arg == _DARK
+                if not taking:
+                    spread_args.append(arg)
+                    taking = arg.startswith(_DARK + "=")
+                continue
+            spread_args += [_DARK, arg] if taking else [arg]
+            first = False
+        return super().parse_args(ctx, [*spread_args, _DARK] if taking and first else spread_args)
 
 
 @click.command(name="calibrate", cls=_Calibrate)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from time import sleep
 from typing import Any
 
 import click
@@ -40,8 +43,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
-    """Compile all programs and print their messages; raise Rejected with the errors of all
-    programs."""
+    """Compile all programs and print their messages; raise Rejected with all errors."""
     diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:
@@ -62,7 +64,6 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     """Check now and after each change; return the last exit status when the user stops it."""
     from nscc.compiler import files_of
-    from nscc_cli.watching import rounds
 
     if session().message_format == "sarif":
         raise click.UsageError(
@@ -73,21 +74,16 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
         for names in rounds(lambda: set().union(*map(files_of, files))):
             if names:
                 say_done(f"\n--- {', '.join(names)} changed ---")
-            status = _shown(files, fix, options)
+            try:
+                _check(files, fix, options)
+                status = 0
+            except Rejected as rejected:
+                show(rejected.diagnostics)
+                status = rejected.status
             say_done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
     except KeyboardInterrupt:
         say_done("")
     return status
-
-
-def _shown(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check the programs, print the errors, and return the exit status."""
-    try:
-        _check(files, fix, options)
-    except Rejected as rejected:
-        show(rejected.diagnostics)
-        return rejected.status
-    return 0
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
@@ -111,3 +107,39 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
         write_back(path, better.text.encode())
     if count:
         say_done(f"fixed {path.as_posix()}: {counted(count, 'change')}")
+
+
+_PAUSE_S = 0.2
+
+State = tuple[int, ...] | None
+"""A summary of a file's state that changes with its content; None if the file does not exist."""
+
+
+def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
+    """Yield an empty list, then after each change the names of the changed files.
+
+    Changes while the caller works are not missed. `files` is called again after each change,
+    because the set of files may change. Files may be missing and appear later."""
+    known_states = _states(files())
+    changed: list[str] = []
+    while True:
+        yield changed
+        now = _states(files())
+        known_states = {path: known_states.get(path, state) for path, state in now.items()}
+        while now == known_states:
+            sleep(_PAUSE_S)
+            now = _states(now)
+        changed = sorted(path.as_posix() for path in now if now[path] != known_states[path])
+        known_states = now
+
+
+def _states(files: Iterable[Path]) -> dict[Path, State]:
+    return {path: _state(path) for path in files}
+
+
+def _state(path: Path) -> State:
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return status.st_mtime_ns, status.st_size, status.st_ino

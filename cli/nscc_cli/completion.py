@@ -18,10 +18,8 @@ Items = list[CompletionItem]
 
 
 class Name(click.types.StringParamType):
-    """The click type of a name.
-
-    The shell suggests names; with `files` also files. `several` allows a list separated by commas,
-    in which each name may begin with one of the characters in `signs`."""
+    """The click type of a name: the shell suggests names, with `files` also files, with `several` a
+    list separated by commas, each after one of `signs`."""
 
     name = "text"
 
@@ -33,8 +31,7 @@ class Name(click.types.StringParamType):
         self.files, self.several, self.signs = files, several, signs
 
     def names(self) -> Iterator[str]:
-        """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE), which is imported
-        here."""
+        """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE)."""
         yield from self.more
         if self.source:
             module, _, name = self.source.partition(":")
@@ -53,9 +50,7 @@ class Name(click.types.StringParamType):
 
 
 class RunPath(click.Path):
-    """The click type of a run folder.
-
-    The shell suggests run folders, shipped runs, the names in `more`, and other folders."""
+    """The click type of a run folder; the shell also suggests shipped runs and `more`."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)

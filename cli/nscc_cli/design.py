@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc_cli import options as shared
-from nscc_cli.completion import SCENE, TARGET
+from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
 from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
@@ -57,8 +57,7 @@ _MOST_SLOTS = 4096
               f"{_CLIP_SLOTS}).")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
               help="The length of each slot.")  # fmt: skip
-@click.option("--target", type=TARGET, default="scamp5", show_default=True,
-              metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
+@shared.chip_option
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
               help="Effort of the search for fewer words.")  # fmt: skip
 @shared.scene_options
@@ -149,8 +148,7 @@ def _scene_lights(
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
 ) -> list[NDArray[np.float64]]:
-    """Return the light of each scene in at most `parts` intervals of the frame, in electrons,
-    (intervals, rows, cols)."""
+    """Return each scene's light in electrons, (at most `parts` intervals, rows, cols)."""
     slots = options["slots"]
     starts = sorted({slots * part // parts for part in range(parts)})
     return [

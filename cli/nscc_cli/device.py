@@ -148,6 +148,11 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     """Expose frames with FILE, or with the program that the device at PORT already holds.
 
     `meta` in each frame file contains the time of exposure and the program's SHA-256."""
+    from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.frame_file import check_adc
+
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
     if options["out"] is not None and (options["count"] or options["every"]):
@@ -158,15 +163,6 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
             f"--target cannot change '{program}': it is compiled already",
             helps=("give the .nsl file instead, or leave --target out",),
         )
-    _capture(port, program, options)
-
-
-def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
-    from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
-    from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
-    from nscc_runtime.frame_file import check_adc
-
     container = None
     if program is not None:
         container, messages = load_program(program, options)

@@ -1,14 +1,15 @@
-"""`nscc evaluate`: scores of reconstructions under a protocol, and comparisons of scores."""
+"""`nscc evaluate`: scores under a protocol, and comparisons; `nscc metrics`: those of two files."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.files import Product, write_together
+from nscc.files import Product, write_together, write_whole
 from nscc_cli.completion import EFFECTS, PROTOCOL, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import (
@@ -223,20 +224,18 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     with all seeds together."""
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
-    from nscc_training.evaluation.result_text import comparison_text
-    from nscc_training.evaluation.results import compare as compared
-    from nscc_training.evaluation.results import read_result
+    from nscc_training.evaluation import results as saved
 
-    read = [read_result(path) for path in results]
-    comparison = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    _finish(comparison, comparison_text(comparison, metric) + "\n", {}, **outputs)
+    read = [saved.read_result(path) for path in results]
+    comparison = saved.compare(list(zip(read[::2], read[1::2], strict=True)), metric)
+    _finish(comparison, saved.comparison_text(comparison, metric) + "\n", {}, **outputs)
 
 
 def _of_scenes(
     evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
 ) -> None:
     """Print and write the scores of scenes."""
-    from nscc_training.evaluation.result_text import arrays_in, result_text
+    from nscc_training.evaluation.results import arrays_in, result_text
 
     products = {} if save is None else arrays_in(save, arrays)
     _finish(evaluation, result_text(evaluation), products, **outputs)
@@ -246,8 +245,36 @@ def _finish(
     result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
     """Print and write a result."""
-    from nscc_training.evaluation.result_text import result_json
+    from nscc_training.evaluation.results import result_json
 
     text = result_json(result)
     write_together({**({out: text.encode()} if out else {}), **products})
     click.echo(text if as_json else human, nl=False)
+
+
+@click.command("metrics", cls=CommonCommand)
+@click.argument("truth", type=PATH)
+@click.argument("result", metavar="REC", type=PATH)
+@click.option("--data-range", type=float, required=True, metavar="R",
+              help="The peak value that errors are compared with: 255 for 8-bit "
+                   "values, 1 for values on [0, 1].")  # fmt: skip
+@click.option("--truth-key", help="The array of TRUTH, if it contains several.")
+@click.option("--rec-key", "result_key", help="The array of REC, if it contains several.")
+@click.option("--nits", type=NumberRange(0.005, 10000.0, min_open=True), default=1000.0,
+              show_default=True,
+              help="The luminance in cd/m2 that the data range R represents, for "
+                   "PU21-PSNR.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="Print JSON, with every frame of a clip.")
+@click.option("-o", "out", type=OUT, help="Write the JSON to a file.")
+def metrics(as_json: bool, out: Path | None, **pair: Any) -> None:
+    """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
+
+    Prints PSNR, SSIM, mu-law PSNR (mu = 5000), PU21-PSNR and, for clips, the temporal error.
+    Values are compared as stored; mu-law and PU21 clip them to 0..R."""
+    from nscc_training.measures import measure_files, measures_text
+
+    scores = measure_files(**pair)
+    text = json.dumps(scores, indent=2, allow_nan=False) + "\n"
+    if out is not None:
+        write_whole(out, text.encode())
+    click.echo(text if as_json else measures_text(scores), nl=False)

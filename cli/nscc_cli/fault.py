@@ -32,33 +32,41 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
     input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70) with a
     reproducer."""
+    error_text = " ".join(str(error).split())[:200]
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
-        return _out_of_memory(error, arguments), FAILED
+        on_gpu = type(error).__name__ == "OutOfMemoryError"
+        less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
+        processor = ("with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, "
+                     "which is slower")  # fmt: skip
+        return Diagnostic(
+            "NS0902",
+            f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
+            notes=(error_text,) if error_text else (),
+            helps=(_LESS.get(arguments[0] if arguments else "", less), *([processor] * on_gpu)),
+        ), FAILED
     if isinstance(error, RecursionError):
         deep = "this input is nested too deeply"
         hint = "use fewer parentheses, or name parts of an expression with `let`"
         return Diagnostic("NS0903", deep, helps=(hint,)), REJECTED
     if isinstance(error, ModuleNotFoundError) and not (error.name or "nscc").startswith("nscc"):
-        return _missing_package(error), WRONG_USAGE
+        from nscc.requirements import distribution_of, line_for
+
+        name = distribution_of(error.name or "")
+        return Diagnostic(
+            "NS0904",
+            f"the Python package '{name}', which this command needs, is not installed",
+            helps=(
+                f"install nscc with what this needs: {line_for(error.name or '')}",
+                "`nscc doctor` lists installed and missing packages",
+            ),
+        ), WRONG_USAGE
     if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
         file_text = f" '{error.filename}'" if error.filename else ""
         reason = error.strerror or str(error)
         return Diagnostic("NS0784", f"cannot read or write{file_text}: {reason}"), WRONG_USAGE
-    return _fault(error, arguments), FAULT
-
-
-def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
-    from nscc.requirements import distribution_of, line_for
-
-    name = distribution_of(error.name or "")
-    return Diagnostic(
-        "NS0904",
-        f"the Python package '{name}', which this command needs, is not installed",
-        helps=(
-            f"install nscc with what this needs: {line_for(error.name or '')}",
-            "`nscc doctor` lists installed and missing packages",
-        ),
-    )
+    notes, hint = save_reproducer("".join(traceback.format_exception(error)), arguments)
+    failed = f"nscc itself failed: {type(error).__name__}: {error_text}"
+    return Diagnostic("NS0901", failed, notes=notes, helps=(hint,)), FAULT
 
 
 def _no_memory(error: Exception) -> bool:
@@ -78,42 +86,27 @@ _LESS = {
 """A help for each command on how to reduce its memory use."""
 
 
-def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
-    error_text = " ".join(str(error).split())[:200]
-    on_gpu = type(error).__name__ == "OutOfMemoryError"
-    less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
-    processor = (
-        "with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, which is slower"
-    )
-    return Diagnostic(
-        "NS0902",
-        f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
-        notes=(error_text,) if error_text else (),
-        helps=(_LESS.get(arguments[0] if arguments else "", less), *([processor] * on_gpu)),
-    )
-
-
 def _of_nscc(filename: object) -> bool:
     """Return whether the file belongs to nscc, so that its failure means a broken installation."""
     root = os.path.realpath(Path(__file__).parents[1]) + os.sep
     return isinstance(filename, str) and os.path.realpath(filename).startswith(root)
 
 
-def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
-    trace = "".join(traceback.format_exception(error))
-    error_text = " ".join(str(error).split())[:200]
-    notes, hint = save_reproducer(trace, arguments)
-    return Diagnostic(
-        "NS0901",
-        f"nscc itself failed: {type(error).__name__}: {error_text}",
-        notes=notes,
-        helps=(hint,),
-    )
-
-
 def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:
     """Save a reproducer with a traceback; return the notes and the help that name its file."""
-    saved = _save(_packed(trace, arguments))
+    versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
+    members = {
+        "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
+        "traceback.txt": trace.encode(errors="replace"),
+        "versions.txt": versions.encode(),
+    }
+    for number, path in enumerate(_inputs(arguments)):
+        members[f"inputs/{number}-{path.name}"] = _content(path)
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content)
+    saved = _save(packed.getvalue())
     if saved is None:
         none = "the reproducer could not be saved in the current or the temporary folder"
         return (none, trace), "please report it with the text above and your input"
@@ -137,23 +130,6 @@ def _save(data: bytes) -> str | None:
             continue
         return str(path)
     return None
-
-
-def _packed(trace: str, arguments: Sequence[str]) -> bytes:
-    """Return a zip with the command line, versions, traceback and input files."""
-    versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
-    members = {
-        "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
-        "traceback.txt": trace.encode(errors="replace"),
-        "versions.txt": versions.encode(),
-    }
-    for number, path in enumerate(_inputs(arguments)):
-        members[f"inputs/{number}-{path.name}"] = _content(path)
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in members.items():
-            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content)
-    return packed.getvalue()
 
 
 def _inputs(arguments: Sequence[str]) -> list[Path]:

@@ -27,9 +27,7 @@ if TYPE_CHECKING:
 def scene_of(
     options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
-    """Return the scene that the options describe.
-
-    Raises NS0744 with the message `missing` if `--scene` is missing."""
+    """Return the scene that the options describe; raise NS0744 (`missing`) without `--scene`."""
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:
@@ -69,10 +67,8 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
 def run_capture_of(
     like: Path | None, options: dict[str, Any], program: Path | None = None
 ) -> RunCapture | None:
-    """Return how the run `like` exposes frames, and set missing `options` from it.
-
-    The chip in `options` is not set if `program` is compiled, because its words are for one chip.
-    """
+    """Return how the run `like` exposes frames, and set missing `options` from it; the chip only
+    for a program that is not compiled."""
     if like is None:
         return None
     from nscc.containers import is_compiled
@@ -109,10 +105,8 @@ def parse_keep(text: str) -> tuple[str, ...]:
 
 
 def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
-    """Return the path of the frame file, by default PROGRAM.frame.npz.
-
-    PROGRAM.npz is avoided because it may contain the program's data. Raises NS0745 if two products
-    have the same path, and NS0786 for an unknown file format."""
+    """Return the path of the frame file, by default PROGRAM.frame.npz; raise NS0745 for equal paths
+    and NS0786 for an unknown format."""
     from nscc_runtime.formats import check_ending, endings
 
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
@@ -130,10 +124,8 @@ def write_frame(
     light: Light | None, frame: Frame, meta: Mapping[str, Any], title: str, timings: Timings,
     response: Callable[[], Response], plan: str | None = None,
 ) -> list[Path]:  # fmt: skip
-    """Write the frame file and the requested picture, plan and timings.
-
-    `response` computes the sensor response of the frame, for the picture. Returns the paths of
-    frame, picture and plan."""
+    """Write the frame file and the requested picture, plan and timings, and return the paths.
+    `response` computes the sensor response for the picture."""
     from nscc.prove.shutters import replayed
     from nscc_runtime.decode_table import with_table
     from nscc_runtime.formats import file_of
@@ -179,9 +171,7 @@ def _picture(
 def summary(
     container: Container, frame: Frame, files: Sequence[Path], *, alike: bool, colours: bool = False
 ) -> str:
-    """Describe each bucket of the first frame and each file, one line each.
-
-    `alike` means that all frames are identical, `colours` that they are red, green and blue."""
+    """Describe each bucket of the first frame and each file; `alike`: all frames are identical."""
     from nscc_runtime.run_messages import frame_lines
 
     lines = frame_lines(container, frame)

@@ -43,7 +43,11 @@ class LazyGroup(click.Group):
             raise click.NoSuchOption(name, ctx=ctx)
         command = self.get_command(ctx, name)
         if command is None:
-            raise Rejected(_unknown(name, self.list_commands(ctx)), status=2)
+            helps = meant(name, self.list_commands(ctx), written="nscc {}")
+            if not helps and name.endswith((".nsl", ".icw")):
+                helps = (f"name a command first: `nscc check {name}`",)
+            helps = helps or ("`nscc --help` lists the commands",)
+            raise Rejected(Diagnostic("NS0781", f"unknown command '{name}'", helps=helps), status=2)
         if not gc.isenabled():  # `main` turned the collector off during the imports
             gc.freeze()
             gc.enable()
@@ -70,10 +74,8 @@ class LazyGroup(click.Group):
 
 
 def added_by_packages() -> dict[str, click.Command]:
-    """Return the commands that other distributions add, by name.
-
-    Raises Rejected (NS0905) for an object that is not a click command, or has the name of an nscc
-    command."""
+    """Return the commands of other distributions, by name; raise Rejected (NS0905) for an unusable
+    one."""
     added_commands = added("nscc.commands", COMMANDS)
     for name, command in added_commands.items():
         if not isinstance(command, click.Command):
@@ -81,14 +83,6 @@ def added_by_packages() -> dict[str, click.Command]:
                 "nscc.commands", name, f"a {type(command).__name__} is not a click command"
             )
     return added_commands
-
-
-def _unknown(name: str, known: list[str]) -> Diagnostic:
-    helps = meant(name, known, written="nscc {}")
-    if not helps and name.endswith((".nsl", ".icw")):
-        helps = (f"name a command first: `nscc check {name}`",)
-    helps = helps or ("`nscc --help` lists the commands",)
-    return Diagnostic("NS0781", f"unknown command '{name}'", helps=helps)
 
 
 _version_option = click.version_option(

@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 
 from nscc.files import write_together
-from nscc_cli.new_program import CHIP, NEW_PROGRAM, beside_program
-from nscc_cli.options import PATH
+from nscc_cli.new_program import NEW_PROGRAM, beside_program
+from nscc_cli.options import PATH, chip_option
 from nscc_cli.support import CommonCommand, NumberRange, say_done
 
 
@@ -17,7 +17,7 @@ from nscc_cli.support import CommonCommand, NumberRange, say_done
 @NEW_PROGRAM
 @click.option("--slot-us", type=NumberRange(1e-3, 1e9), default=125.0, show_default=True,
               help="Length of a slot in microseconds.")  # fmt: skip
-@CHIP
+@chip_option
 def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
     """Write a program with the shutters of MASK, and a file with its codes.
 

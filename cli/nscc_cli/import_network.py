@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 
 from nscc.files import write_together
-from nscc_cli.new_program import CHIP, NEW_PROGRAM, beside_program
-from nscc_cli.options import PATH
+from nscc_cli.new_program import NEW_PROGRAM, beside_program
+from nscc_cli.options import PATH, chip_option
 from nscc_cli.support import CommonCommand, NumberRange, say_done
 
 
@@ -17,7 +17,7 @@ from nscc_cli.support import CommonCommand, NumberRange, say_done
 @NEW_PROGRAM
 @click.option("--frame-us", type=NumberRange(1e-3, 1e9), default=33_000.0, show_default=True,
               help="Exposure time of a frame in microseconds.")  # fmt: skip
-@CHIP
+@chip_option
 def command(model: Path, out: Path, frame_us: float, target: str) -> None:
     """Write the program of a recurrent cell of bits, and its kernels beside it.
 

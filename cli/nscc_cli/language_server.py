@@ -27,7 +27,7 @@ from nscc.editing.mentions import CannotRename, alike, declaration, mention_at, 
 from nscc.source import Span
 from nscc.syntax.format import format_source
 from nscc_cli import protocol_values as values
-from nscc_cli.positions import Positions
+from nscc_cli.protocol_values import Positions
 
 Answer = TypeVar("Answer")
 AnyText = TypeVar("AnyText", bound=Text)
@@ -57,8 +57,7 @@ class Server(LanguageServer):
         self.check(uri)
 
     def check(self, uri: str) -> None:
-        """Check a text in the working thread and publish its diagnostics, unless a newer version
-        arrives."""
+        """Check a text in the working thread; publish the diagnostics unless it changes."""
         document, version = self.documents[uri], self.versions[uri]
 
         def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
@@ -115,8 +114,7 @@ def make_server() -> Server:
 
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
-    """Return False for log records of refused requests, which the editor shows itself, else
-    True."""
+    """Return False for log records of refused requests, which the editor shows."""
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 

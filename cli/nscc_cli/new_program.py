@@ -7,21 +7,15 @@ from pathlib import Path
 import click
 
 from nscc.files import refuse_same
-from nscc_cli.completion import TARGET
 from nscc_cli.options import OUT
 
 NEW_PROGRAM = click.option(
     "-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program."
 )
-CHIP = click.option(
-    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml",
-    help="The chip.",
-)  # fmt: skip
 
 
 def beside_program(out: Path, arrays: str) -> Path:
-    """Return the path `STEM.ARRAYS.npz` beside a program; raise a usage error unless `out` ends in
-    .nsl."""
+    """Return the path STEM.ARRAYS.npz beside a program, whose name must end in .nsl."""
     if out.suffix.lower() != ".nsl":
         raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
     path = out.with_suffix(f".{arrays}.npz")

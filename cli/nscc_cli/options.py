@@ -197,6 +197,11 @@ def repeats_option(default: int) -> Callable[..., Any]:
                   help="How often each setting is timed; the median is used.")  # fmt: skip
 
 
+chip_option = option(
+    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml",
+    help="The chip.",
+)  # fmt: skip
+
 trust_code_option = option(
     "--trust-code", is_flag=True,
     help="Allow the run to execute its custom Python code (module:name).",

@@ -39,8 +39,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
 
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
-    """Return the compiler's options from those of a command; missing options keep their
-    defaults."""
+    """Return the compiler's options in those of a command; others keep their defaults."""
     from nscc.pipeline import Options
 
     return Options(**_values_of(options, *_SPELLED, "cache"), **overrides)
@@ -83,8 +82,7 @@ def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str,
 
 
 def _is_mask(path: Path) -> bool:
-    """Return whether a file is a mask (.npy, .mat, or an .npz with `mask`) and not an .npz of
-    codes."""
+    """Return whether a file is a mask (.npy, .mat, .npz with `mask`), not an .npz of codes."""
     if path.suffix.lower() != ".npz" or not path.is_file():
         return path.suffix.lower() in (".npy", ".mat")
     from zipfile import BadZipFile, ZipFile

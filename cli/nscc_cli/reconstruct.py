@@ -1,7 +1,8 @@
-"""`nscc reconstruct`: decode a frame into a picture or a clip."""
+"""`nscc reconstruct` and `nscc classify`: decode a frame, or name its class."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -10,13 +11,12 @@ import click
 
 from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
-from nscc_cli.completion import RUN_OR_ANY
+from nscc_cli.completion import RUN, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, say, say_done
 
 if TYPE_CHECKING:
-    from nscc_training.reconstruction import Reconstruction
-    from nscc_training.untrained import Method
+    from nscc_training.reconstruct_any import Method, Reconstruction
 
 
 @click.command("reconstruct", cls=CommonCommand)
@@ -92,7 +92,7 @@ def command(
     if frame is None:
         from nscc_runtime.frame_arrays import image_of
         from nscc_training.frame_reading import frame_arrays
-        from nscc_training.reconstruction import overexposed
+        from nscc_training.reconstruct_any import overexposed
 
         image = image_of(Path(run))
         say([*overexposed(run, frame_arrays(Path(run)).saturated)])
@@ -133,8 +133,7 @@ def command(
 
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Print the method that replaced the network because torch is missing, unless the user chose
-    one."""
+    """Print the method that replaced the network, for lack of torch."""
     if method is None and reconstruction.method != "network":
         method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(
@@ -146,9 +145,7 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
 def _of_measurement(
     path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
 ) -> Reconstruction | None:
-    """Return the clip reconstructed from a measurement file; None if the file is a frame of nscc.
-
-    `of_frames` are the values of options that only frames accept."""
+    """Return the clip of a measurement file without options `of_frames`, else None."""
     from nscc_training.own_measurements import (
         NoiseModel,
         is_measurement,
@@ -170,3 +167,33 @@ def _of_measurement(
     measurement = read_measurement(path, mask)
     say_done(f"measurement: {measurement.axes}\nnoise model: {model}")
     return reconstruct_measurement(measurement, model, method)
+
+
+@click.command("classify", cls=CommonCommand)
+@click.argument("run", type=RUN, metavar="RUN")
+@click.argument("frame", metavar="FRAME.npz", type=PATH)
+@click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")
+@click.option("--dark", type=PATH, metavar="DARK.npz",
+              help="A frame file of the same program without light, with many "
+                   "repeats: it is subtracted from FRAME.")  # fmt: skip
+@click.option("--force", is_flag=True,
+              help="Only warn if the frame belongs to another program or sensor.")  # fmt: skip
+@trust_code_option
+def classify(
+    run: Path, frame: Path, as_json: bool, dark: Path | None, force: bool, trust_code: bool
+) -> None:
+    """Name the class of FRAME, which `nscc run` wrote, with the likelihood of each class.
+
+    RUN is the folder of a run that was trained with classes ([data] protocol = "class-v1")."""
+    from nscc_training.frame_reading import refuse_missing
+    from nscc_training.reconstruct import classify as classified
+
+    refuse_missing(frame)
+    classes, messages = classified(run, frame, force=force, dark=dark, trust_code=trust_code)
+    say(messages)
+    if as_json:
+        click.echo(json.dumps(classes))
+        return
+    width = max(map(len, classes))
+    for name, share in classes.items():
+        click.echo(f"{name:{width}}  {share:6.1%}")

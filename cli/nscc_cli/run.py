@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS, KEPT, RUN, SCENE
 from nscc_cli.frames import (
@@ -24,7 +26,6 @@ from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, progress, say, say_done
 
 if TYPE_CHECKING:
-    from nscc_runtime.simulate import Request
     from nscc_training.run_files import RunCapture
 
 _MOST_REPEATS = 10000
@@ -108,8 +109,6 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
     if options["place"] == "emulator":
         _run_on_emulator(program, options, keep, of_run)
     else:
-        from nscc_cli.on_device import run_on_device
-
         run_on_device(program, options, keep)
 
 
@@ -120,9 +119,10 @@ def _run_on_emulator(
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
-    from nscc_runtime.simulate import Listener
+    from nscc_runtime.simulate import Listener, Request
 
-    request, out = _request(options), frame_path(program, options)
+    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
+    request, out = Request.of(**simulation_options, mark="--"), frame_path(program, options)
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.measure("compile_s"):
@@ -163,10 +163,77 @@ def _run_on_emulator(
         raise simulated.broken
 
 
-def _request(options: dict[str, Any]) -> Request:
-    """Return the simulation request; raise NS0739 (status 2) for options that contradict each
-    other."""
-    from nscc_runtime.simulate import Request
+_MEANINGLESS = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
+               "plan", "like", "fit", "color", "first", "single")  # fmt: skip
+_SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
-    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
-    return Request.of(**simulation_options, mark="--")
+
+def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
+    """Expose a frame on the device at `options["place"]` and write the emulator's files."""
+    from nscc.words.readout import converter_of
+    from nscc_runtime.device.captured_frames import exposed
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.frame_file import check_adc
+    from nscc_runtime.response import response_of
+    from nscc_runtime.timings import Timings
+
+    place, scene = options["place"], options["scene"]
+    _refuse_simulation(place, scene, keep)
+    timings = Timings()
+    with timings.measure("compile_s"):
+        container, messages = load_program(program, options)
+    check_adc(container.target)
+    sensor = sensor_of(converter_of(container), options)
+    light, messages_so_far = None, list(messages)
+    if scene:
+        messages_so_far.append(
+            Diagnostic(
+                "NS0770",
+                f"the device exposes the real scene: --scene {scene[:60]} is only recorded",
+                severity=Severity.NOTE,
+                notes=("it is stored in meta, and in the file with --keep light,truth",),
+            )
+        )
+        with timings.measure("scene_s"):
+            named = scene_of(options)
+            light = named.light(
+                container.slot_us, container.target, messages_so_far.append, progress
+            )
+    say(messages_so_far)
+    out = frame_path(program, options)
+    with (
+        timings.measure("expose_s"),
+        SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
+    ):
+        chip = DeviceChip(link, sensor, progress)
+        frame, meta = exposed(chip, container, light, options["repeat"], progress)
+        effects = chip.effects
+    title = f"{program.name}  ·  on the device"
+    files = write_frame(
+        out, options, keep, container, light, frame, meta, title, timings,
+        lambda: response_of(container, sensor, effects),
+    )  # fmt: skip
+    say_done(summary(container, frame, files, alike=False))
+
+
+def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
+    """Raise NS0770 if the user gave options that have no meaning for a device."""
+    context = click.get_current_context()
+    meaningless = [*_MEANINGLESS, *(() if scene else _SCENE)]
+    named = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
+    refused_options = [
+        named[name]
+        for name in meaningless
+        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE
+    ]
+    if not scene:
+        refused_options += [f"--keep {name}" for name in keep if name in ("light", "truth")]
+    if refused_options:
+        listed = ", ".join(refused_options)
+        raise rejected(
+            "NS0770",
+            f"{listed} does not apply to a device: --on {place[:60]}",
+            notes=("a device exposes the real scene with its real noise",),
+            helps=(f"leave {listed} out, or run on the emulator: leave --on out",),
+        )

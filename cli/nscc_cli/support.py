@@ -69,10 +69,7 @@ def use_color() -> bool:
 
 
 def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
-    """Print diagnostics to standard error in the format of session `of`, by default the running
-    one.
-
-    For SARIF the diagnostics are only stored; `show_gathered` prints them."""
+    """Print diagnostics to standard error; for SARIF, store them for `show_gathered`."""
     of = of or session()
     if of.message_format == "sarif":
         of.gathered += diagnostics
@@ -124,8 +121,7 @@ def say_compiling(loop: Any, part_name: str) -> None:
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
-    """Save a reproducer if the diagnostic contains a traceback, and add a note that names the
-    file."""
+    """Save a reproducer of a diagnostic with a traceback, and add a note that names it."""
     trace = diagnostic.data.get("traceback")
     if trace is None:
         return diagnostic
@@ -249,9 +245,7 @@ class Subcommands(CommonCommand, click.Group):
 
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
-    """Show the elapsed time of a task on a terminal, if its progress cannot be counted.
-
-    Nothing is shown in the first second, or if `progress` shows nothing."""
+    """Show the elapsed time of a task on a terminal, after the first second."""
     if not _draws():
         yield
         return

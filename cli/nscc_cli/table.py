@@ -41,4 +41,6 @@ A command is the function `command` in the module of its name (with `_` for `-`)
 MODULES = {
     **dict.fromkeys(("asm", "disasm", "diff", "prove", "shutters"), "containers"),
     **dict.fromkeys(("explain", "examples", "new", "doctor"), "guide"),
+    "classify": "reconstruct",
+    "metrics": "evaluate",
 }

@@ -62,7 +62,13 @@ def command(
     if compared is not None:
         if name is None or toml or limits or slots:
             raise click.UsageError("--compare A B needs a program: FILE.nsl")
-        click.echo(_compared(Path(name), compared, level, as_json=as_json))
+        from nscc.compare import compare, compared_json, compared_text
+        from nscc_runtime.expected import expected_noise
+
+        targets = [load_target(chip, Path()) for chip in compared]
+        comparison = compare(Path(name), targets, level, expected_noise)
+        as_text = json.dumps(compared_json(comparison), indent=2) if as_json else None
+        click.echo(as_text or compared_text(comparison))
         return
     if limits and toml:
         raise click.UsageError("--limits and --toml print different things: use only one of them")
@@ -94,16 +100,6 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
     if as_json:
         return json.dumps(limits_json(target, level, limits), indent=2)
     return limits_text(target, level, limits)
-
-
-def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: bool) -> str:
-    """Compare the costs of one program on two chips, and return the comparison as text or JSON."""
-    from nscc.compare import compare, compared_json, compared_text
-    from nscc_runtime.expected import expected_noise
-
-    targets = [load_target(chip, Path()) for chip in chips]
-    comparison = compare(program, targets, level, expected_noise)
-    return json.dumps(compared_json(comparison), indent=2) if as_json else compared_text(comparison)
 
 
 def listing() -> str:
@@ -147,13 +143,9 @@ def _value(target: Target, key: Key) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, tuple):
-        return _names(tuple(map(str, value)))
+        names = tuple(map(str, value))
+        run = [name for i, name in enumerate(names) if name == f"R{i}"]
+        if len(run) > 3 and names[: len(run)] == tuple(run):
+            return " ".join((f"R0..{run[-1]}", *names[len(run) :]))
+        return " ".join(names) or "none"
     return f"{value:.10g}" if isinstance(value, float) else str(value)
-
-
-def _names(names: tuple[str, ...]) -> str:
-    """Join register names, and shorten R0, R1, .. R12 to R0..R12."""
-    run = [name for i, name in enumerate(names) if name == f"R{i}"]
-    if len(run) > 3 and names[: len(run)] == tuple(run):
-        return " ".join((f"R0..{run[-1]}", *names[len(run) :]))
-    return " ".join(names) or "none"

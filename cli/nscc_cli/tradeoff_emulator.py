@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,8 +9,6 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.files import Product
-from nscc.tradeoff.points import csv_text
 from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
@@ -23,7 +20,7 @@ from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.tradeoff.study import NamedLight, Study, StudySettings
+    from nscc_runtime.tradeoff.study import NamedLight
 
 
 @click.command("emulator", cls=CommonCommand)
@@ -62,14 +59,19 @@ def command(program: Path | None, **options: Any) -> int:
     and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
+    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
-    from nscc_runtime.tradeoff.study import measure
+    from nscc_runtime.tradeoff.study import StudySettings, measure
     from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
 
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
     sensor = sensor_of(converter_of(container), options)
-    settings = _settings(options)
+    repeats = options["repeats"]
+    settings = StudySettings(
+        tuple(options["tolerances"].split(",")), options["budget"], options["frames"], repeats,
+        options["seed"], options["device_seed"],
+    )  # fmt: skip
     scenes = _scenes(container, options, messages)
     _refuse(container)
     analysed_program = analysed(container, sensor)
@@ -85,16 +87,13 @@ def command(program: Path | None, **options: Any) -> int:
             rows,
         )
         click.echo(studies_text(studies, gb_per_s))
-        write_files(files, _makers(studies, options["repeats"]), rows)
-    return (
-        0
-        if all(
-            keeps_promise(measured_plan)
-            for study in studies
-            for measured_plan in study.measured_plans
-        )
-        else 1
-    )
+        points, device = [point for study in studies for point in study.points], processor_name()
+        write_files(
+            files, rows, (points, device), png=(study_diagram, studies, repeats, device),
+            calibration=(promise_diagram, studies), budget=(budget_diagram, studies),
+        )  # fmt: skip
+    kept = (keeps_promise(plan) for study in studies for plan in study.measured_plans)
+    return 0 if all(kept) else 1
 
 
 def _refuse(container: Container) -> None:
@@ -130,17 +129,6 @@ def _container(
     return with_pixels(container, path, options["pixels"]), ()
 
 
-def _settings(options: dict[str, Any]) -> StudySettings:
-    from nscc_runtime.tradeoff.study import StudySettings
-
-    named = ("frames", "repeats", "seed", "device_seed")
-    return StudySettings(
-        tuple(options["tolerances"].split(",")),
-        options["budget"],
-        *(options[name] for name in named),
-    )
-
-
 def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
@@ -160,17 +148,3 @@ def _scenes(
         say(scene_messages)
         scenes.append(NamedLight(name, light))
     return scenes
-
-
-def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], Product]]:
-    """Return the function that makes each product, by the product's name."""
-    from nscc_runtime.pictures.sheet import png_of
-    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-
-    points, device = [point for study in studies for point in study.points], processor_name()
-    return {
-        "csv": lambda: csv_text(points, device).encode(),
-        "png": lambda: png_of(study_diagram, studies, repeats, device),
-        "calibration": lambda: png_of(promise_diagram, studies),
-        "budget": lambda: png_of(budget_diagram, studies),
-    }

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from importlib import metadata
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from nscc import __version__
 from nscc.cache.digest import content, digest, package_digest
-from nscc.files import Product, refuse_inputs, refuse_same, write_together
+from nscc.files import refuse_inputs, refuse_same, write_together
+from nscc.requirements import installed_version
+from nscc.tradeoff.points import csv_text
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli.support import say_done
@@ -23,9 +24,8 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
-    """Return the path of each product by name: `csv`, `png`, with `-o` also `further_names`.
-
-    Raises NS0745 if two products have the same path, and NS0786 if the picture is not a .png."""
+    """Return the path of each product: `csv`, `png`, with `-o` also `further_names`. Raises NS0745
+    for equal paths, and NS0786 for a picture that is not a .png."""
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
@@ -52,7 +52,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
         name: _plain(value) for name, value in sorted(options.items()) if name not in _PLACES
     }
     ours = [package_digest(name) or __version__ for name in _PACKAGES if find_spec(name)]
-    versions = [(name, _version(name)) for name in _DISTRIBUTIONS]
+    versions = [(name, installed_version(name)) for name in _DISTRIBUTIONS]
     key = digest((option_values, list(of), ours, versions, processor_name()))
     first = next(iter(files.values()))
     return Rows(first.with_name(first.stem + STORE), key)
@@ -67,18 +67,18 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _version(distribution: str) -> str:
-    try:
-        return metadata.version(distribution)
-    except metadata.PackageNotFoundError:
-        return ""
-
-
 def write_files(
-    files: Mapping[str, Path], makers: Mapping[str, Callable[[], Product]], rows: Rows
+    files: Mapping[str, Path], rows: Rows, csv: Sequence[Any], **diagrams: tuple[Any, ...]
 ) -> None:
-    """Make and write the products that have a path, print their names, and delete stored rows."""
-    write_together({path: makers[name]() for name, path in files.items()})
+    """Write the products that have a path, print their names, and delete stored rows.
+
+    `csv` are the arguments of `csv_text`, and `diagrams` those of `png_of`, by product."""
+    from nscc_runtime.pictures.sheet import png_of
+
+    write_together({
+        path: csv_text(*csv).encode() if name == "csv" else png_of(*diagrams[name])
+        for name, path in files.items()
+    })  # fmt: skip
     rows.remove()
     if files:
         say_done("wrote " + ", ".join(path.as_posix() for path in files.values()))

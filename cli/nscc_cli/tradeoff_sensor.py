@@ -9,9 +9,9 @@ from typing import Any
 import click
 
 from nscc.lower.exposure_plan import LOWERINGS
-from nscc.tradeoff.points import Point, csv_text, table_text
+from nscc.tradeoff.points import Point, table_text
 from nscc_cli import options as shared
-from nscc_cli.completion import EFFECTS, TARGET
+from nscc_cli.completion import EFFECTS
 from nscc_cli.options import COUNT, LEVEL, some_option
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
@@ -26,8 +26,7 @@ _MOST_READOUTS = 4
 def _numbers(
     quantity: str, least: int, most: int, none: bool = True
 ) -> Callable[..., tuple[int, ...]]:
-    """Return the callback of an option that takes distinct numbers, separated by commas; with
-    `none` also that word."""
+    """Return a callback for distinct numbers, separated by commas; with `none` also that word."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
         if none and value.strip() == "none":
@@ -48,8 +47,7 @@ _counts = _numbers("slots", 2, _MOST_SLOTS, none=False)
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Parse numbers of slots, each of which must divide the largest: the number of a clip's
-    frames."""
+    """Parse numbers of slots that divide the largest, the number of a clip's frames."""
     counts = _counts(context, option, value)
     for count in counts:
         if counts[-1] % count:
@@ -74,9 +72,7 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
               help="Readouts of one exposure, for clips, or none.")  # fmt: skip
 @some_option("--codes", _CODES, "MODE,..", "Compile for the codes in use, for every legal one.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
-@click.option("--target", type=TARGET, default="scamp5", show_default=True,
-              metavar="NAME|FILE.toml",
-              help="The chip.")  # fmt: skip
+@shared.chip_option
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
               help="Effort of the search for fewer words.")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
@@ -99,7 +95,6 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
     also captured with several readouts of one exposure and compared with a burst of the same
     number of ordinary frames. Settings that do not fit the chip are marked in the table. Exits
     with status 1 if nothing fits."""
-    from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.tradeoff.diagrams import sensor_diagram
     from nscc_training.tradeoff.sensor import SensorStudySettings, measure, refusals_text
@@ -129,9 +124,6 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
         if not measured.points:
             rows.remove()
             return 1
-        makers = {
-            "csv": lambda: csv_text(measured.points, measured.target, measured.refused).encode(),
-            "png": lambda: png_of(sensor_diagram, measured, settings.slot_us),
-        }
-        write_files(files, makers, rows)
+        csv = (measured.points, measured.target, measured.refused)
+        write_files(files, rows, csv, png=(sensor_diagram, measured, settings.slot_us))
     return 0

@@ -22,8 +22,7 @@ from typing import Any
 
 from nscc_runtime.pool import processors
 from nscc_training.sweep.grid import Grid, read_grid
-from nscc_training.sweep.run_sweep import How, sweep
-from nscc_training.sweep.store import TIMES
+from nscc_training.sweep.run_sweep import TIMES, How, sweep
 
 ROOM = {2: 1.05, 3: 1.0}
 SET_R0 = 2

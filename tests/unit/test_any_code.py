@@ -20,8 +20,13 @@ from nscc_training.any_code.decode import decoded_clip, decoded_still, white  # 
 from nscc_training.any_code.frames import coded_frame  # noqa: E402
 from nscc_training.any_code.lessons import Lesson, mask_drawn, measured_lesson  # noqa: E402
 from nscc_training.any_code.network import exchanged  # noqa: E402
-from nscc_training.any_code.stages import led, mirrored, schedule, stage  # noqa: E402
-from nscc_training.any_code.stills import started_still  # noqa: E402
+from nscc_training.any_code.stages import (  # noqa: E402
+    led,
+    mirrored,
+    schedule,
+    stage,
+    started_still,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of  # noqa: E402
 from nscc_training.baselines.tensor_tv import tv_by_operators, tv_denoised  # noqa: E402
 from nscc_training.baselines.tv import tv_denoise  # noqa: E402

@@ -16,8 +16,7 @@ from nscc_runtime.scenes import picture_size
 from nscc_runtime.scenes.clips import open_clip
 from nscc_runtime.scenes.mat_files import mat_array, mat_arrays
 from nscc_runtime.scenes.picture_files import open_pages
-from nscc_training.array_files import read_picture_or_clip
-from nscc_training.mask_files import real_array
+from nscc_training.array_files import read_picture_or_clip, real_array
 
 SMALL, LARGE = np.full((20, 30, 3), 100, np.uint8), np.full((30, 40, 3), 100, np.uint8)
 

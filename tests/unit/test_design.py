@@ -27,10 +27,10 @@ from nscc_training.baselines.hdr import merged
 from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
+from nscc_training.design.make import best_tile
 from nscc_training.design.scene import best_stop, histogram, stops_tried
 from nscc_training.design.stop_patterns import cheapest, patterns
 from nscc_training.design.text import level_text
-from nscc_training.design.tile import best_tile
 from nscc_training.metrics import mu_psnr, psnr
 
 Values = NDArray[np.float64]

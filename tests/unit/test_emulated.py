@@ -29,7 +29,7 @@ from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
-from nscc_training.evaluation.result_text import result_text  # noqa: E402
+from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.frame_reading import FrameRead  # noqa: E402
 from nscc_training.loop import decoding  # noqa: E402

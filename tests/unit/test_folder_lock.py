@@ -12,12 +12,12 @@ import pytest
 from conftest import RunNscc
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_training.loop.folder_lock import locked_folder
+from nscc_training.loop.state import locked_folder
 
 HOLD = """
 import sys, time
 from pathlib import Path
-from nscc_training.loop.folder_lock import locked_folder
+from nscc_training.loop.state import locked_folder
 with locked_folder(Path("run")):
     print("held", flush=True)
     time.sleep(600)

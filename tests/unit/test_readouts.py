@@ -17,7 +17,7 @@ from nscc.examples import examples  # noqa: E402
 from nscc.pipeline import Options  # noqa: E402
 from nscc_runtime.scenes import Scene  # noqa: E402
 from nscc_training import made_scenes  # noqa: E402
-from nscc_training.any_code.readouts import always_open, joined  # noqa: E402
+from nscc_training.any_code.decode import always_open, joined  # noqa: E402
 from nscc_training.demo import Settings, demo  # noqa: E402
 from nscc_training.demo.expose import CLIPS, camera  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402

@@ -25,7 +25,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
                    "--keep", "truth", "-o", f"{name}.npz"]  # fmt: skip
         assert invoke(command, tmp_path).status == 0
     monkeypatch.setitem(sys.modules, "torch", None)
-    monkeypatch.setattr("nscc_training.untrained.find_spec", lambda _name: None)
+    monkeypatch.setattr("nscc_training.reconstruct_any.find_spec", lambda _name: None)
     return tmp_path
 
 

@@ -15,8 +15,11 @@ torch = pytest.importorskip("torch")
 from small_runs import clip, one_crop, trained  # noqa: E402
 
 from nscc_training.evaluation.pages import Page, page_of  # noqa: E402
-from nscc_training.evaluation.result_text import result_text  # noqa: E402
-from nscc_training.evaluation.results import compare, read_result  # noqa: E402
+from nscc_training.evaluation.results import (  # noqa: E402
+    compare,
+    read_result,
+    result_text,
+)
 from nscc_training.run_files import shipped_evaluations  # noqa: E402
 from nscc_training.sweep.grid import read_grid  # noqa: E402
 

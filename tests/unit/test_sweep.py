@@ -26,7 +26,7 @@ from nscc_training.sweep import compiling, run_sweep
 from nscc_training.sweep.grid import read_grid
 from nscc_training.sweep.kinds import key_of
 from nscc_training.sweep.point import GridPoint, PointRow
-from nscc_training.sweep.store import POINTS, rows_in, store_in
+from nscc_training.sweep.run_sweep import POINTS, rows_in, store_in
 
 STOPS = """
 [stops]
@@ -444,7 +444,8 @@ def test_two_sweeps_share_the_work(tmp_path: Path) -> None:
         store.forget(POINTS, *(row.key for row in known))
     claims = (
         "import sys, time; from pathlib import Path\n"
-        "from nscc_training.sweep.store import POINTS, store_in\nstore = store_in(Path('out'))\n"
+        "from nscc_training.sweep.run_sweep import POINTS, store_in\n"
+        "store = store_in(Path('out'))\n"
         "print([store.claim(POINTS, k) for k in sys.argv[1:]], flush=True)\n"
         "time.sleep(60)"
     )

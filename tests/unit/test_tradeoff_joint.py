@@ -347,6 +347,6 @@ def test_the_decoders_of_a_run(tmp_path: Path) -> None:
 def test_shot_noise_is_a_share_of_the_signal() -> None:
     """That of counts about 400 electrons is 5 %."""
     counts = np.random.default_rng(1).poisson(400.0, 100_000)
-    bench = SimpleNamespace(ideal_e=np.full((1, 4, 4), 400.0), signal_e=400.0)
+    bench = SimpleNamespace(ideal_e=np.full((1, 4, 4), 400.0), signal_e=lambda: 400.0)
     found = Bench.shot_percent.func(bench)  # type: ignore[attr-defined]
     assert found == pytest.approx(100 * counts.std() / counts.mean(), rel=0.02)

@@ -248,11 +248,11 @@ def test_event_files_are_written_where_tensorboard_is(
     module = ModuleType("torch.utils.tensorboard")
     module.SummaryWriter = Writer  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "torch.utils.tensorboard", module)
-    monkeypatch.setattr("nscc_training.loop.log.find_spec", lambda _name: None)
+    monkeypatch.setattr("nscc_training.loop.train.find_spec", lambda _name: None)
     run(values_of("a still", steps=2), tmp_path / "without")
     assert not told
     assert not (tmp_path / "without/tensorboard").exists()
-    monkeypatch.setattr("nscc_training.loop.log.find_spec", lambda _name: True)
+    monkeypatch.setattr("nscc_training.loop.train.find_spec", lambda _name: True)
     run(values_of("a still", steps=2), tmp_path / "r")
     assert (tmp_path / "r/tensorboard").is_dir()
     with open(tmp_path / "r/metrics.csv", newline="") as file:

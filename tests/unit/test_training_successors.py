@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.encoders.scattered import scattered
-from nscc_training.evaluation.baselines import BASELINES, _decoded, evaluate_baseline
-from nscc_training.evaluation.captured import CapturedScene
+from nscc_training.encoders.encoder_classes import scattered
+from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
+from nscc_training.evaluation.methods import CapturedScene
 from nscc_training.protocol_scenes.deblur import DeblurMoment, moments
 from nscc_training.protocol_scenes.file_scenes import files_of
 from nscc_training.protocol_scenes.video import ClipWindow
@@ -121,7 +121,7 @@ def test_frames_are_decoded_together_or_alone(name: str) -> None:
     model = SensorModel(30000.0, 1.0)
     codes = np.full((2, 16, 16), 4000.0, np.float32)
     frames = CapturedScene(scene, codes, tile, codes > 1e9, replace(model, adc_bits=16))
-    made = _decoded(BASELINES["staggered-v1"][name], frames)
+    made = BASELINES["staggered-v1"][name].decode(frames)
     assert np.allclose(made, light, rtol=0.02)
 
 

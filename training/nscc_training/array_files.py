@@ -1,7 +1,9 @@
-"""Reading pictures and clips as arrays from untrusted files."""
+"""Reading pictures, clips, masks and measurements as arrays from untrusted files."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +13,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
-from nscc.npy import InvalidArrays, check_size, npy_array, npz_arrays
+from nscc.files import reads
+from nscc.npy import MOST_BYTES, InvalidArrays, check_size, npy_array, npz_arrays
 from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
@@ -66,7 +69,11 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
         if not path.is_file():
             raise rejected("NS0801", f"'{path}' is not a file", helps=("name an existing file",))
         if suffix in ARRAYS:
-            return _read_array(path, suffix, key)
+            choose = partial(_chosen, path, key)
+            _, name, array = _stored(path, choose, _MOST_BYTES)
+            assert array is not None  # a name is chosen, or an error is raised
+            turned = suffix == ".mat" and name in ("orig", "video") and array.ndim == 3
+            return np.moveaxis(array, 2, 0) if turned else array
     except Rejected:
         raise
     except Exception as error:  # zipfile, numpy and scipy raise a dozen types for damaged files
@@ -76,19 +83,23 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
     return _read_image(path, suffix)
 
 
-def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
+def _stored(
+    path: Path, choose: Callable[[list[str]], str | None], most_bytes: int = MOST_BYTES
+) -> tuple[list[str], str | None, NDArray[Any] | None]:
+    """Return the names in a .mat, .npy or .npz file, the one that `choose` selects, its array."""
+    suffix = path.suffix.lower()
     if suffix == ".npy":
-        return npy_array(path, _MOST_BYTES)
+        return [], None, npy_array(path, most_bytes)
+    names = npz_arrays(path, lambda _: False)[1] if suffix == ".npz" else mat_names(path)
+    name = choose(names)
+    if name is None:
+        return names, None, None
     if suffix == ".npz":
-        _, names = npz_arrays(path, lambda _: False)
-        name = _chosen(path, names, key)
-        return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
-    name = _chosen(path, mat_names(path), key)
-    array = mat_array(path, name, _MOST_BYTES)
-    return np.moveaxis(array, 2, 0) if name in ("orig", "video") and array.ndim == 3 else array
+        return names, name, npz_arrays(path, name.__eq__, most_bytes)[0][name]
+    return names, name, mat_array(path, name, most_bytes)
 
 
-def _chosen(path: Path, names: list[str], key: str | None) -> str:
+def _chosen(path: Path, key: str | None, names: list[str]) -> str:
     candidates = [key] if key is not None else [name for name in KEYS if name in names]
     if key is None and not candidates and len(names) == 1:
         candidates = names
@@ -105,25 +116,9 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
     )
 
 
-def _pages(path: Path) -> list[NDArray[Any]]:
-    """Return the pictures of a file; raise an error if several pictures exceed the size limit of
-    arrays."""
-    from nscc_runtime.scenes.picture_files import open_pages
-
-    pages: list[NDArray[Any]] = []
-    for page in open_pages(path).read():
-        pages.append(page)
-        try:
-            check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
-        except InvalidArrays as error:
-            message = f"'{path}' holds too many pictures"
-            raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
-    return pages
-
-
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES
+    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, open_pages
 
     if suffix not in PICTURES:
         raise rejected(
@@ -132,7 +127,14 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    pages = _pages(path)
+    pages: list[NDArray[Any]] = []
+    for page in open_pages(path).read():
+        pages.append(page)
+        try:
+            check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
+        except InvalidArrays as error:
+            message = f"'{path}' holds too many pictures"
+            raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
     stored = np.stack(pages) if len(pages) > 1 else pages[0]
     if pages[0].ndim == 2:
         return stored
@@ -145,4 +147,85 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
         f"'{path}' is a colour picture",
         notes=("the sensor and its reconstructions have one channel",),
         helps=("compare luminance: convert the picture to grey, or use a linear one (.exr .hdr)",),
+    )
+
+
+Floats = NDArray[np.float64]
+
+_MOST = 1e15
+"""Largest value of a measurement: its square fits single precision."""
+
+
+def array_names(path: Path) -> list[str]:
+    """Return the names of arrays in a .mat or .npz file; raise Rejected (NS0845)."""
+    return _named(path, None)[0]
+
+
+def real_array(path: Path, name: str) -> Floats:
+    """Return the array `name` of a file, or its only array, of finite real numbers."""
+    names, array = _named(path, name)
+    if array is None:
+        raise refused(path, f"the array `{name}` is missing", f"it holds {listed(sorted(names))}")
+    if array.dtype.kind not in "uifb":
+        raise refused(path, f"`{name}` holds {array.dtype}, not real numbers")
+    values = np.asarray(array, np.float64)
+    bad_count = int(np.count_nonzero(~np.isfinite(values)))
+    if bad_count:
+        raise refused(path, f"{bad_count} of {values.size} values of `{name}` are not finite")
+    if (np.abs(values) > _MOST).any():
+        raise refused(path, f"`{name}` has values beyond {_MOST:g}")
+    return values
+
+
+def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
+    """Return the names in a file, and the array `name`, or the only one for a mask, or None."""
+    reads(path)
+    suffix = path.suffix.lower()
+    if suffix not in ARRAYS or not path.is_file():
+        reason = f"it does not end in {', '.join(ARRAYS)}"
+        raise refused(path, reason if path.is_file() else "the file does not exist")
+
+    def choose(names: list[str]) -> str | None:
+        if name is None or name in names:
+            return name
+        return names[0] if len(names) == 1 and name == "mask" else None
+
+    try:
+        names, _, array = _stored(path, choose)
+        return names, array
+    except (Rejected, ImportError):
+        raise
+    except Exception as error:  # numpy, scipy, h5py and zipfile raise a dozen types
+        message = f"'{path}' cannot be read as a {suffix} file"
+        raise unreadable("NS0845", message, error, "save the arrays again") from error
+
+
+def read_mask(path: Path) -> Floats:
+    """Return the array `mask` of a file, or its only one: three axes, values 0 to 1."""
+    mask = real_array(path, "mask")
+    if mask.ndim != 3 or 0 in mask.shape:
+        reason = f"`mask` has the shape {mask.shape}"
+        raise refused(path, reason, "a mask is (rows, cols, slots) or (slots, rows, cols)")
+    low, high = float(mask.min()), float(mask.max())
+    if low < 0 or high > 1:
+        raise refused(
+            path, f"`mask` has values from {low:g} to {high:g}",
+            "a mask is the fraction of each slot in which a pixel is open, 0 to 1; divide "
+                "by the largest value",
+        )  # fmt: skip
+    if high == 0:
+        raise refused(path, "`mask` is 0 everywhere: no pixel ever opens")
+    return mask
+
+
+def refused(path: Path, reason: str, note: str = "") -> Rejected:
+    """Return the error (NS0845) for a file without a usable mask and measurement."""
+    return rejected(
+        "NS0845",
+        f"'{path}' cannot be used: {reason}",
+        notes=(note,) if note else (),
+        helps=(
+            "np.savez(FILE, mask=mask, meas=meas): mask (rows, cols, slots) or (slots, rows, "
+            "cols), meas (rows, cols) or (rows, cols, K)",
+        ),
     )

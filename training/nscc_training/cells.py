@@ -23,15 +23,10 @@ MOST_KERNEL, MOST_STATES, MOST_OUTPUTS = 9, 2, 8
 
 @dataclass(frozen=True)
 class CellNoise:
-    """Noise of a cell's comparisons, for training.
+    """Noise of a cell's comparisons, for training: standard deviations.
 
-    Parameters
-    ----------
-    exposure : float
-        Standard deviation of the comparison of an exposure with its level, in full wells.
-    count : float
-        Standard deviation of the comparison of a gate with its threshold, in counts.
-    """
+    `exposure` is that of an exposure with its level, in full wells; `count` that of a gate with its
+    threshold, in counts."""
 
     exposure: float
     count: float
@@ -148,26 +143,12 @@ class PixelCell(nn.Module):
         self, bits: Tensor, state: Tensor, *, noise_counts: float = 0.0,
         generator: torch.Generator | None = None,
     ) -> tuple[Tensor, Tensor]:  # fmt: skip
-        """Compute one frame.
+        """Compute one frame: return the outputs (batch, outputs, rows // pool, cols // pool) and
+        the new states, all +1 or -1.
 
-        Parameters
-        ----------
-        bits : Tensor
-            (batch, 1, rows, cols), +1 where the exposure is above `level`, else -1.
-        state : Tensor
-            (batch, states, rows, cols), +1 or -1; +1 before the first frame.
-        noise_counts : float
-            Standard deviation of each comparison.
-        generator : torch.Generator, optional
-            Source of the noise; no noise without it.
-
-        Returns
-        -------
-        outputs : Tensor
-            (batch, outputs, rows // pool, cols // pool), +1 or -1.
-        state : Tensor
-            The new states.
-        """
+        `bits` (batch, 1, rows, cols) are +1 where the exposure is above `level`, else -1. `state`
+        (batch, states, rows, cols) is +1 before the first frame. `noise_counts` is the standard
+        deviation of each comparison; there is no noise without a generator."""
         threshold: Tensor = self.threshold
         if self.is_binary:  # comparisons lie half-way between attainable counts
             threshold = replaced(threshold, self.thresholds().to(threshold) + 1)
@@ -184,22 +165,10 @@ class PixelCell(nn.Module):
         self, exposure: Tensor, *, noise: CellNoise | None = None,
         generator: torch.Generator | None = None,
     ) -> Tensor:  # fmt: skip
-        """Compute all frames of films.
+        """Return the outputs of films, +1 or -1: (batch, frames, outputs, rows // pool, ..).
 
-        Parameters
-        ----------
-        exposure : Tensor
-            (batch, frames, rows, cols), in full wells.
-        noise : CellNoise, optional
-            Noise of the comparisons.
-        generator : torch.Generator, optional
-            Source of the noise; no noise without it.
-
-        Returns
-        -------
-        Tensor
-            (batch, frames, outputs, rows // pool, cols // pool), +1 or -1.
-        """
+        `exposure` (batch, frames, rows, cols) is in full wells. Without a generator there is no
+        noise."""
         batch, frames, rows, cols = exposure.shape
         state = self.weight.new_ones(batch, self.states, rows, cols)
         noise = noise or CellNoise(0.0, 0.0)

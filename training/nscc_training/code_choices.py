@@ -1,14 +1,16 @@
-"""Names of initial codes and of training methods for codes, without torch."""
+"""Classes of codes on a tile, names of initial codes and of training methods, without torch."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 
 ORDERED = ("two-phase", "staggered", "cyclic")
-"""Names of initial codes with staggered bumps (`nscc_training.encoders.ordered`)."""
+"""Names of initial codes with staggered bumps (`nscc_training.encoders.encoder_classes`)."""
 SCATTERED = ("poisson-disc", "non-adjacent")
 """Names of initial codes in which equal exposure times are far apart
-(`nscc_training.encoders.scattered`)."""
+(`nscc_training.encoders.encoder_classes`)."""
 RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
 """Bayer matrix: the order of 4 x 4 places."""
 STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
@@ -23,5 +25,40 @@ RELAXATIONS = (*SLOPED, "tried", "search")
 pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that a schedule lowers.
 `gumbel` (codebooks; `sigmoid` for other classes) uses soft shapes and a random soft choice of them.
 `tried` uses hard shutters without a gradient; the loop tries other codes around them
-(`nscc_training.loop.trials`). `search` moves many places of a code together; the decoder, which is
-not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""
+(`nscc_training.loop.step_loss`). `search` moves many places of a code together; the decoder, which
+is not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""
+
+
+@dataclass(frozen=True)
+class ShutterSpec:
+    """A shutter class with its number of slots and its tile.
+
+    Parameters
+    ----------
+    kind : {"a", "b", "c", "d", "e", "codebook", "looks"}
+    slots : int
+        N.
+    tile : tuple of int
+        Rows and columns of the tile, or of the array for free codes; (1, looks) for looks.
+    length : int, optional
+        Length of the bump in slots, for class c.
+    rows : int, optional
+        Number of rows of a codebook.
+    levels : int, optional
+        Largest step of IN, for looks.
+    buckets : int
+        1 or 2. The second bucket collects the light in slots in which the first is closed.
+    """
+
+    kind: str
+    slots: int
+    tile: tuple[int, int]
+    length: int | None = None
+    rows: int | None = None
+    levels: int | None = None
+    buckets: int = 1
+
+    @property
+    def places(self) -> int:
+        """Number of codes in the tile."""
+        return self.tile[0] * self.tile[1]

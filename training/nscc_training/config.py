@@ -23,8 +23,7 @@ def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
 
 
 def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
-    """Return the settings in a dictionary of sections, with changes and errors as in
-    `load_config`."""
+    """Return the settings in a dictionary of sections, as `load_config` does."""
     return _settings(*SCHEMA.read(values), changes)
 
 

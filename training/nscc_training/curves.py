@@ -28,8 +28,7 @@ and glare."""
 
 
 def mu_law(x: Array, mu: float = MU) -> Array:
-    """Return log(1 + mu x) / log(1 + mu), which maps 0 to 0 and 1 to 1; x is relative to the data
-    range."""
+    """Return log(1 + mu x) / log(1 + mu), for x relative to the data range."""
     return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
 
 

@@ -14,9 +14,7 @@ def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
 
 
 def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None = None) -> Tensor:
-    """Return standard normal numbers of the shape, type and device of `like`.
-
-    They are drawn on the generator's device, in `dtype` or the type of `like`."""
+    """Return standard normal numbers like `like`, drawn on the generator's device in `dtype`."""
     drawn = torch.randn(
         like.shape, generator=generator, dtype=dtype or like.dtype, device=generator.device
     )
@@ -25,7 +23,6 @@ def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None =
 
 def uniform(like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
             ) -> Tensor:  # fmt: skip
-    """Return uniform random numbers from 0 to 1 on the device of `like`, in its shape or in
-    `shape`."""
+    """Return random numbers from 0 to 1 on the device of `like`, in its shape or in `shape`."""
     size = like.shape if shape is None else shape
     return torch.rand(size, generator=generator, device=generator.device).to(like.device)

@@ -18,7 +18,6 @@ from torch import Tensor
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Exchange
-from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
@@ -90,8 +89,7 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
-        """Interpolate a table (K, r, c) between entries `after` - 1 and `after`; return (batch,
-        rows, cols)."""
+        """Interpolate a table (K, r, c) between entries `after` - 1 and `after`."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
@@ -101,9 +99,7 @@ class EmulatedSensor:
 
 
 def captures_on(device: torch.device) -> str | None:
-    """Return the `torch_device` for captures beside networks on a device; None on the CPU.
-
-    On the CPU, compiled loops simulate frames faster."""
+    """Return the `torch_device` of captures; None on the CPU, where loops are faster."""
     return None if device.type == "cpu" else str(device)
 
 
@@ -135,11 +131,6 @@ def emulated_sensor(
     arrays = light_e, share, code, spread, full
     levels, shares, codes, spreads, marked = map(torch.from_numpy, arrays)
     return EmulatedSensor(levels, shares, codes, spreads, marked, crosstalk)
-
-
-def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
-    """Return the codes of the first bucket above the ADC's offset."""
-    return np.asarray(frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
 
 
 def _measured(
@@ -181,7 +172,9 @@ def _measured(
                 torch_device=torch_device,
             )  # fmt: skip
             frame = simulate(container, light, sensor, request).frame
-            codes = _codes_of(frame, sensor).astype(np.float64)
+            codes = np.asarray(
+                frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32
+            ).astype(np.float64)
             sums[level_slice] += mean(codes) / chips
             squares[level_slice] += mean(np.square(codes)) / chips
             full[level_slice] += mean(frame.saturated[..., 0, :, :]) / chips

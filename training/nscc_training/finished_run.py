@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -23,13 +24,11 @@ from nscc_runtime.frame_file import last_codes
 from nscc_runtime.python_arguments import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
-from nscc_training.curve_chart import curve_chart
-from nscc_training.dark_frames import Dark, mean_dark, read_dark
 from nscc_training.encoders import Encoder
 from nscc_training.encoders.looks_encoder import LOOKS
-from nscc_training.frame_reading import FrameRead, by_colour, read_frame
+from nscc_training.frame_reading import Dark, FrameRead, by_colour, mean_dark, read_dark, read_frame
 from nscc_training.loop.decoding import decoded_frame
-from nscc_training.measures import score_text
+from nscc_training.measures import METRIC_NAMES, score_text
 from nscc_training.reconstruct import likelihoods, reconstructed
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
@@ -313,3 +312,45 @@ def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
     if not isinstance(path, str | os.PathLike):
         raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")
     return Run(run_folder.load_run(Path(path), trust_code=trust_code))
+
+
+_WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
+
+
+def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
+    """Return charts of the validation PSNR and of the training loss over the steps."""
+    val = curves["split"] == 1
+    metric = "correct" if "correct" in curves else "psnr_db"
+    return html.side_by_side(
+        _chart(title, curves["step"][rows], curves[name][rows], colour)
+        for title, name, rows, colour in (
+            (f"validation {METRIC_NAMES[metric]}", metric, val, html.SERIES[0]),
+            ("training loss", "loss", ~val, html.SERIES[1]),
+        )
+    )
+
+
+def _chart(
+    title: str, steps: NDArray[np.float64], values: NDArray[np.float64], colour: str
+) -> html.Html:
+    """Return the chart of one curve with its range at the axes; empty without finite values."""
+    known = np.isfinite(values)
+    steps, values = steps[known], values[known]
+    if not len(values):
+        return html.Html()
+    low, high = float(values.min()), float(values.max())
+    span, last = (high - low) or 1.0, float(steps.max()) or 1.0
+    x = _LEFT + (_WIDTH - _LEFT) * steps / last
+    y = _TOP + _HEIGHT * (1 - (values - low) / span)
+    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, y, strict=True))
+    frame = f"M{_LEFT:g} {_TOP:g}v{_HEIGHT:g}H{_WIDTH:g}"
+    shapes = [
+        f"<path d='{frame}' fill='none' stroke='currentColor' stroke-opacity='.4'/>",
+        f"<polyline points='{points}' fill='none' stroke='{colour}' stroke-width='1.5'/>",
+        f"<circle cx='{x[-1]:.1f}' cy='{y[-1]:.1f}' r='3' fill='{colour}'/>",
+        html.words(_LEFT, 13, title),
+        html.words(_LEFT - 5, _TOP + 10, f"{high:.4g}", "end"),
+        html.words(_LEFT - 5, _TOP + _HEIGHT, f"{low:.4g}", "end"),
+        html.words(_WIDTH, _TOP + _HEIGHT + 15, f"step {last:g}", "end"),
+    ]
+    return html.drawing(_WIDTH + 5, _TOP + _HEIGHT + _BELOW, shapes, title)

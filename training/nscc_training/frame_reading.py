@@ -1,9 +1,9 @@
-"""Reading frame files for reconstruction, with messages that name what is damaged."""
+"""Reading frame files for reconstruction, and dark frames, with messages of what is wrong."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,10 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.npy import InvalidArrays
+from nscc.program.problems import counted
 from nscc_runtime.frame_arrays import read_frame_arrays
+from nscc_runtime.light import Light
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.pieces import COLOURS
 from nscc_training.problems import why_no_arrays
@@ -48,9 +51,7 @@ class FrameRead:
 
 
 def read_frame(path: Path) -> FrameRead:
-    """Read a frame file with one exposure, or one per colour, and one or two buckets.
-
-    Raises Rejected (NS0819) for another file."""
+    """Read a frame file with one exposure, or one per colour; raise Rejected (NS0819)."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -71,8 +72,7 @@ def read_frame(path: Path) -> FrameRead:
 
 
 def refuse_missing(path: Path) -> None:
-    """Raise Rejected (NS0819) for a file that cannot be opened, before slow packages are
-    imported."""
+    """Raise Rejected (NS0819) for a missing file, before slow packages are imported."""
     try:
         path.open("rb").close()
     except OSError as error:
@@ -80,17 +80,14 @@ def refuse_missing(path: Path) -> None:
 
 
 def by_colour(values: Array, in_colours: bool) -> Array:
-    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`.
-
-    The result is (colours, rows, cols), for two buckets (colours, 2, rows, cols)."""
+    """Return an array ([colours,] buckets, rows, cols) as (colours, [2,] rows, cols)."""
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the arrays of a frame file as stored, with shutters unpacked; raise Rejected (NS0819)
-    for another file."""
+    """Return the arrays of a frame file, shutters unpacked; raise Rejected (NS0819)."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)
@@ -136,3 +133,119 @@ def no_frame(path: Path | str, reason: str) -> Exception:
         notes=(reason,),
         helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
     )
+
+
+_LIT = 0.01
+"""Largest fraction of saturated pixels in a dark frame; more mean that there was light."""
+
+
+@dataclass(frozen=True, eq=False)
+class Dark:
+    """A dark frame, from one exposure or repeated ones.
+
+    `offset` (rows, cols), or (2, rows, cols) for two buckets, is the mean converter code above the
+    ADC's offset. `meta` is the metadata of the file. `slot_us` (N,) are the slot lengths, None if
+    unknown. `saturated` is the fraction of saturated pixels."""
+
+    name: str
+    offset: NDArray[np.float64]
+    meta: Mapping[str, Any]
+    slot_us: Sequence[float] | NDArray[np.float64] | None
+    saturated: float
+
+    def checked(
+        self, frame: Mapping[str, Any], size: tuple[int, ...], *, force: bool = False
+    ) -> tuple[Diagnostic, ...]:
+        """Return warnings about subtracting this dark frame from a frame with the meta `frame`.
+
+        `size` (rows, cols) is the size of the array. Raises Rejected (NS0819) if the dark frame has
+        another program or contains light; with `force` these are warnings. A dark frame of another
+        size cannot be subtracted and is not checked."""
+        if self.offset.shape[-2:] != tuple(size):
+            return ()
+        severity = Severity.WARNING if force else Severity.ERROR
+        doubts = tuple(
+            Diagnostic(
+                "NS0819",
+                f"'{self.name}' is not a dark frame for this frame: {reason}",
+                severity=severity,
+                notes=("the dark frame is subtracted, because it contains the offsets of words and "
+                    "pixels",),
+                helps=("expose it with the frame's program: `nscc run FILE --scene "
+                       "builtin:dark`, or a chip with its lens cap on",),
+            )
+            for reason in self._doubts(frame)
+        )  # fmt: skip
+        if doubts and not force:
+            raise Rejected(doubts, status=2)
+        return doubts + tuple(self._bright())
+
+    def _doubts(self, frame: Mapping[str, Any]) -> Iterator[str]:
+        own_digest, frame_digest = (meta.get("program_sha256") for meta in (self.meta, frame))
+        if own_digest is not None and frame_digest is not None and own_digest != frame_digest:
+            yield "it was exposed with another program"
+        if self._is_lit():
+            yield "it was exposed to light"
+
+    def _is_lit(self) -> bool | None:
+        """Return whether the dark frame's scene has light; None if unknown."""
+        scene, rows_cols = self.meta.get("scene_sha256"), self.offset.shape[-2:]
+        if scene is None or self.slot_us is None:
+            return None
+        night = np.zeros(rows_cols, np.float32)
+        seconds = np.asarray(self.slot_us, np.float64) * 1e-6
+        if Light.of_still(night, seconds).sha256() == scene:
+            return False
+        # An array of zeros in every slot is also no light.
+        clip = np.broadcast_to(night, (len(seconds), *rows_cols))
+        return bool(Light.of_clip(clip).sha256() != scene)
+
+    def _bright(self) -> Iterator[Diagnostic]:
+        """Warn (NS0844) if pixels are saturated by light that cannot be excluded."""
+        if self.saturated > _LIT and self._is_lit() is None:
+            yield Diagnostic(
+                "NS0844",
+                f"{100 * self.saturated:.3g} % of the pixels of '{self.name}', a dark "
+                "frame, are saturated",
+                severity=Severity.WARNING,
+                notes=("in a dark frame only hot pixels are saturated",),
+                helps=("use a frame that was exposed without light on the chip",),
+            )
+
+
+def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
+    """Return the offset of each pixel (rows, cols) minus the mean of its place in the tile."""
+    pattern = np.empty_like(offset)
+    for row, col in np.ndindex(tile):
+        place = offset[row :: tile[0], col :: tile[1]]
+        pattern[row :: tile[0], col :: tile[1]] = place - place.mean()
+    return pattern
+
+
+def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols).
+
+    The offset is repeated if the codes cover several arrays side by side."""
+    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
+    rows, cols = codes.shape[-2:]
+    return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
+
+
+def read_dark(path: Path, buckets: int) -> Dark:
+    """Read a dark frame file; raise Rejected (NS0819) for other buckets or a missing offset."""
+    file = frame_arrays(path)
+    codes = file.frame.reshape(-1, *file.frame.shape[-3:])
+    if codes.shape[1] != buckets or 0 in codes.shape:
+        expected = counted(buckets, "bucket")
+        raise no_frame(path, f"its frames are {codes.shape[1:]}, not of {expected}")
+    try:
+        adc_offset = number_of(file.meta, "adc_offset")
+    except ValueError as error:
+        raise no_frame(path, str(error)) from error
+    full = float(file.saturated.mean())
+    return Dark(str(path), mean_dark(codes, adc_offset), file.meta, file.slot_us, full)
+
+
+def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
+    """Return the mean code above the ADC's offset of (repeats, buckets, rows, cols)."""
+    return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

@@ -62,8 +62,7 @@ class _Saturate(Function):
 
 
 def replaced(x: Tensor, value: Tensor) -> Tensor:
-    """Return `value` in the forward pass; in the backward pass the gradient goes to `x`
-    unchanged."""
+    """Return `value` in the forward pass; the gradient goes to `x` unchanged."""
     return _apply(_Replace, x, value)
 
 
@@ -87,8 +86,7 @@ def signed(x: Tensor, width: float = 1.0) -> Tensor:
 
 
 def saturated(x: Tensor, low: float, high: float, slope: float = 0.0) -> Tensor:
-    """Return x clipped to low..high; the gradient is 1 inside and at the bounds, `slope`
-    outside."""
+    """Return x clipped to low..high; the gradient is 1 within, `slope` outside."""
     return _apply(_Saturate, x, low, high, slope)
 
 

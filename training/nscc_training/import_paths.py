@@ -52,8 +52,7 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Convert exceptions of user code in the `with` block into Rejected (NS0822), with
-    their place."""
+    """Convert exceptions of user code in the `with` block into Rejected (NS0822)."""
     try:
         yield
     except Rejected:

@@ -4,7 +4,7 @@ represents it."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,12 +13,11 @@ from numpy.typing import NDArray
 from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import Compiled
 from nscc.words.container import Container
+from nscc_training.array_files import Floats, read_mask
+from nscc_training.code_choices import ShutterSpec
 from nscc_training.codes_files import codes_bytes
-from nscc_training.mask_files import Floats, read_mask
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
-from nscc_training.shutter_spec import ShutterSpec
 
 Bits = NDArray[np.bool_]
 Codes = dict[str, NDArray[np.int64]]
@@ -46,32 +45,18 @@ class ImportedMask:
 def import_mask(
     path: Path, codes_name: str, *, slot_us: float = 125.0, target: str = "scamp5"
 ) -> ImportedMask:
-    """Find the program of a mask.
+    """Find the program of a mask, whose file of codes its text calls `codes_name`.
 
-    Parameters
-    ----------
-    path : Path
-        A .npy, .npz or .mat file of `mask`, (rows, cols, slots) or (slots, rows, cols), of 0 and 1.
-        It covers the whole array, or a tile that repeats over it.
-    codes_name : str
-        The file name of the codes in the program's text.
-    slot_us : float
-        The length of a slot in microseconds.
-    target : str
-        The chip, a name or a file.
-
-    Raises
-    ------
-    Rejected
-        NS0845 for a file without a mask, NS0847 for a mask that no class represents.
-    """
+    The mask, (rows, cols, slots) or (slots, rows, cols), covers the whole array, or a tile that
+    repeats over it. Raises Rejected: NS0845 for a file without a mask, NS0847 for a mask that no
+    class represents."""
     chip = Chip(target, slot_us)
     table = load_target(target, Path())
     array = (table.rows, table.cols)
     mask = _slots_first(read_binary_mask(path), array)
     shutters, tile = _tile(mask, array, path)
     reasons: list[str] = []
-    fitting: list[tuple[float, ImportedMask]] = []
+    fitting: list[ImportedMask] = []
     for spec, codes in _candidates(shutters, tile, reasons):
         files = program(spec, codes, chip, f"Imported from {path.name}.")
         try:
@@ -79,16 +64,19 @@ def import_mask(
         except Rejected as error:
             reasons.append(f"class {spec.kind}: {error.diagnostics[0].message}")
             continue
-        _check_same(compiled_program, shutters, tile)
+        container = compiled_program.container
+        assert container is not None
+        assert container.pixel_codes is not None
+        lanes = container.table.shutter_of_code[container.pixel_codes]
+        places = _over(tile, (lanes.shape[0], lanes.shape[1]))
+        pairs = np.unique(np.stack([lanes.reshape(-1), places.reshape(-1)]), axis=1)
+        if not np.array_equal(container.table.shutters[pairs[0], 0], shutters[pairs[1]]):
+            raise ValueError("the program opens other shutters than the mask")
         text = files.text.replace(f'"{CODES_FILE}"', f'"{codes_name}"')
         words = words_per_slot(compiled_program)
         packed = codes_bytes(codes) if codes else b""
-        fitting.append(
-            (
-                words,
-                ImportedMask(text, packed, spec.kind, (tile.shape[0], tile.shape[1]), words, ()),
-            )
-        )
+        size = (tile.shape[0], tile.shape[1])
+        fitting.append(ImportedMask(text, packed, spec.kind, size, words, ()))
     if not fitting:
         raise rejected(
             "NS0847",
@@ -96,10 +84,12 @@ def import_mask(
             notes=tuple(reasons),
             helps=("use fewer slots or fewer different shutters, or a target with more registers",),
         )
-    words, best = min(fitting, key=lambda pair: pair[0])
-    reasons += [f"class {candidate.kind}: {other_words:g} words a slot, not fewer than {words:g}"
-                for other_words, candidate in fitting if candidate is not best]  # fmt: skip
-    return ImportedMask(best.text, best.codes, best.kind, best.tile, words, tuple(reasons))
+    best = min(fitting, key=lambda candidate: candidate.words_per_slot)
+    reasons += [
+        f"class {candidate.kind}: {candidate.words_per_slot:g} words a slot, not fewer than "
+        f"{best.words_per_slot:g}" for candidate in fitting if candidate is not best
+    ]  # fmt: skip
+    return replace(best, reasons=tuple(reasons))
 
 
 def read_binary_mask(path: Path) -> Floats:
@@ -119,11 +109,8 @@ def read_binary_mask(path: Path) -> Floats:
 def codes_of_mask(path: Path, container: Container) -> Codes:
     """Return the codes of all pixels, by field, with which a program opens the shutters of a mask.
 
-    Raises
-    ------
-    Rejected
-        NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not have.
-    """
+    Raises Rejected: NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does
+    not have."""
     target, table = container.target, container.table
     mask = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
     known = {row.tobytes(): code for code, row in reversed([*enumerate(
@@ -156,9 +143,7 @@ def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None)
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
-    """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest tile.
-
-    Raises NS0847 for a tile that is too large for a program."""
+    """Return the distinct shutters (K, slots) of a mask, and their indices in its tile."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -190,9 +175,7 @@ def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """Yield the classes that represent all shutters, with their codes.
-
-    The reasons against the other classes are appended to `reasons`."""
+    """Yield the classes of all shutters, with their codes; add `reasons` against others."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
@@ -227,16 +210,3 @@ def _candidates(
         yield ShutterSpec("e", slots, shape), {"bits": bits[tile]}
     else:
         reasons.append(f"class e: {slots} slots, but a code has at most {_MOST_BITS} bits")
-
-
-def _check_same(compiled_program: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
-    """Raise ValueError (an internal error) if the compiled program does not open the mask's
-    shutters."""
-    container = compiled_program.container
-    assert container is not None
-    assert container.pixel_codes is not None
-    lanes = container.table.shutter_of_code[container.pixel_codes]
-    places = _over(tile, (lanes.shape[0], lanes.shape[1]))
-    pairs = np.unique(np.stack([lanes.reshape(-1), places.reshape(-1)]), axis=1)
-    if not np.array_equal(container.table.shutters[pairs[0], 0], shutters[pairs[1]]):
-        raise ValueError("the program opens other shutters than the mask")

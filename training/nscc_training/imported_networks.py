@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+import io
+import zipfile
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
 
 from nscc.chips.load import load_target
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole
 from nscc_training.cell_programs import cell_files, compiled_cell, level_on_chip
-from nscc_training.cell_states import MOST_BYTES, cell_of_state, loaded_state, refused
-from nscc_training.cells import PixelCell
+from nscc_training.cells import MOST_KERNEL, MOST_OUTPUTS, MOST_STATES, PixelCell
+from nscc_training.problems import listed, one_line
 
 
 @dataclass(frozen=True)
 class ImportedNetwork:
-    """The program of an imported cell.
-
-    `kernels`: the bytes of the kernel file. `words`: number of words per frame after the exposure.
-    `level`: the level in full wells with which the chip compares exposures."""
+    """The program of an imported cell, its kernel file, its words per frame, and the level of its
+    comparisons in full wells."""
 
     text: str
     kernels: bytes
@@ -47,8 +54,7 @@ def import_network(
 
 
 def read_cell(path: Path) -> PixelCell:
-    """Read a cell from a state dict (.pt, .pth) or an .onnx file; raise Rejected (NS0851) for
-    another file."""
+    """Read a cell from a state dict (.pt, .pth) or an .onnx file; raise Rejected (NS0851)."""
     suffix = path.suffix.lower()
     if suffix not in (".pt", ".pth", ".onnx"):
         raise refused(path, "its name does not end in .pt, .pth or .onnx")
@@ -58,7 +64,197 @@ def read_cell(path: Path) -> PixelCell:
         reason = getattr(error, "strerror", None) or str(error)
         raise refused(path, reason[:1].lower() + reason[1:]) from error
     if suffix == ".onnx":
-        from nscc_training.onnx_cells import cell_of_onnx
-
         return cell_of_onnx(path, data)
     return cell_of_state(path, loaded_state(path, data))
+
+
+_LAYERS = frozenset((
+    "Cast", "Concat", "Constant", "Conv", "Greater", "Identity", "MaxPool", "Mul", "Pad", "Slice",
+    "Sub",
+))  # fmt: skip
+"""Operations of the forward pass of a `PixelCell` in the export of torch."""
+_CHECKED_FRAMES = 8
+_MOST_PIXELS = 1 << 16
+
+
+def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
+    """Return the cell whose forward pass an ONNX file contains; `path` is the name in messages.
+
+    The graph computes one frame: its inputs are the bits (1, 1, rows, cols) and the states (1,
+    states, rows, cols) as +1 and -1, and its results are the outputs and the new states. The graph
+    must give the same bits as the cell for random frames. Raises Rejected (NS0851) for another
+    graph, with the name of the layer that is not part of a cell."""
+    import onnx
+
+    try:
+        model = onnx.load_from_string(data)
+        onnx.checker.check_model(model)
+    except Exception as error:  # protobuf and onnx raise several types for damaged files
+        raise refused(path, f"it is not a valid ONNX model: {one_line(error)}") from error
+    graph = model.graph
+    others = [f"`{node.name or node.output[0]}` ({node.op_type})" for node in graph.node
+              if node.op_type not in _LAYERS or node.domain]  # fmt: skip
+    if others:
+        raise refused(path, f"layers that are not part of a cell: {listed(others)}")
+    cell = cell_of_state(path, _state(path, graph))
+    _check_frames(path, model, cell)
+    return cell
+
+
+def _state(path: Path, graph: Any) -> dict[str, Tensor]:
+    """Return the state dict that the layers of a graph describe."""
+    from onnx import numpy_helper
+
+    def the(kind: str) -> Any:
+        nodes = [node for node in graph.node if node.op_type == kind]
+        if len(nodes) != 1:
+            raise refused(path, f"it has {len(nodes)} layers {kind}, but a cell has one")
+        return nodes[0]
+
+    arrays = {tensor.name: tensor for tensor in graph.initializer}
+
+    def constant(node: Any, number: int) -> Tensor:
+        name = node.input[number] if number < len(node.input) else ""
+        if name not in arrays:
+            raise refused(path, f"input {number} of layer `{node.name}` is not a constant")
+        return torch.from_numpy(np.array(numpy_helper.to_array(arrays[name])))
+
+    conv, pools = the("Conv"), [node for node in graph.node if node.op_type == "MaxPool"]
+    after = [n for n in graph.node if n.op_type == "Sub" and n.input[0] == conv.output[0]]
+    if len(after) != 1 or len(graph.input) != 2:
+        raise refused(path, "it does not have two inputs, and one threshold after its layer Conv")
+    sides = [a.ints[0] for n in pools for a in n.attribute if a.name == "kernel_shape"]
+    state_name = graph.input[1].name
+    flips = any(n.op_type == "Mul" and state_name in n.input for n in graph.node)
+    return {
+        "weight": constant(conv, 1),
+        "threshold": constant(after[0], 1).reshape(-1),
+        "outside": (constant(the("Pad"), 2) > 0).long(),
+        "pool_size": torch.tensor(sides[0] if sides else 1),
+        "flips": torch.tensor(int(flips)),
+    }
+
+
+def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
+    """Raise Rejected (NS0851) if the graph and the cell differ for random frames."""
+    from onnx.reference import ReferenceEvaluator
+
+    shapes = [
+        tuple(axis.dim_value or 1 for axis in value.type.tensor_type.shape.dim)
+        for value in model.graph.input
+    ]
+    size = shapes[0][-2:]
+    expected = [(1, 1, *size), (1, cell.states, *size)]
+    if shapes != expected or not 0 < np.prod(size) <= _MOST_PIXELS:
+        raise refused(path, f"its inputs have the shapes {shapes}, but a cell has "
+                            "(1, 1, rows, cols) and (1, states, rows, cols)")  # fmt: skip
+    generator = np.random.default_rng(0)
+    names = [value.name for value in model.graph.input]
+    for _ in range(_CHECKED_FRAMES):
+        planes = [np.where(generator.random(shape) < 0.5, -1, 1).astype(np.float32)
+                  for shape in shapes]  # fmt: skip
+        try:
+            found = ReferenceEvaluator(model).run(None, dict(zip(names, planes, strict=True)))
+        except Exception as error:
+            raise refused(path, f"its graph cannot be evaluated: {one_line(error)}") from error
+        with torch.no_grad():
+            outputs = [tensor.numpy() for tensor in cell(*map(torch.from_numpy, planes))]
+        if len(found) != 2 or not all(map(np.array_equal, found, outputs)):
+            raise refused(path, "its graph does not compute the bits of a cell")
+
+
+MOST_BYTES = 1 << 24
+"""Largest size in bytes of a file, packed and unpacked."""
+_SHAPES = "(gates, 1 + states, kernel, kernel) and (gates,)"
+_SETTINGS = {"level": 0.5, "outside": 0, "pool_size": 1, "flips": 1}
+"""Optional settings in a state dict, and their defaults."""
+
+
+def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
+    """Return the cell of a state dict; raise Rejected (NS0851) for another layout."""
+    known = {"weight", "threshold", *_SETTINGS}
+    unknown = sorted(name for name in state if name not in known)
+    if unknown:
+        layers = listed([f"`{name}`" for name in unknown])
+        raise refused(path, f"layers that are not part of a cell: {layers}")
+    missing = [name for name in ("weight", "threshold") if name not in state]
+    if missing:
+        raise refused(path, f"{listed([f'`{name}`' for name in missing])} is missing")
+    weight, threshold = state["weight"], state["threshold"]
+    gates, planes, rows, cols = weight.shape if weight.ndim == 4 else (0, 0, 0, 0)
+    states = planes - 1
+    fits = (
+        1 <= states <= MOST_STATES and 1 <= gates - states <= MOST_OUTPUTS
+        and rows == cols <= MOST_KERNEL and threshold.shape == (gates,)
+    )  # fmt: skip
+    if not fits:
+        shapes = f"`weight` has the shape {_shape(weight)}, `threshold` {_shape(threshold)}"
+        raise refused(path, f"{shapes}; a cell has {_SHAPES}, with 1 or 2 states")
+    settings: dict[str, Any] = {}
+    for name, default in _SETTINGS.items():
+        value = state.get(name, torch.tensor(default))
+        if value.numel() != 1:
+            raise refused(path, f"`{name}` has the shape {_shape(value)}, not one number")
+        settings[name] = value.item()
+    for name, tensor in ("weight", weight), ("threshold", threshold):
+        if tensor.is_complex() or not bool(torch.isfinite(tensor).all()):
+            raise refused(path, f"`{name}` has values that are not finite real numbers")
+    if settings["flips"] not in (0, 1):
+        raise refused(path, f"`flips` is {settings['flips']:g}, but must be 0 or 1")
+    try:
+        cell = PixelCell(
+            kernel=rows, states=states, outputs=gates - states, pool=settings["pool_size"],
+            level=float(settings["level"]), outside=settings["outside"],
+            update="flip" if settings["flips"] else "replace",
+        )  # fmt: skip
+    except ValueError as error:
+        raise refused(path, str(error)) from error
+    with torch.no_grad():
+        cell.weight.copy_(weight)
+        cell.threshold.copy_(threshold)
+    for gate, kernels in enumerate(cell.kernels()):
+        if not kernels.any():
+            raise refused(path, f"all weights of gate {gate} are 0")
+    return cell
+
+
+def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
+    """Return the tensors of a file of `torch.save`; raise Rejected (NS0851) for another file."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            unpacked = sum(entry.file_size for entry in archive.infolist())
+        if unpacked > MOST_BYTES:
+            raise ValueError(f"it unpacks to more than {MOST_BYTES >> 20} MiB")
+        state: Any = torch.load(io.BytesIO(data), map_location="cpu", weights_only=True)
+    except Exception as error:  # torch, zipfile and pickle raise a dozen types for damaged files
+        reason = "it is not a file of torch.save that holds tensors only"
+        raise refused(path, reason, f"the reader says: {_first_sentence(error)}") from error
+    if not isinstance(state, dict):
+        raise refused(path, f"it holds {type(state).__name__}, not a state dict")
+    for name, value in state.items():
+        if not isinstance(name, str) or not isinstance(value, Tensor):
+            raise refused(path, f"`{str(name)[:40]}` is {type(value).__name__}, not a tensor")
+        if value.layout != torch.strided or value.numel() > MOST_BYTES or value.is_quantized:
+            raise refused(path, f"`{name[:40]}` is not a small dense tensor")
+    return state
+
+
+def refused(path: Path, reason: str, note: str = "") -> Rejected:
+    """Return the error (NS0851) for a file that is not a cell."""
+    return rejected(
+        "NS0851",
+        f"'{path}' cannot be imported: {reason}",
+        notes=(note,) if note else (),
+        helps=(
+            "save a cell alone: torch.save(cell.state_dict(), FILE.pt), cell a "
+            "nscc_training.cells.PixelCell; decoders stay off the chip",
+        ),
+    )
+
+
+def _first_sentence(error: Exception) -> str:
+    return one_line(error).partition(". ")[0]
+
+
+def _shape(tensor: Tensor) -> str:
+    return str(tuple(tensor.shape))

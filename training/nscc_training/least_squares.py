@@ -10,9 +10,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class LeastSquares:
-    """The solution with the smallest norm, the matrix's `rank`, and its `condition` number.
-
-    The condition number is inf for a matrix without full rank."""
+    """The solution with the smallest norm, the matrix's `rank`, and its `condition`."""
 
     solution: NDArray[np.float64]
     rank: int

@@ -29,7 +29,13 @@ def looked(
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()
-    charge_e = _charge_at_looks(light, share, sensor, generator)
+    charge = light[:, None] * share
+    if generator is not None and sensor.shot_noise:
+        between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
+        photons = torch.sqrt((light.detach()[:, None] * between).clamp(min=0))
+        counted = (photons * normal(charge, generator)).cumsum(dim=1)
+        charge = charge + sensor.noise_factor * counted
+    charge_e = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
     well = sensor.full_well_e
     margin = charge_e[:, :-1] - level * step_e
     sigma = torch.sqrt((sensor.comparator_noise * well) ** 2 + light.detach()[:, None] * share[:-1])
@@ -47,26 +53,8 @@ def looked(
     return read_out(exposure, quiet, generator), open_share.float()
 
 
-def _charge_at_looks(
-    light: Tensor, share: Tensor, sensor: SensorModel, generator: torch.Generator | None
-) -> Tensor:
-    """Return the charge at the photodiode at each look and at the end (batch, looks + 1, rows,
-    cols).
-
-    Photon noise is drawn for the intervals between looks and accumulated."""
-    charge = light[:, None] * share
-    if generator is not None and sensor.shot_noise:
-        between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
-        photons = torch.sqrt((light.detach()[:, None] * between).clamp(min=0))
-        counted = (photons * normal(charge, generator)).cumsum(dim=1)
-        charge = charge + sensor.noise_factor * counted
-    return saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
-
-
 def _first(above: Tensor) -> Tensor:
-    """Return whether (or with what probability) a pixel takes each exposure (batch, looks + 1, ..).
-
-    The exposure ends at the first look above its level, or at the end of the frame."""
+    """Return whether a pixel takes each exposure, which ends at its first look above the level."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

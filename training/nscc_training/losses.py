@@ -25,8 +25,7 @@ NITS = 1000.0
 
 
 def l1(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Return the mean absolute error of linear light, as in the paper; bright pixels
-    dominate it."""
+    """Return the mean absolute error of linear light, which bright pixels dominate."""
     return (prediction - truth).abs().mean()
 
 
@@ -45,15 +44,12 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def classification(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Return the cross-entropy of logarithms of likelihoods (batch, classes); the truth is 1 for
-    the correct class, else 0."""
+    """Return the cross-entropy of logarithms of likelihoods (batch, classes)."""
     return functional.cross_entropy(prediction, truth)
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """Return a loss that applies a curve to both arguments.
-
-    The curve of the truth is kept for the next call with the same truth."""
+    """Return a loss on a curve, which keeps the curve of the truth for the next call."""
     known: list[Tensor] = []
 
     def both(prediction: Tensor, truth: Tensor) -> Tensor:

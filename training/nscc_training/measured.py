@@ -40,8 +40,7 @@ class Measured(Generic[Array]):
 
     @classmethod
     def exact(cls, value: Array, mask: Array) -> Measured[Array]:
-        """Return one frame (batch, rows, cols) without noise; the mask is (batch or 1, N, rows,
-        cols)."""
+        """Return one frame (batch, rows, cols) without noise; masks are (.., N, rows, cols)."""
         value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
         return cls(value, mask[:, None], nothing, nothing != 0)
 
@@ -49,9 +48,7 @@ class Measured(Generic[Array]):
     def read(
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
     ) -> Measured[NDArray[Any]]:
-        """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
-
-        `masks` are (B, N, rows, cols)."""
+        """Return the electrons of frames (B, rows, cols) in codes; masks (B, N, rows, cols)."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -79,18 +76,14 @@ class Measured(Generic[Array]):
         return frames
 
     def missing(self, predicted: Array, target: Array) -> Array:
-        """Return the difference between target and predicted frames.
-
-        At saturated pixels, a prediction above the target has the difference 0."""
+        """Return target minus predicted frames; saturated pixels miss no more than 0."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
 
     def trust(self, sigma: Array) -> Array:
-        """Return the fraction of a difference that is due to the clip's error instead of noise.
-
-        It has the shape of `value`. The error of the clip has the standard deviation `sigma`
-        (batch,)."""
+        """Return the fraction of a difference that is due to the clip's error, of standard
+        deviation `sigma`, not to noise."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
         error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share
@@ -104,8 +97,15 @@ class Measured(Generic[Array]):
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
             shares = gap / (self.energy + noise).clip(min=1e-6)
         else:
-            of, last = namespace(gap), namespace(gap).moveaxis(gap, 1, -1)[..., None]
-            shares = of.moveaxis(of.linalg.solve(self._joint(sigma), last)[..., 0], -1, 1)
+            # The covariance (batch, rows, cols, B, B) of each pixel's frames, over sigma squared.
+            of = namespace(gap)
+            masks = of.moveaxis(self.mask, (1, 2), (3, 4))
+            noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
+            # Avoid a division by 0 for pixels that never open in a frame.
+            identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
+            joint = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
+            last = of.moveaxis(gap, 1, -1)[..., None]
+            shares = of.moveaxis(of.linalg.solve(joint, last)[..., 0], -1, 1)
         update: Array = (self.mask * shares[:, :, None]).sum(1)
         return update
 
@@ -115,17 +115,6 @@ class Measured(Generic[Array]):
         shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
-    def _joint(self, sigma: Array) -> Array:
-        """Return the covariance (batch, rows, cols, B, B) of each pixel's frames, divided by sigma
-        squared."""
-        of = namespace(self.mask)
-        masks = of.moveaxis(self.mask, (1, 2), (3, 4))
-        noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
-        # Avoid a division by 0 for pixels that never open in a frame.
-        identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
-        joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
-        return joint
-
     @property
     def energy(self) -> Array:
         """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
@@ -133,18 +122,15 @@ class Measured(Generic[Array]):
         return squares
 
     def mean(self) -> Array:
-        """Return the mean light (batch, rows, cols) in each pixel's open slots, 0 for pixels
-        without any."""
+        """Return the mean light (batch, rows, cols) in each pixel's open slots, else 0."""
         total = self.mask.sum((1, 2))
         light = self.value.sum(1) / total.clip(min=1e-6)
         known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
         return known
 
     def planes(self: Measured[Tensor]) -> Tensor:
-        """Return the inputs of a denoiser, (batch, 3, N, rows, cols).
-
-        They are the mask summed over frames, the value divided by the mask, and its standard
-        deviation, at most 1. Only the mask differs between slots."""
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols): the mask, the value over the
+        mask, and its deviation up to 1."""
         import torch
 
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)

@@ -59,10 +59,8 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
-    """Return every metric of a checked pair as JSON values; for clips, also the metrics of each
-    frame.
-
-    Infinite dB become the text "inf". `psnr_db` of a clip is the mean over its finite frames."""
+    """Return every metric of a checked pair as JSON values; of clips also of each frame. Infinite
+    dB are "inf"."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
     values: dict[str, Any] = {

@@ -72,10 +72,8 @@ class MotionSettings:
 
 @dataclass(frozen=True)
 class LinearDecoder:
-    """A linear function from the bits of a film to a score for each direction.
-
-    The scores are `weight` (directions, outputs) times the fraction of 1 bits in each output, plus
-    `bias` (directions,)."""
+    """Scores for directions: `weight` (directions, outputs) times shares of 1 bits, plus `bias`
+    (directions,)."""
 
     weight: NDArray[np.float32]
     bias: NDArray[np.float32]
@@ -85,8 +83,7 @@ class LinearDecoder:
         return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
 
     def accuracy(self, shares: Tensor, directions: Tensor) -> float:
-        """Return the fraction of films whose direction has the highest score, given the fractions
-        of 1 bits `shares` (films, outputs) and direction numbers (films,)."""
+        """Return the share of right directions, given `shares` (films, outputs)."""
         scores = shares @ torch.from_numpy(self.weight).T + torch.from_numpy(self.bias)
         return float((scores.argmax(1) == directions).float().mean())
 
@@ -95,16 +92,11 @@ class LinearDecoder:
 class MotionCell:
     """A trained cell, its program, its decoder `tuned`, and accuracies on test films.
 
-    Attributes
-    ----------
-    accuracies : dict
-        Fractions of correct directions. `real`: real weights and tanh. `binary`: the cell in torch
-        without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects, with the
-        decoder of `binary`. `effects`: emulated with every effect, with the decoder of `noisy`.
-        `tuned`: as `effects`, but with a decoder that was fitted to emulated films.
-    different_bits : int
-        Number of bits of the test films in which `exact` differs from `binary`.
-    """
+    `accuracies` are fractions of correct directions. `real`: real weights and tanh. `binary`: the
+    cell in torch without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects,
+    with the decoder of `binary`. `effects`: emulated with every effect, with the decoder of
+    `noisy`. `tuned`: as `effects`, but with a decoder that was fitted to emulated films. In
+    `different_bits` of the test films `exact` differs from `binary`."""
 
     cell: PixelCell
     program: ShutterProgram
@@ -129,8 +121,7 @@ class MotionCell:
 
 
 def motion_films(settings: MotionSettings, count: int, stream: int) -> tuple[Tensor, Tensor]:
-    """Return films (count, frames, size, size) in full wells, and the numbers of their
-    directions."""
+    """Return films (count, frames, size, size) in full wells, and their directions."""
     generator = np.random.default_rng([settings.seed, stream])
     directions = np.arange(count) % len(DIRECTIONS)
     light = np.stack([
@@ -147,7 +138,12 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
     program. Decoders are fitted to the fractions of 1 bits of training films. Raises Rejected if
     the cell does not fit the chip."""
     target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
-    cell = _start(settings, target)
+    torch.manual_seed(settings.seed)
+    cell = PixelCell(
+        kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
+        pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
+    )  # fmt: skip
+    set_moving_edges(cell)
     films, directions = motion_films(settings, settings.films, _TRAINING)
     test_films, test_directions = motion_films(settings, settings.test_films, _TEST)
     # The noise follows from the size of a cell: the program of the untrained cell gives it.
@@ -183,19 +179,8 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
     )
 
 
-def _start(settings: MotionSettings, target: Target) -> PixelCell:
-    torch.manual_seed(settings.seed)
-    cell = PixelCell(
-        kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
-        pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
-    )  # fmt: skip
-    set_moving_edges(cell)
-    return cell
-
-
 def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
-    """Return the files of a trained cell, by name: the program, its kernels, the decoder (`weight`
-    and `bias`), and the state dict."""
+    """Return a trained cell's files: program, kernels, decoder, state dict."""
     from safetensors.numpy import save
 
     state = io.BytesIO()
@@ -208,8 +193,7 @@ def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
 
 
 def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
-    """Return the cell of `examples/direction.nsl`, and a decoder fitted to its frames with every
-    effect. Both are files of this package."""
+    """Return the cell of `examples/direction.nsl`, and its decoder for every effect."""
     from safetensors.numpy import load_file
 
     from nscc_training.imported_networks import read_cell
@@ -219,10 +203,8 @@ def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
 
 
 def fit_decoder(shares: Tensor, directions: Tensor) -> LinearDecoder:
-    """Fit a linear decoder by logistic regression.
-
-    `shares` (films, outputs): fractions of 1 bits. `directions` (films,): indices of `DIRECTIONS`.
-    """
+    """Fit a linear decoder of `shares` (films, outputs) to directions (films,) by logistic
+    regression."""
     mean, spread = shares.mean(0), shares.std(0).clamp(min=1e-6)
     inputs = (shares - mean) / spread
     layer = nn.Linear(shares.shape[1], len(DIRECTIONS))
@@ -261,8 +243,7 @@ def _emulated(
 
 
 def _means(bits: Tensor) -> Tensor:
-    """Return the fraction of 1 bits in each output: (films, outputs) of (films, frames, outputs,
-    rows, cols)."""
+    """Return the fraction of 1 bits (films, outputs) of (films, frames, outputs, rows, cols)."""
     return bits.float().mean((1, 3, 4))
 
 

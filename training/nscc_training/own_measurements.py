@@ -11,20 +11,17 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_runtime.machine_code import working_s
-from nscc_training.mask_files import Floats, array_names, read_mask, real_array, refused
+from nscc_training.array_files import Floats, array_names, read_mask, real_array, refused
 from nscc_training.measured import Measured
-from nscc_training.reconstruction import Reconstruction
-from nscc_training.untrained import Method, gap_tv_clip, method_for
+from nscc_training.reconstruct_any import Method, Reconstruction, gap_tv_clip, method_for
 
 _KEYS = frozenset(("mask", "meas"))
 
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of a measurement, in the unit of the measurement.
-
-    `read_sd` is the standard deviation of the readout noise. The variance of the photon noise is
-    `gain` times the measured value."""
+    """Noise of a measurement, in its unit: the readout's standard deviation, and the photon noise's
+    variance over the value."""
 
     read_sd: float = 0.0
     gain: float = 0.0
@@ -55,9 +52,7 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """K measurements (K, rows, cols) with the same mask (slots, rows, cols).
-
-    `axes` describes how the axes of the files were interpreted."""
+    """Measurements (K, rows, cols) with one mask (slots, rows, cols); `axes` says how read."""
 
     values: Floats
     mask: Floats
@@ -65,8 +60,7 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Return whether a file is a measurement: .mat, .npy, .npz with `meas`, or any file with a mask
-    file."""
+    """Return whether a file is a measurement: an array file with `meas`, or with a mask."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True
@@ -80,21 +74,11 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
 
 
 def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
-    """Read `meas` of a file and `mask` of the same or another file.
+    """Read `meas` of a file and `mask` of the same file or of `mask_path`.
 
-    Parameters
-    ----------
-    path : Path
-        A .mat (of any version), .npz or .npy file. `meas` is (rows, cols), (rows, cols, K) or
-        (K, rows, cols).
-    mask_path : Path, optional
-        The file of the mask, (rows, cols, slots) or (slots, rows, cols).
-
-    Raises
-    ------
-    Rejected
-        NS0845 for arrays that are missing, do not fit each other, or hold other values.
-    """
+    `meas` is (rows, cols), (rows, cols, K) or (K, rows, cols), the mask (rows, cols, slots) or
+    (slots, rows, cols). Raises Rejected (NS0845) for arrays that are missing, do not fit each
+    other, or hold other values."""
     if mask_path is None and (path.suffix.lower() == ".npy" or "mask" not in array_names(path)):
         raise refused(path, "the array `mask` is missing", "name the file of the mask: --mask MASK")
     mask, values = read_mask(mask_path or path), real_array(path, "meas")

@@ -29,9 +29,7 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
 
 
 def is_out_of_memory(error: Exception) -> bool:
-    """Return whether an exception means that memory is exhausted, on the GPU or on the host.
-
-    Torch is not imported: its GPU error is recognised by name, its host error by text."""
+    """Return whether memory is exhausted, on the GPU or on the host, without torch."""
     return isinstance(error, MemoryError) or (
         isinstance(error, RuntimeError)
         and (type(error).__name__ == "OutOfMemoryError" or "DefaultCPUAllocator" in str(error))

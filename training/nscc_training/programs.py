@@ -20,10 +20,10 @@ from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.words.legality import refuse_pictures
+from nscc_training.code_choices import ShutterSpec
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
 from nscc_training.design.text import frame_text, looking_text
-from nscc_training.shutter_spec import ShutterSpec
 
 if TYPE_CHECKING:
     from nscc_training.encoders import Encoder
@@ -67,9 +67,7 @@ class Chip:
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """A program's `text`, and the bytes of its code file (empty if the text names no file).
-
-    The code file contains every field on the tile, and a codebook's digits as `book`."""
+    """A program's `text`, and the bytes of its code file: all fields, and the `book`."""
 
     text: str
     codes: bytes
@@ -132,9 +130,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove a program; raise the compiler's errors.
-
-    `every_code` compiles for all codes that the class allows, instead of the used codes."""
+    """Compile and prove a program, with `every_code` for all codes that its class allows."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -143,19 +139,11 @@ def compiled(
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
 
 
-@dataclass(frozen=True, eq=False)
-class Begun:
-    """The start of a run: `codes` by field on the tile, with a codebook's digits as `book`.
-
-    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for these codes;
-    None if they depend on the light."""
-
-    codes: dict[str, NDArray[np.int64]]
-    opened: NDArray[np.bool_] | None
-
-
-def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
-    """Return the codes of a program on the places of a tile, for pixels that look times and levels.
+def begun_with(
+    path: Path, spec: ShutterSpec, chip: Chip
+) -> tuple[dict[str, NDArray[np.int64]], NDArray[np.bool_] | None]:
+    """Return the codes of a program on the places of a tile, and the shutters that it opens for
+    them, (buckets, N, rows, cols); for pixels that look times and levels, and None.
 
     Raises ValueError for a program with other slots, fields, levels or buckets, or whose pixels are
     not a repetition of this tile, and the compiler's errors."""
@@ -177,44 +165,31 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
                 f"it looks {len(comparisons)} times, but the run looks {spec.tile[1]} times"
             )
         moments = np.array([[comparison.boundary for comparison in comparisons]])
-        return Begun(
-            {"at": moments, "level": np.array([[comparison.level for comparison in comparisons]])},
-            None,
-        )
+        levels = np.array([[comparison.level for comparison in comparisons]])
+        return {"at": moments, "level": levels}, None
     if container.machine is not None:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")
-    table, expected_fields = container.table, _fields(spec)
+    table = container.table
+    expected_fields = [r.split()[1] for r in _RULES[spec.kind] if r.startswith("code ")]
     if set(table.fields) != set(expected_fields):
         have, want = (", ".join(names) or "none" for names in (table.fields, expected_fields))
         raise ValueError(f"its code has the fields: {have}; class {spec.kind} has: {want}")
     if len(container.buckets) > spec.buckets:
         raise ValueError(f"the program has {len(container.buckets)} buckets, but the run has one")
-    at = _tile_of(container.pixel_codes, spec.tile)
+    rows, cols = container.pixel_codes.shape
+    at = container.pixel_codes[: spec.tile[0], : spec.tile[1]]
+    repeated = np.tile(at, (-(-rows // spec.tile[0]), -(-cols // spec.tile[1])))[:rows, :cols]
+    if not np.array_equal(repeated, container.pixel_codes):
+        raise ValueError(
+            f"its pixels are not a repeated tile of {spec.tile[0]} x {spec.tile[1]}: give the run "
+            "the program's own tile"
+        )
     codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
     if spec.kind == "codebook":
         codes["book"] = _book_of(compiled_program, path, target)
-    return Begun(codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1))
-
-
-def _fields(spec: ShutterSpec) -> tuple[str, ...]:
-    """Return the names of the fields of a class's code."""
-    return tuple(rule.split()[1] for rule in _RULES[spec.kind] if rule.startswith("code "))
-
-
-def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
-    """Return the codes of the tile (rows, cols) that repeats over the array; raise ValueError
-    without one."""
-    rows, cols = pixels.shape
-    tile_codes = pixels[: tile[0], : tile[1]]
-    repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
-    if not np.array_equal(repeated, pixels):
-        raise ValueError(
-            f"its pixels are not a repeated tile of {tile[0]} x {tile[1]}: give the run the "
-            "program's own tile"
-        )
-    return tile_codes
+    return codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1)
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
@@ -227,8 +202,7 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 
 def words_per_slot(compiled_program: Compiled) -> float:
-    """Return the mean number of words per slot: digital, analog and refresh; 0 for a chip without
-    words."""
+    """Return the mean number of words per slot of all kinds; 0 for a chip without words."""
     if compiled_program.sending is not None:
         return 0.0
     assert compiled_program.lowered is not None
@@ -238,8 +212,7 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return all codes (codes, fields) that the class and `require` allow; raise Rejected if there
-    are none."""
+    """Return all codes (codes, fields) that class and `require` allow, or raise Rejected."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):

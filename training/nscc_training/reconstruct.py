@@ -19,12 +19,18 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.sensor import sensor_sha256
-from nscc_training.dark_frames import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks_encoder import LOOKS
-from nscc_training.frame_reading import FrameRead, no_frame, read_frame
+from nscc_training.frame_reading import (
+    FrameRead,
+    no_frame,
+    of_pixels,
+    read_dark,
+    read_frame,
+    undarkened,
+)
 from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
-from nscc_training.reconstruction import Reconstruction, overexposed
+from nscc_training.reconstruct_any import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
@@ -147,8 +153,7 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
-    """Return whether a digest is that of the run's program, compiled at any level, likely levels
-    first."""
+    """Return whether a digest is that of the run's program, compiled at any level."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)

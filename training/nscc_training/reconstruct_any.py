@@ -1,18 +1,107 @@
-"""Reconstruction of pictures and clips from frame files of any program."""
+"""Reconstruction of pictures and clips from frame files of any program, also without a network."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc_runtime.formats import Content
 from nscc_runtime.machine_code import working_s
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
-from nscc_training.reconstruction import Reconstruction, overexposed
-from nscc_training.untrained import Method, gap_tv_clip, merged_still, method_for
+from nscc_training.baselines.gap_tv import gap_tv_of
+from nscc_training.baselines.hdr import merge_neighbours
+from nscc_training.measured import Measured
+
+_OVEREXPOSED = 0.25
+"""Fraction of saturated pixels above which a warning is given."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reconstruction:
+    """A reconstructed picture or clip.
+
+    `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
+    cols) in electrons per slot; with `colour` the last axis is red, green, blue. `messages` are
+    warnings about the frame. `decode_s` is the decoding time in seconds. `method` names the method
+    of the decoder for any code, else it is empty."""
+
+    light: NDArray[np.float32]
+    still: bool
+    colour: bool
+    messages: tuple[Diagnostic, ...]
+    decode_s: float
+    method: str = ""
+
+    @property
+    def content(self) -> Content:
+        """The reconstruction in the form for all output formats."""
+        arrays = {"image" if self.still else "video": self.light}
+        if self.method:
+            arrays["method"] = np.array(self.method)
+        # Time is the last axis of clips in MATLAB.
+        turned = arrays if self.still else arrays | {"video": np.moveaxis(self.light, 0, -1)}
+        return Content(
+            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
+            usual="log" if self.still else "srgb",
+        )  # fmt: skip
+
+
+def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
+    """Yield a warning (NS0844) if too many pixels of a frame are saturated."""
+    share = float(saturated.mean()) if saturated.size else 0.0
+    if share > _OVEREXPOSED:
+        yield Diagnostic(
+            "NS0844",
+            f"{100 * share:.3g} % of the pixels of '{name}' are saturated",
+            severity=Severity.WARNING,
+            notes=("a saturated pixel gives the decoder only a lower limit of the light",),
+            helps=("expose the scene with less light, or use shutters that close early",),
+        )  # fmt: skip
+
+
+Method = Literal["network", "merge", "gap-tv"]
+_ITERATIONS = 40
+_WHITE = 0.995
+
+
+def method_for(still: bool, method: Method | None = None) -> Method:
+    """Return the given method, or the network, or without torch merging or GAP-TV."""
+    if method is None and find_spec("torch") is None:
+        return "merge" if still else "gap-tv"
+    return method or "network"
+
+
+def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
+    """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
+
+    The weight of total variation assumes that white is 1. The 99.5 % quantile of the light of
+    opened pixels counts as white."""
+    opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
+    light = measured.mean()[opened]
+    white = np.quantile(light, _WHITE).clip(min=1e-6) if light.size else 1.0
+    clip, _ = gap_tv_of(measured.over(np.array([white], np.float32)), _ITERATIONS)
+    return np.asarray(clip[0].clip(min=0) * white, np.float32)
+
+
+def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
+    """Return the light (rows, cols) of a batch of one, merged over neighbourhoods."""
+    value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
+    opened, full = mask > 0, measured.saturated[0]
+    light = np.where(opened, value / np.where(opened, mask, 1), 0)
+    variance = measured.variance[0].clip(min=1e-12).astype(np.float64)
+    precision = np.where(opened & ~full, mask**2 / variance, 0)
+    total = precision.sum(axis=0)
+    mean = (precision * light).sum(axis=0) / np.where(total > 0, total, 1)
+    least = np.where(opened & full, light, 0).max(axis=0)
+    return merge_neighbours(mean, total, least).astype(np.float32)
+
 
 _KINDS: dict[str, Literal["image", "video"]] = {"merge": "image", "gap-tv": "video"}
 """The kind of result of each method that does not use the network."""

@@ -33,10 +33,8 @@ _ELECTRONS = (".npz", ".npy")
 
 @dataclass(frozen=True)
 class RunCapture:
-    """The conditions under which a run's decoder expects frames to be captured.
-
-    `exposure` is in the form of `--exposure`. `still` means that scenes are stills. `sensor` and
-    `target` are files of the run; None means the default sensor and the program's target."""
+    """The conditions under which a run's decoder expects frames; no `sensor` or `target` means the
+    default one."""
 
     program: Path
     still: bool
@@ -82,8 +80,7 @@ def shipped_evaluations() -> Path:
 
 
 def searched_codes() -> Path:
-    """Return the file of the best searched codes for clips (16 slots, free bits of an 8 x
-    8 tile)."""
+    """Return the file of the best searched codes for clips (16 slots, 8 x 8 tile)."""
     installed = Path(__file__).with_name("searched_codes.npz")
     in_repository = (
         Path(__file__).resolve().parents[1] / "results" / "runs" / _SEARCHED / "codes.npz"
@@ -99,8 +96,7 @@ def run_path(folder: Path) -> Path:
 
 
 def run_capture(folder: Path) -> RunCapture:
-    """Return the capture conditions of a run; raise Rejected (NS0818) for a folder that is not a
-    run."""
+    """Return the capture conditions of a run; raise Rejected (NS0818) for another folder."""
     path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]

@@ -29,10 +29,8 @@ _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A loaded run.
-
-    `setup` contains the learned codes and weights, `program` is the text of `shutter.nsl`, `result`
-    is `result.json`. `seen_digests` are the digests of the training and validation files."""
+    """A loaded run: learned codes and weights, program, result, and digests of the files that it
+    has seen."""
 
     path: Path
     setup: TrainingSetup
@@ -132,10 +130,7 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """Raise ValueError for a file whose digest differs from the one in the result.
-
-    Such a folder contains files of different runs, after an unfinished later run or a partial copy.
-    """
+    """Raise ValueError for a file whose digest is not in the result: it belongs to another run."""
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]

@@ -170,8 +170,7 @@ class SensorModel:
 
 
 class _Masked(Function):
-    """Sum of light times shutters over slots, in float64; gradients have the precision of the
-    light."""
+    """Sum of light times shutters over slots, in float64; gradients are as precise as light."""
 
     @staticmethod
     def forward(ctx: Any, light: Tensor, shutters: Tensor) -> Tensor:
@@ -254,9 +253,8 @@ def differentiable_capture(
 def check_light(light: Tensor) -> None:
     """Raise ValueError for values that are complex, negative or not finite."""
     if light.is_complex():
-        raise ValueError(
-            "light is complex, but must contain real values: the electrons of each slot"
-        )
+        reason = "light is complex, but must contain real values: the electrons of each slot"
+        raise ValueError(reason)
     values = light.detach()
     low, high = (float(v) for v in torch.aminmax(values)) if values.numel() else (0.0, 0.0)
     if low >= 0 and high < inf:
@@ -272,16 +270,12 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols).
-
-    `seed` determines the noise. `light` and `tile` are as in `differentiable_capture`, without the
-    batch."""
+    """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols), with
+    noise of a seed."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
-    return (
-        differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
-        - sensor.adc_offset_lsb
-    )
+    frame = differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
+    return frame - sensor.adc_offset_lsb
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
@@ -314,17 +308,13 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """Return the shutters (N, rows, cols), or for two buckets (2, N, rows, cols).
-
-    The second bucket is the complement of the first."""
+    """Return the shutters, for two buckets (2, N, rows, cols) with their complement."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Return the light in the open slots of each pixel: electrons (batch, rows, cols), float64.
-
-    `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
-    buckets, rows, cols)."""
+    """Return the electrons (batch, [buckets,] rows, cols) of open slots, float64, for a repeating
+    tile of shutters."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1

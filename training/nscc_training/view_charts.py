@@ -51,8 +51,7 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
-    """Draw the scores values of a run (`robustness`) or an evaluation (`items`), worst
-    first."""
+    """Draw the scores of a run (`robustness`) or an evaluation (`items`), worst first."""
     changes, metric = _changes(values), _metric(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)

@@ -107,9 +107,12 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
         raise _nothing_to_view(path, str(error)) from error
     for name in ("image", "video"):
         if name in arrays:
-            _check_array(path, arrays, name, (2, 3) if name == "image" else (3, 4))
-            moving = name == "video"
-            light = arrays[name] if moving else _reduced(arrays[name])
+            values, moving = arrays[name], name == "video"
+            dimensions = (3, 4) if moving else (2, 3)
+            if not (values.dtype.kind in "buif" and values.ndim in dimensions and values.size):
+                shown = " x ".join(map(str, values.shape)) or "a single value"
+                raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
+            light = values if moving else _reduced(values)
             colour = light.ndim == (4 if moving else 3)
             content = Content({}, light, moving, colour, tone=tone,
                               usual="srgb" if moving else "log")  # fmt: skip
@@ -133,20 +136,8 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
     return np.asarray(cv2.resize(picture_values, shape, interpolation=cv2.INTER_AREA))
 
 
-def _check_array(
-    path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...]
-) -> None:  # fmt: skip
-    """Raise Rejected (NS0801) for an array that is not numeric or has other dimensions."""
-    values = arrays[name]
-    numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
-    if not numbers:
-        shown = " x ".join(map(str, values.shape)) or "a single value"
-        raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
-
-
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """Return the PNG of a sheet drawn from parsed tables; raise Rejected (NS0801) if the tables are
-    invalid."""
+    """Return the PNG of a sheet of tables; raise Rejected (NS0801) if they are invalid."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:
@@ -156,9 +147,7 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Draw every bucket of a frame file: codes, electrons, saturation.
-
-    Of repeated frames the first is drawn; of colour frames all colours."""
+    """Draw the buckets of a frame file, of repeated frames the first, of colours all."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:

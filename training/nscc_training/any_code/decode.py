@@ -8,11 +8,19 @@ from pathlib import Path
 
 import torch
 from torch import Tensor
+from torch.nn import functional
 
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
-from nscc_training.any_code.readouts import FIRST_STAGE, always_open, joined
-from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage
-from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.any_code.stages import (
+    STAGES,
+    STILL_STAGES,
+    led,
+    mirrored,
+    schedule,
+    stage,
+    started_still,
+    still_stage,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.measured import Measured
 
@@ -68,9 +76,7 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
 
 
 def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
-    """Return the mean of the clips after stages `first` to `count`, corrected towards the frames.
-
-    White is 1 in the unit of light."""
+    """Return the mean clip of stages `first` to `count`, led towards the frames; white is 1."""
     clip, target = gap_tv_of(measured)
     mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
@@ -84,22 +90,19 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
 
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
-    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, in `count`
-    stages."""
+    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit."""
     # Scale so that nearly the largest value is 1, as the stages require.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
     light = started_still(measured)
     with bf16_where_multiplied():
-        for sigma in still_schedule(count):
+        for sigma in schedule(count, still=True):
             light = still_stage(measured, shipped("still"), light, sigma)
     return light * unit.reshape(-1, 1, 1)
 
 
 def white(measured: Measured[Tensor]) -> Tensor:
-    """Return an estimate of white (batch,): the light at the 99.5 % quantile of the opened pixels.
-
-    The result is 1 if no pixel is ever open."""
+    """Return the 99.5 % quantile (batch,) of the light of opened pixels; 1 if none opens."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)
@@ -113,3 +116,69 @@ def white(measured: Measured[Tensor]) -> Tensor:
     low, high = (ordered.gather(1, index[:, None])[:, 0] for index in (below, above))
     level = torch.where(count > 0, low + (high - low) * (place - below).to(low), 1.0)
     return level.clamp(min=1e-6)
+
+
+FIRST_STAGE = 4
+"""The first stage whose clip enters the mean of clips.
+
+The errors of the stages differ, because each sees the clip mirrored in another way. The mean gains
+0.2 dB in moving and 4 dB in static regions."""
+_WIDE, _NARROW, _AROUND = 9, 5, 15
+"""Window sides in pixels: for two measures of motion, and for the error of the clip's mean."""
+_STILL, _MOVING = 0.25, 0.6
+"""Limits of the motion measure: below the first all is static, above the second all is moving."""
+
+
+def always_open(measured: Measured[Tensor]) -> int | None:
+    """Return the index of the readout whose shutters never close; None if there is none, or if all
+    are such."""
+    opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
+    if bool(opened.all()) or not bool(opened.any()):
+        return None
+    return int(opened.int().argmax())
+
+
+def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
+    """Return the clip (batch, N, rows, cols), static where the readouts agree, elsewhere `clip`.
+
+    Readout `number` is always open. Without motion all readouts measure the same light, and their
+    mean has less noise than an ordinary frame. This needs no training, because the noise of every
+    readout is known. The static light is the mean of all readouts, weighted by
+    precision. It is moved towards the mean of `clip` if their difference is within the noise. Its
+    error is therefore close to the noise of the readouts at most, and it is smooth if `clip` is
+    right."""
+    opened = measured.mask.sum(dim=2)
+    light = measured.value / opened.clamp(min=1e-9)
+    variance = measured.variance / opened.clamp(min=1e-9).square()
+    known = (opened > 0) & ~measured.saturated
+    precision = torch.where(known, 1 / variance.clamp(min=1e-12), 0.0)
+    total = precision.sum(dim=1, keepdim=True)
+    noise = 1 / total.clamp(min=1e-12)
+    mean = (precision * light).sum(dim=1, keepdim=True) * noise
+    # A saturated pixel had at least the light of its fullest readout.
+    still = torch.where(total > 0, mean, light.amax(dim=1, keepdim=True))
+    smooth = clip.mean(dim=1, keepdim=True)
+    apart = _around((still - smooth).square(), _AROUND)
+    share = (1 - _around(noise.clamp(max=1), _AROUND) / apart.clamp(min=1e-12)).clamp(0, 1)
+    steady = smooth + share * (still - smooth)
+    # The mean contains a part of each readout's noise, so their difference has less noise.
+    spread = (variance - noise).clamp(min=1e-3 * variance.clamp(min=1e-9)).sqrt()
+    deviation = torch.where(known, (light - mean) / spread, 0.0)
+    coded = [k for k in range(light.shape[1]) if k != number]
+    gate = ((_MOVING - motion(deviation[:, coded])) / (_MOVING - _STILL)).clamp(0, 1)
+    return clip + gate.unsqueeze(1) * (steady - clip)
+
+
+def motion(deviation: Tensor) -> Tensor:
+    """Return a measure of motion (batch, rows, cols) from deviations (batch, B, rows, cols).
+
+    A deviation is the difference of a coded readout from the static prediction, in standard
+    deviations. The measure adds the mean square in a wide window minus 1 and the squared mean in a
+    narrow one."""
+    wide = _around(deviation.square(), _WIDE) - 1
+    return (wide + _around(deviation, _NARROW).square()).mean(dim=1)
+
+
+def _around(values: Tensor, side: int) -> Tensor:
+    """Return the mean of a window around each pixel of (batch, [B,] rows, cols)."""
+    return functional.avg_pool2d(values, side, 1, side // 2, count_include_pad=False)

@@ -9,8 +9,15 @@ from torch import Tensor, nn
 
 from nscc_training.any_code.decode import shipped, white
 from nscc_training.any_code.network import WIDTHS, ClipDenoiser
-from nscc_training.any_code.stages import led, mirrored, schedule, stage
-from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.any_code.stages import (
+    STILL_STAGES,
+    led,
+    mirrored,
+    schedule,
+    stage,
+    started_still,
+    still_stage,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.measured import Measured
@@ -63,9 +70,11 @@ class AnyCode(nn.Module):
         variance = slots**2 * (dark + gained * frame.clamp(min=0))
         masks = masks if masks.ndim == 5 else masks.unsqueeze(0)
         measured = Measured(slots * frame, masks, variance, frame >= 1)
-        return self._still(measured) if self.still else self._clip(measured)
-
-    def _clip(self, measured: Measured[Tensor]) -> Tensor:
+        if self.still:
+            light = started_still(measured)
+            for sigma in schedule(self.stages, still=True):
+                light = still_stage(measured, self.denoiser, light, sigma)
+            return light
         with torch.no_grad():
             unit = white(measured)
             clip, target = gap_tv_of(measured.over(unit))
@@ -73,9 +82,3 @@ class AnyCode(nn.Module):
         for number, sigma in enumerate(schedule(self.stages)):
             clip, target = stage(measured, mirrored(self.denoiser, number), clip, target, sigma)
         return led(measured, clip) * unit.reshape(-1, 1, 1, 1)
-
-    def _still(self, measured: Measured[Tensor]) -> Tensor:
-        light = started_still(measured)
-        for sigma in still_schedule(self.stages):
-            light = still_stage(measured, self.denoiser, light, sigma)
-        return light

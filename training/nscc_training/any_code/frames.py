@@ -24,8 +24,7 @@ from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.dark_frames import read_dark, undarkened
-from nscc_training.frame_reading import are_lengths, number_of
+from nscc_training.frame_reading import are_lengths, number_of, read_dark, undarkened
 from nscc_training.measured import Measured
 from nscc_training.problems import one_line, why_no_arrays
 
@@ -53,9 +52,7 @@ class CodedFrame:
 
     @property
     def is_still(self) -> bool:
-        """Return whether all shutters open at the start and differ only in their end (class b).
-
-        Such codes are for stills with a high dynamic range, not for motion."""
+        """Return whether all shutters open at the start (class b), for stills, not motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
@@ -78,8 +75,7 @@ class CodedFrame:
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """Return the measurement with shutter weights (shutters, B, N); raise ValueError if it is
-        too large."""
+        """Return the measurement with shutter weights (shutters, B, N)."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -215,7 +211,9 @@ def coded_frame(
         read, bias_e = undarkened(read, dark), 0
     exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain
-    if _counts_photons(meta):
+    plan = meta.get("plan")
+    kept = [] if plan is None else [e["name"] for e in plan["effects"] if e["decision"] == "kept"]
+    if plan is None or "shot" in kept:  # only simulations can lack photon noise
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
     return CodedFrame(
         value_e.astype(np.float32),
@@ -225,15 +223,6 @@ def coded_frame(
         row,
         slot_us,
     )
-
-
-def _counts_photons(meta: Mapping[str, Any]) -> bool:
-    """Return whether the frame has photon noise; only simulations without the effect `shot`
-    do not."""
-    plan = meta.get("plan")
-    if plan is None:
-        return True
-    return any(row["name"] == "shot" and row["decision"] == "kept" for row in plan["effects"])
 
 
 def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
@@ -258,10 +247,8 @@ def _is_exposed_by(
     program: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
     table: Mapping[str, NDArray[Any]],
 ) -> bool:  # fmt: skip
-    """Return whether the frame was exposed with the shutters of the program, whose arrays are
-    `table`.
-
-    Compares the shutters in the frame file, or the digest of the program if the file has none."""
+    """Return whether the frame was exposed with the program's shutters, its `table`, by its own
+    shutters or its digest."""
     if "decode_row" in arrays:
         same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
         opened, table_shutters = (

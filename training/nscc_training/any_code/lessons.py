@@ -132,37 +132,27 @@ def measured_lesson(
 
 def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
     """Return a random still in full wells, part of which would saturate if open, and its stops."""
-    light = _light_drawn(pictures, generator, size)
-    level = max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6)
-    return np.asarray(light / level, np.float32), _stops_drawn(generator, size)
-
-
-def _light_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> Light:
-    """Return a random part of a picture, rotated, maybe halved in size, with changed contrast."""
     picture = pictures[int(generator.integers(len(pictures)))]
     step = int(generator.integers(1, 3))
     row, col = (int(generator.integers(side - step * size + 1)) for side in picture.shape)
     crop = picture[row : row + step * size, col : col + step * size]
     crop = crop.reshape(size, step, size, step).mean(axis=(1, 3))
     turned = np.rot90(crop, int(generator.integers(4)))[:, :: int(generator.choice((1, -1)))]
-    return np.asarray(np.maximum(turned, 1e-7) ** generator.uniform(0.8, 1.3), np.float32)
-
-
-def _stops_drawn(generator: Generator, size: int) -> Mask:
-    """Return the random fraction of the frame for which each pixel is open (size, size)."""
+    light = np.asarray(np.maximum(turned, 1e-7) ** generator.uniform(0.8, 1.3), np.float32)
+    level = max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6)
     tile = int(generator.choice((1, 2, 2, 4, 4, 8, size)))
     lowest = generator.uniform(-8, -1)
     stops = np.exp2(generator.uniform(lowest, 0, (tile, tile)))
     if tile == 2 and generator.random() < 0.5:
         stops = np.exp2(np.linspace(lowest, 0, 4)[generator.permutation(4)]).reshape(2, 2)
     repeats = -(-size // tile)
-    return np.tile(stops, (repeats, repeats))[:size, :size].astype(np.float32)
+    mask = np.tile(stops, (repeats, repeats))[:size, :size].astype(np.float32)
+    return np.asarray(light / level, np.float32), mask
 
 
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters (frames, size, size) of some class; every pixel opens at least once.
-
-    The classes are bits, bumps, tiles of bumps, codebooks and stops."""
+    """Return random shutters (frames, size, size) of bits, bumps, tiles of bumps, a codebook or
+    stops; every pixel opens."""
     kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
@@ -193,10 +183,8 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters: with probability 1/2 of any class, otherwise bumps in a 4 x 4 tile.
-
-    The bumps take a quarter of the frame and open one after another: within the frame, in two
-    phases, or wrapping around its end."""
+    """Return random shutters: half of them of any class, half of them bumps in a 4 x 4 tile that
+    open one after another."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)

@@ -83,8 +83,7 @@ class ClipDenoiser(nn.Module):
 
 
 class FrameExchangeBlock(nn.Module):
-    """A residual block of two convolutions after an exchange of channels between neighbouring
-    frames."""
+    """A residual block after an exchange of channels between neighbouring frames."""
 
     def __init__(self, width: int) -> None:
         super().__init__()
@@ -107,8 +106,7 @@ def exchanged(x: Tensor, frames: int) -> Tensor:
 
 
 class _Exchanged(torch.autograd.Function):
-    """`exchanged` with its own gradient, because the gradient of slices takes a fifth of the
-    training."""
+    """`exchanged` with its own gradient, because that of slices is slow."""
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
@@ -141,7 +139,6 @@ def _pair(width: int) -> nn.ModuleList:
 
 
 def bf16_where_multiplied() -> AbstractContextManager[object]:
-    """Return an autocast to bfloat16 on processors with bfloat16 multiplication, else no
-    autocast."""
+    """Return an autocast to bfloat16 on processors that multiply it, else nothing."""
     knows = [torch.cpu._is_avx512_bf16_supported(), torch.cpu._is_amx_tile_supported()]
     return torch.autocast("cpu", torch.bfloat16) if any(knows) else nullcontext()

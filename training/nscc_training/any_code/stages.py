@@ -1,13 +1,20 @@
-"""Stages of the decoder: a projection towards the frames followed by denoising."""
+"""Stages of the decoder: a projection towards the frames followed by denoising.
+
+A still is denoised as `log(1 + light / floor)`, in which errors of bright and dark pixels have
+equal weight. Its frames have masks of one slot: the fraction of the frame for which a pixel was
+open."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import log
 
 import numpy as np
+import torch
 from torch import Tensor
 
 from nscc_training.baselines.gap_tv import gap_step
+from nscc_training.decoders.guess import averaged
 from nscc_training.measured import Measured
 
 Denoiser = Callable[[Tensor, Tensor, Tensor], Tensor]
@@ -22,9 +29,9 @@ _MIRRORS = ((), (-1,), (-2,), (-2, -1))
 """Axes along which clips are mirrored in successive stages: rows, columns."""
 
 
-def schedule(count: int) -> list[float]:
+def schedule(count: int, still: bool = False) -> list[float]:
     """Return the assumed error (sigma) before each of `count` stages."""
-    return [float(sigma) for sigma in np.linspace(*_SIGMA, count)]
+    return [float(sigma) for sigma in np.linspace(*(_STILL_SIGMA if still else _SIGMA), count)]
 
 
 def stage(
@@ -39,10 +46,8 @@ def stage(
 
 
 def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
-    """Return the denoiser for stage `number`, which sees the clip mirrored.
-
-    Alternating mirrors prevents directional errors of the network from accumulating. This gains 0.2
-    dB and takes no time."""
+    """Return the denoiser for stage `number`, which sees the clip mirrored, so that errors of the
+    network with a direction do not add up: 0.2 dB."""
     axes = _MIRRORS[number % len(_MIRRORS)]
 
     def denoised(clip: Tensor, planes: Tensor, level: Tensor) -> Tensor:
@@ -55,3 +60,76 @@ def led(measured: Measured[Tensor], clip: Tensor) -> Tensor:
     """Return the last stage's clip, corrected once towards the frames."""
     gap = measured.missing(measured.of(clip), measured.value)
     return clip + measured.correction(gap, clip.new_full((len(clip),), _LEFT))
+
+
+STILL_STAGES = 1
+"""Number of stages; more stages do not improve results with the shipped weights."""
+_STILL_SIGMA = (0.05, 0.02)
+"""Assumed error of the logarithm before the first and the last stage, if there are several."""
+_FLOOR = 1e-3
+"""Floor of the logarithm, relative to the light 1, which about fills a well over the whole
+frame."""
+_SPAN = log(1 + 200 / _FLOOR)
+"""Scale that maps the logarithm of the light 200, which few scenes exceed, to 1."""
+
+
+def started_still(measured: Measured[Tensor]) -> Tensor:
+    """Return a first estimate of the light over the frame (batch, rows, cols).
+
+    Each pixel is the mean of its own and its neighbours' measurements, weighted by precision. A
+    saturated pixel has at least the light at which it saturates."""
+    mask = measured.mask[:, :, 0]
+    opened = (mask > 0).expand_as(measured.value)
+    alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0)
+    precision = mask.square() / measured.variance.clamp(min=1e-20)
+    precision = torch.where(opened & ~measured.saturated, precision, 0.0)
+    total = precision.sum(dim=1)
+    pixel_light = (precision * alone).sum(dim=1) / total.clamp(min=1e-20)
+    # Relative to the frame's own scale, so that a measurement counts more than wide surroundings.
+    scale = measured.value.abs().amax(dim=(1, 2, 3)).clamp(min=1e-9).square().reshape(-1, 1, 1)
+    light = averaged(pixel_light.unsqueeze(1), (total * scale).unsqueeze(1)).squeeze(1)
+    least = torch.where(opened & measured.saturated, alone, 0.0).amax(dim=1)
+    return torch.maximum(light, least)
+
+
+def still_stage(
+    measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, sigma: float
+) -> Tensor:
+    """Return the light after one stage: the most likely light given estimate and frames, denoised.
+
+    The unit of light is such that about 1 fills a well."""
+    spread = sigma * _SPAN * (light + _FLOOR)
+    mask = measured.mask[:, :, 0]
+    data_precision = mask.square() / measured.variance.clamp(min=1e-12)
+    gap = measured.missing(mask * light.unsqueeze(1), measured.value)
+    # The values of saturated pixels contain no further information.
+    data_precision = torch.where(measured.saturated & (gap <= 0), 0.0, data_precision)
+    step = (data_precision * gap / mask.clamp(min=1e-9)).sum(dim=1)
+    light = (light + step / (spread.pow(-2) + data_precision.sum(dim=1))).clamp(min=0)
+    level = light.new_full((len(light),), sigma)
+    denoised = denoiser(coded_light(light).unsqueeze(1), _planes(measured), level)[:, 0]
+    return light_of(denoised)
+
+
+def coded_light(light: Tensor) -> Tensor:
+    """Return the scaled logarithm of light that the denoiser takes."""
+    return torch.log1p(light.clamp(min=0) / _FLOOR) / _SPAN
+
+
+def light_of(coded: Tensor) -> Tensor:
+    """Return the inverse of `coded_light`."""
+    return torch.expm1(coded.float().clamp(0, 1.5) * _SPAN) * _FLOOR
+
+
+def _planes(measured: Measured[Tensor]) -> Tensor:
+    """Return the denoiser's inputs (batch, 3, 1, rows, cols): logarithms of open share, light and
+    noise of the frame with least noise."""
+    mask = measured.mask[:, :, 0]
+    opened = mask > 0
+    alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)
+    noise = measured.variance.sqrt() / mask.clamp(min=1e-9) / (alone + _FLOOR) / _SPAN
+    noise = torch.where(opened & ~measured.saturated, noise.clamp(max=0.5), 1.0)
+    noise, best = noise.min(dim=1, keepdim=True)
+    share = torch.log2(mask.clamp(min=2.0**-12)).expand_as(alone) / 12 + 1
+    planes = [share.gather(1, best), coded_light(alone.gather(1, best)), noise]
+    return torch.stack(planes, dim=1)

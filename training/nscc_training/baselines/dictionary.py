@@ -27,9 +27,7 @@ _ENOUGH = 0.02
 """The pursuit ends when the root mean square residual is below this, in units of white."""
 
 
-def dictionary_clip(
-    measurement: NDArray[np.float32], mask: Clip, atoms: Matrix, sparsity: int = SPARSITY
-) -> Clip:
+def dictionary_clip(measurement: NDArray[np.float32], mask: Clip, atoms: Matrix) -> Clip:
     """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), averaging overlapping
     blocks.
 
@@ -45,7 +43,7 @@ def dictionary_clip(
             block = (slice(row, row + SIDE), slice(col, col + SIDE))
             opened = mask[:, block[0], block[1]].reshape(frames, -1, 1).astype(np.float64)
             coded = (opened * volume).sum(axis=0)
-            weights = pursued(coded, measurement[block].astype(np.float64).ravel(), sparsity)
+            weights = pursued(coded, measurement[block].astype(np.float64).ravel(), SPARSITY)
             total[:, block[0], block[1]] += (atoms @ weights).reshape(frames, SIDE, SIDE)
             count[block] += 1
     return np.asarray(total / count, np.float32)
@@ -114,10 +112,8 @@ def made_dictionary(frames: int) -> Matrix:
 
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
-    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together.
-
-    Each round adds the best atom and solves for all weights, using the inner products of the atoms.
-    """
+    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together,
+    with inner products of atoms."""
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
     chosen = np.zeros((count, 0), np.int64)
@@ -141,6 +137,5 @@ def _unit(atoms: Matrix) -> Matrix:
 
 
 def _places(size: int) -> list[int]:
-    """Return the first pixel of each block along an axis: every `STRIDE`, and the last that
-    fits."""
+    """Return the first pixels of blocks along an axis: every `STRIDE`, and the last that fits."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

@@ -80,8 +80,7 @@ def thin_out(clip: Clip) -> Clip:
 
 
 def _energy(mask: Clip) -> NDArray[np.float32]:
-    """Return the sum of squares of the mask at each pixel; 1 for pixels that never open, to avoid
-    division by 0."""
+    """Return the sum of squares of the mask at each pixel; 1 for pixels that never open."""
     energy = np.einsum("trc,trc->rc", mask, mask)
     return np.asarray(np.where(energy > 0, energy, 1), np.float32)
 

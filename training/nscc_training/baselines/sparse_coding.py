@@ -7,7 +7,7 @@ where errors of bright and dark pixels are comparable. Filters are learned from 
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 import torch
@@ -74,10 +74,10 @@ def coded_still(
     return np.where(saturated & (open_share > 0), np.maximum(light, relative), light) * full_well_e
 
 
-@lru_cache(maxsize=2)
-def made_filters(seed: int = 0) -> Tensor:
+@cache
+def made_filters() -> Tensor:
     """Learn filters (K, 1, side, side) of length 1 from the details of procedural stills."""
-    generator = np.random.default_rng([seed, SIDE])
+    generator = np.random.default_rng([0, SIDE])
     blocks = []
     for _ in range(16):
         light = made_scenes.still(generator, 96)
@@ -88,13 +88,12 @@ def made_filters(seed: int = 0) -> Tensor:
             row, col = generator.integers(0, 96 - SIDE + 1, 2)
             block = detail[row : row + SIDE, col : col + SIDE].ravel()
             blocks.append(block / max(float(np.linalg.norm(block)), 0.05))
-    atoms = learned(np.array(blocks, np.float64), FILTERS, 3, 8, seed)
+    atoms = learned(np.array(blocks, np.float64), FILTERS, 3, 8, seed=0)
     return torch.from_numpy(atoms.T.reshape(FILTERS, 1, SIDE, SIDE).copy()).float()
 
 
 def summed(maps: Tensor, filters: Tensor) -> Tensor:
-    """Return the picture (1, 1, rows, cols): the sum of maps (1, K, rows, cols) convolved with
-    filters."""
+    """Return the sum (1, 1, rows, cols) of maps (1, K, rows, cols) convolved with filters."""
     return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
 
 
@@ -114,8 +113,7 @@ def blurred(picture: Tensor) -> Tensor:
 
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
-    """Return an upper bound of the largest eigenvalue of the masked sum of filters times its
-    adjoint."""
+    """Return a bound of the largest eigenvalue of the masked sum times its adjoint."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):

@@ -11,10 +11,8 @@ from nscc_training.baselines.tv import tv_denoised_arrays
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips (batch, T, rows, cols) as `nscc_training.baselines.tv.tv_denoise` does.
-
-    On the CPU a compiled loop is used, because torch's operators read the memory fifteen times as
-    often. Other devices use torch's operators. No gradient passes."""
+    """Denoise clips (batch, T, rows, cols) as `tv_denoise`: on the CPU by the compiled loop, which
+    reads memory less, else by operators."""
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))

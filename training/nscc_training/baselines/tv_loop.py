@@ -92,8 +92,7 @@ def _dual_row(
 
 @record
 class Volume:
-    """Size of clips and options of denoising: `time` weights differences in time relative to those
-    in space."""
+    """Size of clips; `time` weights differences in time relative to those in space."""
 
     clips: int
     frames: int

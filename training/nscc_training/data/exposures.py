@@ -31,20 +31,10 @@ _WHITE = 0.999
 class Batch:
     """Patches of light, and the truth to reconstruct.
 
-    Attributes
-    ----------
-    light : Tensor
-        Stills (batch, rows, cols) in electrons over the frame; clips (batch, N, rows, cols) in
-        electrons per slot.
-    truth : Tensor
-        `light` over a full well, or over a full well / N, as decoders return it.
-    peak : Tensor
-        (batch,): the truth that metrics and losses count as 1.
-    names : tuple of str
-        The scenes and places of the patches.
-    classes : Tensor, optional
-        (batch, classes): 1 for the class of a patch, else 0.
-    """
+    `light`: stills (batch, rows, cols) in electrons over the frame, clips (batch, N, rows, cols) in
+    electrons per slot. `truth` is `light` over a full well, or over a full well / N, as decoders
+    return it. `peak` (batch,) is the truth that metrics and losses count as 1. `names` are the
+    scenes and places of the patches. `classes` (batch, classes) is 1 for the class of a patch."""
 
     light: Tensor
     truth: Tensor
@@ -66,8 +56,7 @@ class Batch:
 
     @cached_property
     def most(self) -> Tensor:
-        """Return the upper limit of predictions over the peak: 1 where the truth reaches it, else
-        infinity."""
+        """Return the limit of predictions over the peak: 1 where the truth reaches it, else inf."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
     @cached_property
@@ -157,8 +146,7 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return the light of a random region, the fraction of a still's pixels that saturates, and
-        its place."""
+        """Return the light of a random region, its saturated share, and its place."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):

@@ -47,7 +47,13 @@ def moving(
     clip = np.zeros((frames, size, size), np.float32)
     for frame in range(frames):
         for moment in range(moments):
-            clip[frame] += _composite(layers, frame + moment / moments - frames / 2, size)
+            time = frame + moment / moments - frames / 2
+            image = layers[0].picture_at(time, size)
+            for layer in layers[1:]:  # each covers those before it
+                cover = layer.cover_at(time, size)
+                if cover.any():
+                    image += cover * (layer.picture_at(time, size) - image)
+            clip[frame] += image
     clip /= moments * 255
     if generator.random() < 0.6:
         low, high = np.percentile(clip[0], (1, 99))
@@ -95,9 +101,16 @@ class _Layer:
         if not background:
             corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
             outline = corners * size * generator.uniform(0.08, 0.4)
+        places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
+
+        def detail(place: NDArray[np.float64]) -> float:
+            row, col = (int(at) - size // 2 for at in place)
+            region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
+            return float(region.std())
+
         return cls(
             picture=picture,
-            centre=_detailed(picture, generator, size),
+            centre=np.asarray(max(places, key=detail)),
             velocity=speed * np.array([np.sin(heading), np.cos(heading)]),
             scale=float(np.exp(generator.uniform(np.log(0.6), np.log(1.7)))),
             zoom=float(np.exp(generator.normal(0, 0.01) * turning)),
@@ -144,31 +157,8 @@ class _Layer:
         return np.asarray(cover, np.float32)
 
 
-def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.float64]:
-    """Return the place (row, column) with the most detail among some random places of a picture."""
-    places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
-
-    def detail(place: NDArray[np.float64]) -> float:
-        row, col = (int(at) - size // 2 for at in place)
-        region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
-        return float(region.std())
-
-    return np.asarray(max(places, key=detail))
-
-
-def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
-    """Return the layers at a moment as a picture 0..255; each layer covers those before it."""
-    image = layers[0].picture_at(moment, size)
-    for layer in layers[1:]:
-        cover = layer.cover_at(moment, size)
-        if cover.any():
-            image += cover * (layer.picture_at(moment, size) - image)
-    return image
-
-
 def pictures_below(folder: Path) -> list[Path]:
-    """Return all pictures in a folder and its subfolders; raise Rejected (NS0811) if there are
-    none."""
+    """Return all pictures below a folder; raise Rejected (NS0811) if there are none."""
     files = sorted({
         path for place in folders_of(str(folder)) for path in place.rglob("*")
         if path.suffix.lower() in PICTURES and path.is_file()

@@ -201,7 +201,10 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
-        return [_scene(path.name, _read_clip(path, kind), kind, digest)]
+        chosen = kind.settings.transfer or ("linear" if suffix == ".mat" else "srgb")
+        transfer: Transfer = "linear" if chosen == "linear" else "srgb"
+        light = _clip_light(path, frames_in(path), transfer, kind)
+        return [_scene(path.name, light, kind, digest)]
     pages = open_pages(path)
     if pages.count > 1 and not kind.still:
         light = _clip_light(path, pages.read(), pages.transfer or default_transfer(path), kind)
@@ -255,13 +258,6 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
     ]
 
 
-def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:
-    """Return the first frames of a clip as light."""
-    chosen = kind.settings.transfer or ("linear" if path.suffix.lower() == ".mat" else "srgb")
-    transfer: Transfer = "linear" if chosen == "linear" else "srgb"
-    return _clip_light(path, frames_in(path), transfer, kind)
-
-
 def _clip_light(
     path: Path, stored: Iterable[NDArray[Any]], transfer: Transfer, kind: _Kind
 ) -> NDArray[np.float32]:
@@ -276,16 +272,6 @@ def _centre(frame: NDArray[Any]) -> NDArray[Any]:
     rows, cols = frame.shape[:2]
     first_row, first_col = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
     return frame[first_row : first_row + _MOST_SIDE, first_col : first_col + _MOST_SIDE]
-
-
-def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
-    """Return why a scene cannot be exposed because too few pixels are lit; "" if it can."""
-    share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
-    lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
-    return "" if lit >= share else (
-        f"{lit:.1%} of its pixels have light, but at least {share:.0%} must: it is dark "
-        "where it should saturate"
-    )  # fmt: skip
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
@@ -304,7 +290,11 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
             f"its light contains values that are negative, not a number, or above {_MOST_LIGHT:g}"
         )
     else:
-        reason = _too_dark(light, kind)
+        share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
+        lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
+        if lit < share:
+            reason = (f"{lit:.1%} of its pixels have light, but at least {share:.0%} must: it is "
+                      "dark where it should saturate")  # fmt: skip
     if reason:
         raise rejected(
             "NS0811",

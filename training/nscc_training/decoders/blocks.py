@@ -16,8 +16,7 @@ Size = tuple[int, int]
 
 
 def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
-    """Return the blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows,
-    cols). Blocks are ordered by rows and lie `step` pixels apart."""
+    """Return blocks (batch, blocks, pictures * pixels), `step` apart, row by row."""
     blocks = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
     batch, count, down, across = blocks.shape[:4]
     return blocks.permute(0, 2, 3, 1, 4, 5).reshape(

@@ -49,8 +49,7 @@ class Classifier(nn.Module):
 
 
 def relative(values: Tensor, weight: Tensor) -> Tensor:
-    """Return values (batch, channels, rows, cols) divided by their mean, minus 1, where `weight`
-    is 1, and 0 elsewhere. Each element of the batch has its own mean, over weights of 1."""
+    """Return values (batch, channels, rows, cols) over their mean where `weight` is 1, less 1."""
     places = tuple(range(1, values.ndim))
     weight = weight.expand_as(values)
     mean = (values * weight).sum(places, keepdim=True) / weight.sum(places, keepdim=True)

@@ -127,8 +127,7 @@ DECODERS = {decoder.name: decoder for decoder in _OWN}
 
 
 def added_decoders() -> dict[str, Callable[..., Any]]:
-    """Return the builders of decoders that other distributions declare, by name. Raises Rejected
-    (NS0905) for an object that is not callable, or a name of `DECODERS`."""
+    """Return the decoders of other distributions by name; raise NS0905 for unusable ones."""
     makers = added("nscc.decoders", DECODERS)
     for name, make in makers.items():
         if not callable(make):

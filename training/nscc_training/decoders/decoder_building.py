@@ -20,30 +20,12 @@ _PARTS = 24
 
 
 def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
-    """Build a decoder.
+    """Build a decoder of `DECODERS` or `added_decoders`, or the user's own `module:name`.
 
-    Parameters
-    ----------
-    name : str
-        A name of `DECODERS` or `added_decoders`, or `module:name` of the user's own code.
-    size : str
-        One of `SIZES`.
-    task : DecoderTask
-    width : float
-        Factor on the channels of all layers.
-
-    Raises
-    ------
-    ValueError
-        If the decoder does not support the task, or no decoder of this size exists for it.
-    Rejected
-        NS0822 if the user's code fails, now or when it decodes.
-
-    Notes
-    -----
     The user's own code is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..), with
-    buckets=2 for two buckets, and classes=COUNT for classes.
-    """
+    buckets=2 for two buckets, and classes=COUNT for classes. `width` is a factor on the channels of
+    all layers. Raises ValueError if the decoder does not support the task, or has no such size, and
+    Rejected (NS0822) if the user's code fails, now or when it decodes."""
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
         known = (*DECODERS, *added_decoders())
@@ -52,7 +34,19 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         if width != 1:
             raise ValueError(f"decoder.width applies only to nscc's own decoders, not to '{name}'")
         _check_guess(name, False, task)
-        return _own_decoder(name, size, task)
+        make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
+        extra = {"buckets": task.buckets} if task.buckets > 1 else {}
+        extra |= {"classes": len(task.classes)} if task.classes else {}
+        with own_code(name, "decoder"):
+            network = make(
+                size=size, kind=task.kind, slots=task.slots, tile=task.tile,
+                sees_code=task.sees_code, **extra,
+            )  # fmt: skip
+        if not isinstance(network, nn.Module):
+            raise ValueError(f"'{name}' returned a {type(network).__name__}, not a torch module")
+        # The module is not wrapped, so the weights keep their names in the user's module.
+        network.forward = partial(_called, network, network.forward, name, task)
+        return network
     abilities = {
         "stills": declared.stills, "clips": declared.clips, "classes": declared.classifies
     }  # fmt: skip
@@ -102,28 +96,11 @@ def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.
     return network
 
 
-def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
-    make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
-    extra = {"buckets": task.buckets} if task.buckets > 1 else {}
-    extra |= {"classes": len(task.classes)} if task.classes else {}
-    with own_code(name, "decoder"):
-        network = make(
-            size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code,
-            **extra,
-        )  # fmt: skip
-    if not isinstance(network, nn.Module):
-        raise ValueError(f"'{name}' returned a {type(network).__name__}, not a torch module")
-    # The module is not wrapped, so the weights keep their names in the user's module.
-    network.forward = partial(_called, network, network.forward, name, task)
-    return network
-
-
 def _called(
     module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
     frame: Tensor, shutters: Tensor,
 ) -> Tensor:  # fmt: skip
-    """Return the output of the user's decoder. Raises Rejected (NS0822) for an output of another
-    type, shape or dtype, or without a gradient."""
+    """Return the output of the user's decoder; raise Rejected (NS0822) for an unusable one."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
@@ -149,8 +126,7 @@ def parameter_count(module: nn.Module) -> int:
 
 
 def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
-    """Return the floating-point operations of one exposure; a multiplication and an addition count
-    as two."""
+    """Return the operations of one exposure; a multiplication and an addition count as two."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))

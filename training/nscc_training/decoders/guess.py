@@ -52,8 +52,7 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
 
 
 def refuse_not_finite(values: Tensor, name: str) -> None:
-    """Raise ValueError for values that are not finite; averages would spread them over the
-    picture."""
+    """Raise ValueError for values that are not finite, which averages would spread."""
     # A finite sum has only finite values; an infinite sum is checked in detail. Compiled code
     # cannot branch on values.
     if not torch.compiler.is_compiling() and not bool(torch.isfinite(values.detach().sum())):
@@ -71,24 +70,20 @@ def averaged(values: Tensor, weights: Tensor) -> Tensor:
     `weights` has the same shape. Autocast is switched off, so that the inputs' precision is kept.
     """
     with torch.autocast(values.device.type, enabled=False):
-        return _averaged(values, weights)
-
-
-def _averaged(values: Tensor, weights: Tensor) -> Tensor:
-    totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
-    while max(totals[-1][0].shape[-2:]) > 1:
-        totals.append(
-            tuple(functional.avg_pool2d(plane, 2, ceil_mode=True) for plane in totals[-1])
-        )
-    value, weight = totals.pop()
-    mean = value / weight.clamp(min=1e-12)
-    while totals:
+        totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
+        while max(totals[-1][0].shape[-2:]) > 1:
+            totals.append(
+                tuple(functional.avg_pool2d(plane, 2, ceil_mode=True) for plane in totals[-1])
+            )
         value, weight = totals.pop()
-        wide = functional.interpolate(
-            mean, size=value.shape[-2:], mode="bilinear", align_corners=False
-        )
-        mean = (value + _FAINT * wide) / (weight + _FAINT)
-    return mean
+        mean = value / weight.clamp(min=1e-12)
+        while totals:
+            value, weight = totals.pop()
+            wide = functional.interpolate(
+                mean, size=value.shape[-2:], mode="bilinear", align_corners=False
+            )
+            mean = (value + _FAINT * wide) / (weight + _FAINT)
+        return mean
 
 
 class _Tent(Function):

@@ -1,5 +1,5 @@
-"""Exposure of a demo's scene: with coded shutters, with an ordinary camera, and dark frames of
-both."""
+"""Exposure of a demo's scene: with coded shutters, an ordinary camera, and dark frames of both; and
+reconstruction without a network."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import with_table
-from nscc_runtime.effects import selected
+from nscc_runtime.effects import everything, selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.machine_code import working_s
@@ -29,6 +29,8 @@ from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
+from nscc_training.baselines.hdr import merged
+from nscc_training.baselines.sci import gap_tv
 from nscc_training.demo.subject import Subject
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
@@ -76,10 +78,8 @@ class Settings:
 
 @dataclass(frozen=True, eq=False)
 class Looked:
-    """A still exposed by pixels that look.
-
-    `light` is in electrons over the frame. `open_us` (rows, cols) is the open time of each pixel,
-    averaged over colours. `seconds` is the simulation time."""
+    """A still exposed by pixels that look: `light` over the frame, `open_us` of each pixel, and the
+    simulation's seconds."""
 
     light: NDArray[np.float64]
     open_us: NDArray[np.float64]
@@ -116,10 +116,8 @@ class Exposed:
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:
-        """Return the true light: electrons over the frame (rows, cols), or per slot (T, rows,
-        cols).
-
-        Colours are the last axis."""
+        """Return the electrons over the frame (rows, cols), or per slot (T, rows, cols); colours
+        last."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid
@@ -127,8 +125,7 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """Return the electrons of a display picture's white: over the frame for stills, per slot
-        for clips."""
+        """Return the electrons of a display's white: over the frame, per slot for clips."""
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 
@@ -143,8 +140,7 @@ class Exposed:
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
     def files(self) -> tuple[FrameFile, FrameFile]:
-        """Return the files of the coded frame and its dark frames; a grey frame includes the ground
-        truth."""
+        """Return the files of the coded frame, if grey with the truth, and its dark frames."""
         keep = ("truth",) if len(self.laid) == 1 else ()
         return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 
@@ -182,7 +178,10 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     looked = _looked(scene, sensor, request, listener) if subject.still else None
     count, stop = len(compiled.table.shutters[0]), like.slots
     if subject.still:
-        stop = _metered(laid, compiled, sensor, "linear" if subject.transfer == "srgb" else "mu")
+        light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
+        curve: Curve = "linear" if subject.transfer == "srgb" else "mu"
+        chip = DesignChip.of(compiled.target, sensor)
+        stop = best_stop(chip, light_e, compiled.slots, curve)
     fair = None
     if subject.still or count > 1:
         ordinary = camera(like.slots, like.slot_us, target, count, stop)
@@ -238,21 +237,11 @@ def _laid(
     raise AssertionError("there is an exposure to ask for")
 
 
-def _metered(
-    laid: Sequence[PlacedLight], container: Container, sensor: Sensor, curve: Curve
-) -> int:
-    """Return the number of slots for which a camera with automatic exposure opens."""
-    light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
-    return best_stop(DesignChip.of(container.target, sensor), light_e, container.slots, curve)
-
-
 def camera(
     slots: int, slot_us: float, target: str | None = None, frames: int = 1, stop: int | None = None
 ) -> Container:
-    """Return the program of an ordinary camera with `slots` of `slot_us`.
-
-    All shutters are open in all slots, or until slot `stop`. With several `frames`, the slots are
-    divided among consecutive buckets."""
+    """Return the program of an ordinary camera, open until slot `stop`, or one of `frames` after
+    the other."""
     rules = f"open when n < {stop or slots}\n"
     if frames > 1:
         ends = [slots * k // frames for k in range(frames + 1)]
@@ -277,3 +266,47 @@ def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
     about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
     file = FrameFile.of(capture.container, light, simulated.frame, about, keep)
     return with_table(file, capture.container)
+
+
+def dark_codes(dark: Taken) -> NDArray[np.float64]:
+    """Return the mean dark value of each pixel (rows, cols), in converter codes, for one bucket."""
+    return np.asarray(dark.simulated.frame.frame[:, 0].mean(axis=0))
+
+
+def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[np.float64]:
+    """Return the array's offsets, repeated over `codes` (rows, cols[, colours])."""
+    size = codes.shape[:2]
+    times = [-(-side // most) for side, most in zip(size, offset.shape, strict=True)]
+    tiled = np.tile(offset, times)[: size[0], : size[1]]
+    return tiled if codes.ndim == 2 else tiled[..., None]
+
+
+def merged_light(
+    capture: Taken, offset: NDArray[np.float64], sensor: Sensor
+) -> tuple[NDArray[np.float32], str]:
+    """Return the light of a frame with one bucket, as `Exposed.truth`, and the method; `offset` is
+    the array's dark value in codes."""
+    frame, container = capture.simulated.frame, capture.container
+    assert container.pixel_codes is not None  # the frame has been exposed
+    lanes = container.table.shutter_of_code[container.pixel_codes]
+    codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
+    lsb_e, size = sensor.electrons_per_lsb, codes.shape[-2:]
+    shutters = container.table.shutters[:, 0]
+
+    def of_colour(codes: NDArray[Any], full: NDArray[Any]) -> NDArray[np.floating]:
+        seen_lsb = codes - laid_like(offset, codes)
+        if capture.light.kind == "still":
+            share = shutters @ (np.array(container.slot_us) / sum(container.slot_us))
+            noise_e = everything().converter_lsb(sensor) * lsb_e
+            return merged(seen_lsb, share[lanes].astype(np.float64), lsb_e, full, noise_e)
+        white_e = sensor.full_well_e / container.slots
+        mask = np.moveaxis(shutters.astype(np.float32)[lanes], -1, 0)
+        relative_light = np.maximum(seen_lsb, 0.0) * (lsb_e / white_e)
+        clip = gap_tv(relative_light.astype(np.float32), np.ascontiguousarray(mask))
+        return np.maximum(clip, 0) * np.float32(white_e)
+
+    colour_lights = [of_colour(*colour_arrays) for colour_arrays in zip(codes.reshape(-1, *size),
+            saturated.reshape(-1, *size), strict=True)]  # fmt: skip
+    light = colour_lights[0] if codes.ndim == 2 else np.stack(colour_lights, axis=-1)
+    how = "neighbours merged" if capture.light.kind == "still" else "total variation (GAP-TV)"
+    return np.asarray(light, np.float32), how

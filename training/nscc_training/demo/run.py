@@ -15,8 +15,15 @@ from nscc_runtime.machine_code import working_s
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
-from nscc_training.demo.expose import DARK_FRAMES, DARK_SEED, Exposed, Settings, exposed
-from nscc_training.demo.merge import dark_codes, merged_light
+from nscc_training.demo.expose import (
+    DARK_FRAMES,
+    DARK_SEED,
+    Exposed,
+    Settings,
+    dark_codes,
+    exposed,
+    merged_light,
+)
 from nscc_training.demo.sheet import Shown, demo_sheet, readouts_text
 from nscc_training.demo.subject import subject
 from nscc_training.run_files import run_capture
@@ -89,8 +96,7 @@ def demo(
 def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
-    """Return the light in the shape of the ground truth, the seconds it took, and the method's
-    name."""
+    """Return the light in the shape of the truth, its seconds, and the method's name."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 

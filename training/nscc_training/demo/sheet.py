@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
-from nscc_training.demo.expose import Exposed, Looked
-from nscc_training.demo.merge import dark_codes, laid_like
+from nscc_training.demo.expose import Exposed, Looked, dark_codes, laid_like
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
 if TYPE_CHECKING:
@@ -83,10 +82,8 @@ class Shown:
 
     @cached_property
     def fair_light(self) -> NDArray[np.float64] | None:
-        """The light estimated by an ordinary camera at its best, in the shape of the ground truth.
-
-        Each frame of a burst is shown for as long as it was open. None if there is no such camera.
-        """
+        """The light of an ordinary camera at its best, or None; a burst's frames are shown for as
+        long as they were open."""
         if self.exposed_scene.fair is None:
             return None
         capture, dark = self.exposed_scene.fair

@@ -34,10 +34,7 @@ _CUT = 4.0
 
 @dataclass(frozen=True)
 class Subject:
-    """A scene before its exposure is chosen.
-
-    `still` tells a still from a clip. `chosen` describes the chosen part of a clip, or is empty.
-    `in_electrons` means that the scene is in electrons and needs no exposure."""
+    """A scene before its exposure is chosen: a still or a clip, of which a part may be `chosen`."""
 
     scene: Scene
     still: bool
@@ -56,7 +53,14 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
     if scene.name.startswith("builtin:"):
         return Subject(scene, not scene.name.startswith("builtin:motion"), "linear")
     if suffix in ARRAYS and path.is_file():
-        return _of_arrays(scene, path)
+        shapes: list[tuple[int, ...]] = []
+        if path.suffix.lower() == ".mat":
+            key, light = read_mat(path, shapes.append)
+            if key == MAT_CLIP_KEY:
+                return Subject(scene, False, scene.transfer or "linear")
+        else:
+            light = read_light(path, shapes.append)
+        return Subject(scene, light.ndim == 2, "linear", in_electrons=True)
     if path.is_dir():
         files = files_of(path)
         transfer = scene.transfer or default_transfer(files[0])
@@ -71,17 +75,6 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
         if pages.count > 1:
             return _of_clip(scene, pages.read(), transfer, slots, frame_s)
     return Subject(scene, True, scene.transfer or default_transfer(path))
-
-
-def _of_arrays(scene: Scene, path: Path) -> Subject:
-    shapes: list[tuple[int, ...]] = []
-    if path.suffix.lower() == ".mat":
-        key, light = read_mat(path, shapes.append)
-        if key == MAT_CLIP_KEY:
-            return Subject(scene, False, scene.transfer or "linear")
-    else:
-        light = read_light(path, shapes.append)
-    return Subject(scene, light.ndim == 2, "linear", in_electrons=True)
 
 
 def _of_clip(
@@ -102,10 +95,7 @@ def _of_clip(
 
 
 def liveliest(frames: NDArray[np.float32], count: int) -> int:
-    """Return the first of `count` consecutive frames with the most motion in a clip (T, rows,
-    cols).
-
-    Parts without cuts are preferred."""
+    """Return the first of `count` frames with the most motion, if possible without a cut."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])

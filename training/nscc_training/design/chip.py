@@ -62,16 +62,14 @@ class DesignChip:
 
     @cached_property
     def full_e(self) -> float:
-        """The largest exposure in electrons, limited by full well, converter codes, and register
-        linearity."""
+        """The largest exposure in electrons: of full well, codes, and linear registers."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
         soft = self.effects.find_part(Soft)
         return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
     def exposed_sd_e(self, electrons: Values) -> Values:
-        """Return the standard deviation of an exposure's estimate, in electrons at the
-        photodiode."""
+        """Return the standard deviation of an exposure, in electrons of the photodiode."""
         sensor, effects = self.sensor, self.effects
         fixed_e2 = converter_e2(sensor, effects)
         times = {"reads": _READS, "words": _WORDS, "resets": 0}
@@ -82,10 +80,8 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
-        """Return the mean square error (groups, shares) of estimating light from exposures.
-
-        `light_e` (groups,) is in electrons over the frame; an exposure collects a `share` of it.
-        The error is measured on `curve`."""
+        """Return the mean square error (groups, shares) on `curve` of light from exposures that
+        collect a `share` of `light_e` (groups,)."""
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)
@@ -105,8 +101,7 @@ class DesignChip:
         return self.sensor.comparator_offset_fraction * self.sensor.full_well_e
 
     def compared_sd_e(self, electrons: Values) -> Values:
-        """Return the standard deviation of one comparison, from comparator, copies and photon
-        noise."""
+        """Return the standard deviation of one comparison, in electrons."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
         copies = sum(_COPIES * errors.sigma_e(self.sensor) ** 2 for errors in self._small())
         return np.sqrt(noise_e**2 + copies + electrons)
@@ -133,17 +128,9 @@ _MOST_LEVELS = 64
 
 
 def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Values:
-    """Return light on the curve on which errors are measured.
-
-    "mu" and "linear" divide by the peak and clip to 0..1. "log" is the natural logarithm, limited
-    below at `dark_e`."""
+    """Return light on a curve: over the peak and clipped to 0..1, or for "log" the logarithm of
+    light above `dark_e`."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)
     return mu_law(relative_light, MU) if curve == "mu" else relative_light
-
-
-def hermite(points: int) -> tuple[Values, Values]:
-    """Return points and weights of the Gauss-Hermite rule for the standard normal distribution."""
-    places, weights = np.polynomial.hermite_e.hermegauss(points)
-    return places, weights / weights.sum()

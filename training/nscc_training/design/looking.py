@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
-from nscc_training.design.chip import CURVES, Curve, DesignChip, hermite
+from nscc_training.design.chip import CURVES, Curve, DesignChip
 from nscc_training.design.scene import Histogram
 
 Values = NDArray[np.float64]
@@ -39,10 +39,8 @@ class LookSchedule:
 
 @dataclass(frozen=True)
 class Expected:
-    """The expected mean square error of a schedule on each curve, and the fractions of closing
-    pixels.
-
-    `closing` has one value for each look; the last value is for the end of the frame."""
+    """The expected mean square error on each curve, and the shares of pixels that close at each
+    look and at the end."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]
@@ -56,15 +54,14 @@ class LookModel:
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
         self.slots = len(slot_us)
-        places, weights = hermite(_OFFSETS)
+        places, weights = np.polynomial.hermite_e.hermegauss(_OFFSETS)
         self._offset_e = places * chip.offset_e
-        self._start = scene.weight[:, None] * weights
+        self._start = scene.weight[:, None] * (weights / weights.sum())
         self._exposure_errors: dict[Curve, Values] = {}
         self._closed: dict[int, NDArray[np.float32]] = {}
 
     def exposure_errors(self, curve: Curve) -> Values:
-        """Return the error (groups, slots + 1) of exposures up to each boundary; infinity at
-        boundary 0."""
+        """Return the error (groups, slots + 1) of exposures up to each boundary."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -73,8 +70,7 @@ class LookModel:
         return self._exposure_errors[curve]
 
     def closed(self, at: int) -> NDArray[np.float32]:
-        """Return the fraction of pixels (levels, groups, offsets) above each level at boundary
-        `at`."""
+        """Return the share of pixels (levels, groups, offsets) above each level at `at`."""
         if at not in self._closed:
             if len(self._closed) == _MOST_KEPT:
                 self._closed.clear()
@@ -115,7 +111,14 @@ class LookModel:
         if scenes == 1 or curve == "log":
             return schedule
         for _ in range(_WEIGHINGS):
-            by = 1 / np.maximum(self._by_scene(schedule, curve), 1e-12 * worth)
+            rows = self._rows(schedule)
+            after = self._after(list(schedule.at), rows, -1, curve)
+            group_errors = (self._start * after).sum(axis=1)
+            scene_errors, weights = (
+                np.bincount(self.scene.scene, values)
+                for values in (group_errors, self.scene.weight)
+            )
+            by = 1 / np.maximum(scene_errors / weights, 1e-12 * worth)
             weighed = LookModel(self.chip, self.scene.weighed(by), self._slot_us)
             weighed._exposure_errors, weighed._closed = self._exposure_errors, self._closed
             _, schedule = weighed._descended(schedule, curve)
@@ -130,15 +133,6 @@ class LookModel:
                 break
             worth = now
         return worth, schedule
-
-    def _by_scene(self, schedule: LookSchedule, curve: Curve) -> Values:
-        """Return the mean square error of every scene (scenes,)."""
-        rows = self._rows(schedule)
-        after = self._after(list(schedule.at), rows, -1, curve)
-        group_errors = (self._start * after).sum(axis=1)
-        return np.bincount(self.scene.scene, group_errors) / np.bincount(
-            self.scene.scene, self.scene.weight
-        )
 
     def _rows(self, schedule: LookSchedule) -> list[int]:
         """Return the indices of a schedule's levels among the chip's levels."""

@@ -38,9 +38,7 @@ class Histogram:
 
 
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
-    """Return the histogram of scenes (rows, cols), in electrons over the frame.
-
-    Raises Rejected (NS0824) for a scene without light."""
+    """Return the histogram of scenes (rows, cols); raise NS0824 for a scene without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
     histograms = []
     for number, scene in enumerate(scenes):

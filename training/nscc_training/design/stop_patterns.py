@@ -51,8 +51,7 @@ class Pattern:
 
 
 def shapes() -> dict[str, Levels]:
-    """Return the level of every place of a tile, by the pattern's name; 0 is the longest
-    exposure."""
+    """Return the level of every place of a tile, by name; 0 is the longest exposure."""
     levels_of_shape = {
         "uniform": np.array([[0]]),
         "checkerboard": np.array([[0, 1], [1, 0]]),
@@ -83,10 +82,8 @@ def judged(
     chip: DesignChip, scenes: Sequence[Values], slots: int, slot_us: float,
     compiled: Callable[[int], Container], progress: Progress,
 ) -> list[Pattern]:  # fmt: skip
-    """Return all patterns with their PSNR after merging, simulated with all effects, best first.
-
-    `scenes` are in electrons over the frame (rows, cols). `compiled` returns the program in which
-    all pixels have a given stop."""
+    """Return all patterns with their PSNR after merging under all effects, best first; `compiled`
+    gives the program of one stop."""
     candidates = patterns(slots)
     sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):

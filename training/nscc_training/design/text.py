@@ -23,9 +23,7 @@ def looking_text(
     chip: str | None,
     remark: str,
 ) -> str:
-    """Return the program whose pixels close at the first look above its level.
-
-    `chip` is the target's name; None leaves the target to the compiler's options."""
+    """Return the program whose pixels look; `chip` is the target's name or None."""
     levels = [level_text(steps, target) for steps in schedule.steps]
     level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
     at = ", ".join(map(str, schedule.at))

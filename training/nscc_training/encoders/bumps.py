@@ -9,8 +9,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
-from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import CodeTrial, Over, drawn
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6
@@ -74,10 +73,8 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only the codes `legal` (codes, fields).
-
-        Parameters snap to the nearest legal code and stay within the range of each field. With a
-        generator the codes are drawn again, uniformly over the legal codes."""
+        """Allow only the codes `legal` (codes, fields), to which parameters snap; with a generator
+        they are drawn anew."""
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
             self.fill(*self.codes().values())

@@ -1,16 +1,95 @@
-"""Construction of encoders by class name."""
+"""Construction of encoders by class name, and ordered and scattered starts of their codes."""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nscc_training.code_choices import ORDERED, SCATTERED, STARTS
-from nscc_training.encoders.base import Encoder, ShutterSpec
+from nscc_training.code_choices import ORDERED, RANKS, SCATTERED, STARTS
+from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks_encoder import LOOKS, LooksEncoder
-from nscc_training.encoders.ordered import ordered
 from nscc_training.encoders.patterns import Bits, Codebook
-from nscc_training.encoders.scattered import scattered
+
+_SIDE = 4
+"""Rows and columns of the repeating tile."""
+
+Places = NDArray[np.int64]
+
+
+def ordered(name: str, spec: ShutterSpec) -> Codes:
+    """Return the codes of a tile for the start `name`, one of ORDERED.
+
+    A pixel measures the light of its bump, and its neighbours the light of other bumps. The 2 x 2
+    pattern has edges at three times within the frame; these tiles have edges at more times.
+
+    Bumps have the length of the class, or a quarter of the frame. For a codebook, the item `book`
+    contains the shapes. Raises ValueError for classes and tiles without such a start.
+
+    `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block later by half a bump, or by as much
+    as the frame allows. `staggered`: sixteen start times from the beginning of the frame to the
+    last at which a bump fits. `cyclic`: sixteen start times around the frame; a bump that reaches
+    the end continues at the beginning."""
+    if spec.kind not in _CODES:
+        raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
+    if any(side % _SIDE for side in spec.tile):
+        raise ValueError(f"{name} repeats every {_SIDE} x {_SIDE} places: the tile must be a "
+                         f"multiple of that, but is {spec.tile[0]} x {spec.tile[1]}")  # fmt: skip
+    if name == "cyclic" and spec.kind in "cd":
+        raise ValueError(f"bumps of class {spec.kind} end with the frame, but those of cyclic "
+                         "continue at its start: use class e or a codebook of 16 rows")  # fmt: skip
+    length = spec.length or -(-spec.slots // 4)
+    return _CODES[spec.kind](spec, _first(name, spec, length), length)
+
+
+def _first(name: str, spec: ShutterSpec, length: int) -> Places:
+    """Return the slot in which each place of the tile opens."""
+    y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
+    last = spec.slots - length
+    if name == "two-phase":
+        late = (y // 2 + x // 2) % 2 * (length // 2)
+        first = np.minimum(np.rint((y % 2 * 2 + x % 2) * (last / 3)) + late, last)
+    else:
+        rank = RANKS[y % _SIDE, x % _SIDE]
+        around = name == "cyclic"
+        first = rank * (spec.slots / RANKS.size if around else last / (RANKS.size - 1))
+        first = np.floor(first + 0.5)
+    return np.asarray(first, np.int64)
+
+
+def _opened(spec: ShutterSpec, first: Places, length: int) -> NDArray[np.bool_]:
+    """Return the shutters (N, rows, cols) of bumps that wrap around the end of the frame."""
+    n = np.arange(spec.slots).reshape(-1, 1, 1)
+    return np.asarray((n - first) % spec.slots < length)
+
+
+def _starts(_spec: ShutterSpec, first: Places, _length: int) -> Codes:
+    return {"start": first}
+
+
+def _edges(_spec: ShutterSpec, first: Places, length: int) -> Codes:
+    return {"start": first, "stop": first + length}
+
+
+def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
+    weights = np.int64(1) << np.arange(spec.slots, dtype=np.int64)
+    return {"bits": np.einsum("n,nrc->rc", weights, _opened(spec, first, length).astype(np.int64))}
+
+
+def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
+    begins, row_of_place = np.unique(first, return_inverse=True)
+    if spec.rows is None or len(begins) > spec.rows:
+        raise ValueError(
+            f"its {len(begins)} shutters do not fit into the codebook's {spec.rows} rows"
+        )
+    # Unused rows of the codebook repeat used ones.
+    begins = np.resize(begins, spec.rows)
+    book = _opened(spec, begins[:, None], length)[..., 0].T
+    return {"id": row_of_place.reshape(spec.tile), "book": book.astype(np.int64)}
+
+
+_CODES = {"c": _starts, "d": _edges, "e": _bits, "codebook": _shapes}
+
 
 CLASSES: dict[str, type[Encoder]] = {
     "a": AlwaysOpen,
@@ -73,8 +152,7 @@ def make_encoder(
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
-    """Set exposure times so that equal ones are far apart; raise ValueError for other classes than
-    b and c."""
+    """Set exposure times, equal ones far apart; raise ValueError unless for class b or c."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
         raise ValueError(f"{start} needs codes with one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()
@@ -83,3 +161,66 @@ def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> No
         doubling = low + 2 ** np.arange(int(np.log2(high - low + 1)) + 1) - 1
         levels = np.unique(np.minimum(doubling, high))
     encoder.load_codes({name: scattered(start, levels, encoder.spec.tile, generator)})
+
+
+Tile = NDArray[np.int64]
+
+
+def scattered(
+    name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
+) -> Tile:
+    """Return one of `levels` (values,) for each place of a tile, for one of SCATTERED.
+
+    The starts are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel
+    Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges.
+    """
+    pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
+    chosen: Tile = levels[pattern(len(levels), tile, generator)]
+    return chosen
+
+
+def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
+    """Return a level index for each place; places of one level keep a distance from each other.
+
+    Each level in turn takes its share of free places, nearest to the points of a Poisson-disc
+    sampler. Each remaining place gets the level whose own places are farthest away."""
+    from scipy.stats.qmc import PoissonDisk
+
+    rows, cols = tile
+    chosen = np.full(tile, -1, np.int64)
+    y, x = np.mgrid[:rows, :cols]
+    share = -(-rows * cols // count)
+    for level in generator.permutation(count).tolist():
+        # Discs of half that radius around `share` points cover about 70 % of the tile.
+        sampler = PoissonDisk(d=2, radius=min(0.95 / share**0.5, 1.0), rng=generator)
+        for down, across in sampler.random(share) * tile:
+            away = np.hypot(_around(y + 0.5 - down, rows), _around(x + 0.5 - across, cols))
+            away[chosen >= 0] = np.inf
+            if away.min() <= 1.0:
+                chosen[np.unravel_index(int(away.argmin()), tile)] = level
+    for row, col in np.argwhere(chosen < 0).tolist():
+        away = np.hypot(_around(y - row, rows), _around(x - col, cols))
+        distances = [away[chosen == level].min(initial=np.inf) for level in range(count)]
+        chosen[row, col] = int(np.argmax(distances))
+    return chosen
+
+
+def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
+    """Return random level indices that differ from those of the eight neighbours, if possible."""
+    rows, cols = tile
+    chosen = np.full(tile, -1, np.int64)
+    for row, col in generator.permutation(np.argwhere(chosen < 0)).tolist():
+        around = [
+            chosen[(row + down) % rows, (col + across) % cols]
+            for down in (-1, 0, 1)
+            for across in (-1, 0, 1)
+        ]
+        times = np.bincount([level for level in around if level >= 0], minlength=count)
+        chosen[row, col] = generator.choice(np.flatnonzero(times == times.min()))
+    return chosen
+
+
+def _around(distance: NDArray[np.float64], length: int) -> NDArray[np.float64]:
+    """Return absolute distances along an axis of `length` that wraps around."""
+    away = np.abs(distance) % length
+    return np.asarray(np.minimum(away, length - away))

@@ -9,8 +9,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
-from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import CodeTrial, Over, drawn
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
 from nscc_training.gradients import replaced, rounded
 
 LOOKS = "looks"
@@ -25,10 +24,8 @@ _REACH = 0
 
 
 class LooksEncoder(Encoder):
-    """Class looks: a tile (1, looks) of boundaries, and of levels in steps of IN.
-
-    `spec.levels` is the largest level. The parameters are real: the base-2 logarithm of the
-    boundary, and the level."""
+    """Class looks: a tile (1, looks) of logarithms of boundaries, and of levels up to `spec.levels`
+    steps of IN."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -51,10 +48,8 @@ class LooksEncoder(Encoder):
         return torch.cat([self.moment, self.level]).reshape(-1, 1, 1)
 
     def hardened(self, fields: Tensor) -> Tensor:
-        """Return increasing whole boundaries and whole levels from real fields (2 looks, rows,
-        cols).
-
-        The gradient passes straight through."""
+        """Return whole increasing boundaries and whole levels; the gradient passes straight
+        through."""
         moments, levels = fields.chunk(2)
         at = 2.0**moments
         looks, slots = len(at), self.spec.slots

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import CodeTrial, Over, decided
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
@@ -119,10 +118,8 @@ class Codebook(_Digits):
         return replaced(likely, hard)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Try other digits of each pixel's shape, and one other shape as a whole.
-
-        The last field is the difference between the scores of the current shape and of the other
-        shape, which is drawn uniformly."""
+        """Try other digits of each pixel's shape, and one other shape, by the difference of their
+        scores in the last field."""
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             current = scores.argmax(dim=0, keepdim=True)
@@ -146,10 +143,7 @@ class Codebook(_Digits):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
-        """Return the shutters (N, rows, cols): for each pixel the row `choice` (1, rows, cols) of
-        `shapes`.
-
-        `shapes` is (K, N)."""
+        """Return the shutters (N, rows, cols): for each pixel the row `choice` of `shapes`."""
         # as a product, whose gradient is added up in the same order every time
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)

@@ -14,16 +14,14 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.evaluation import methods
-from nscc_training.evaluation.captured import CapturedScene, captured
-from nscc_training.evaluation.methods import Light, Method
+from nscc_training.evaluation.methods import CapturedScene, Light, Method, captured
 from nscc_training.evaluation.results import (
-    ResultSubject,
     Scored,
     also_saturated,
     mean_score,
+    result_of,
     scored,
     usable_scenes,
-    with_arrays,
 )
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
@@ -62,6 +60,14 @@ class Baseline:
     tiles: Callable[[Protocol, int], NDArray[np.bool_]] | None = None
     alone: bool = False
 
+    def decode(self, frames: CapturedScene) -> Light:
+        """Return the light of frames."""
+        if not self.alone:
+            return self.method.decode(frames)
+        # A frame carries no information on slots outside of it.
+        frame_lights = [self.method.decode(frames.frame(k)) for k in range(len(frames.codes))]
+        return np.concatenate(frame_lights)
+
 
 def _flutter(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
     """Return the same random bits for all pixels."""
@@ -81,9 +87,7 @@ def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Return the shutters of the frames of a film.
-
-    Bumps lie within a frame, or are `staggered` across its end into the next frame."""
+    """Return the shutters of a film, within its frames or `staggered` across their ends."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]
@@ -157,7 +161,7 @@ def evaluate_baseline(
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
-            return _decoded(baseline, frames), perf_counter() - begin
+            return baseline.decode(frames), perf_counter() - begin
 
         return list(scored(shown, decode))
 
@@ -167,21 +171,13 @@ def evaluate_baseline(
     published = protocol.values.get("published_db", {}).get(name)
     extra_settings = {} if published is None else {"published_db": published}
     spent_s = [entry.seconds for entry in scored_scenes]
-    subject = ResultSubject(
-        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
-        sees=baseline.method.sees,
+    return result_of(
+        protocol, name,
+        {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
+        files, scored_scenes, left_out, sees=baseline.method.sees,
         decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
+        **also_saturated(files, protocol, lambda shown: decoded(tile, shown)),
     )  # fmt: skip
-    other_shares = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
-    return with_arrays(protocol, subject, files, scored_scenes, left_out, **other_shares)
-
-
-def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
-    if not baseline.alone:
-        return baseline.method.decode(frames)
-    # A frame carries no information on slots outside of it.
-    count = len(frames.codes)
-    return np.concatenate([baseline.method.decode(frames.frame(k)) for k in range(count)])
 
 
 def _choices(
@@ -262,10 +258,8 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 def evaluate_sci8(
     paths: Sequence[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on the clips of the benchmark, and the reconstructions by name.
-
-    Raises Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown
-    method."""
+    """Return the result of a method on clips of the benchmark, and arrays; raise NS0809 for a file,
+    NS0810 for a method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(
@@ -284,5 +278,6 @@ def evaluate_sci8(
 
     scored_scenes = list(scored(scenes_in(paths, protocol), decode))
     spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
-    subject = ResultSubject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
-    return with_arrays(protocol, subject, paths, scored_scenes, [])
+    return result_of(
+        protocol, method, options, paths, scored_scenes, [], sees=chosen.sees, decoder_ms=spent_ms
+    )

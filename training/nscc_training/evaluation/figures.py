@@ -49,10 +49,8 @@ Field = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
-    """The images of a scene.
-
-    `light` contains arrays by name, (rows, cols) for a still or (T, rows, cols) for a clip.
-    `frames` contains the coded frame and the frame of always open pixels, as grey levels."""
+    """The images of a scene: `light` (rows, cols) or (T, rows, cols) by name, and coded and always
+    open `frames` in grey levels."""
 
     name: str
     light: Mapping[str, Field]
@@ -164,8 +162,7 @@ def _shot_of(
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
-    """Return the scene of a folder that a figure shows, and its file name; None if there is no
-    scene."""
+    """Return the file name and the scene that a figure shows; None without a scene."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.setup.target.rows, folder.setup.target.cols)
@@ -193,8 +190,7 @@ def _worth(light_e: Field) -> float:
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
-    """Return rows of shutter images for stills and clips: random codes, the 2 x 2 tile, the run's
-    codes."""
+    """Return rows of shutter images: random codes, the 2 x 2 tile, the run's codes."""
     rows = []
     for still, folder in runs.items():
         spec, row = folder.setup.encoder.spec, []

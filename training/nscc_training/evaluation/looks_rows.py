@@ -31,16 +31,15 @@ from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.evaluation.results import (
-    ResultSubject,
     Scored,
     also_saturated,
+    result_of,
     scored,
     usable_scenes,
-    with_arrays,
 )
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
-from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.protocols import load_protocol
 
 SLOTS = 256
 """Slots of hdr-v1."""
@@ -75,7 +74,11 @@ def evaluate_looks(
     protocol = load_protocol("hdr-v1")
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
-    target = _target(protocol)
+    size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
+    target = replace(
+        builtin_target("scamp5"), rows=size, cols=size, full_well_e=well, register_max_e=well,
+        register_min_e=-well, adc_bits=int(protocol["adc_bits"]),
+    )  # fmt: skip
     noise_settings = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
     program = _programs(name, target, load_sensor(target, None, noise_settings))
     sensor = load_sensor(target, None, (*noise_settings, *changes))
@@ -88,19 +91,23 @@ def evaluate_looks(
 
         return list(scored(shown, decode))
 
+    if name in DESIGNED:
+        method = {"exposures": DESIGNED[name], "designed": "for each crop by its own light"}
+    else:
+        looks, percent = ROWS[name]
+        method = {"looks": list(looks), "level": f"{percent:g}%"}
     settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
-    subject = ResultSubject(name, {**_settings(name), **settings}, decoder_ms=0.0)
-    other_shares = also_saturated(files, protocol, decoded)
-    return with_arrays(protocol, subject, files, decoded(usable), left_out, **other_shares)
+    return result_of(
+        protocol, name, {**method, **settings}, files, decoded(usable), left_out, decoder_ms=0.0,
+        **also_saturated(files, protocol, decoded),
+    )  # fmt: skip
 
 
 def looked_light(
     container: Container, light_e: NDArray[Any], sensor: Sensor, effects: Selection | str,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:  # fmt: skip
-    """Return the light over the frame in electrons, as measured by pixels that look at `light_e`.
-
-    `seeds` are the seeds of the noise and of the chip."""
+    """Return the light in electrons that pixels which look measure of `light_e`."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
@@ -110,25 +117,8 @@ def looked_light(
     return merged_image(readings[LIGHT], readings[DEVIATION]) * frame_s
 
 
-def _settings(name: str) -> dict[str, Any]:
-    if name in DESIGNED:
-        return {"exposures": DESIGNED[name], "designed": "for each crop by its own light"}
-    looks, percent = ROWS[name]
-    return {"looks": list(looks), "level": f"{percent:g}%"}
-
-
-def _target(protocol: Protocol) -> Target:
-    """Return scamp5 with the protocol's array size, full well and converter bits."""
-    size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
-    return replace(
-        builtin_target("scamp5"), rows=size, cols=size, full_well_e=well, register_max_e=well,
-        register_min_e=-well, adc_bits=int(protocol["adc_bits"]),
-    )  # fmt: skip
-
-
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return a function that gives the program for a crop: the method's, or one designed for the
-    crop."""
+    """Return a function that gives a crop's program: the method's, or its own design."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

@@ -43,13 +43,11 @@ class Page:
         self._read = cache(read_result)
 
     def filled(self, template: str) -> str:
-        """Return a template with all words replaced; raise ValueError for unknown words and
-        metrics."""
+        """Return a template with its words replaced; raise ValueError for unknown ones."""
         return re.sub(r"\{\{(.*?)\}\}", lambda match: self._word(*shlex.split(match[1])), template)
 
     def mean(self, name: str, metric: str) -> str:
-        """Return the mean over items, then seeds: dB with two decimals, other metrics with
-        three."""
+        """Return the mean over items, then seeds, as text."""
         results = self._results_of(name)
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
@@ -71,28 +69,19 @@ class Page:
         return "{} ({} to {})".format(text, *(_digits(end, metric) for end in ends))
 
     def gain(self, first: str, second: str, metric: str) -> str:
-        """Return the gain of the second result over the first, in pairs of items, with its
-        interval.
-
-        A result with one seed is compared with all seeds of the other. With /source only the
-        difference is returned."""
+        """Return the gain of the second result over the first with its interval; with /source only
+        the gain."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
             return _MISSING
         if metric.endswith("/source"):
             metric = metric.removesuffix("/source")
-            means = [
-                mean_of(results, metric, by_source=True)
+            first_mean, second_mean = (
+                mean_of(results, metric, by_source=True) or 0
                 for results in (first_results, second_results)
-            ]
-            return f"{(means[1] or 0) - (means[0] or 0):+.2f}"
-        count = max(len(first_results), len(second_results))
-        pairs = zip(
-            first_results * (count // len(first_results)),
-            second_results * (count // len(second_results)),
-            strict=True,
-        )
-        comparison = compare(list(pairs), metric)
+            )
+            return f"{second_mean - first_mean:+.2f}"
+        comparison = _compared(first_results, second_results, metric)
         digits = _decimals(metric)
         low, high = comparison["ci95"] or (None, None)
         between = "" if low is None else f" ({low:+.{digits}f} to {high:+.{digits}f})"
@@ -112,10 +101,8 @@ class Page:
         return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
 
     def row(self, label: str, name: str, *cells: str) -> str:
-        """Return a table row.
-
-        Cells are metrics, keys of `value`, NAME:METRIC for the gain over that result, or = for an
-        empty cell."""
+        """Return a table row of metrics, keys of `value`, gains over NAME (NAME:METRIC), or empty
+        cells (=)."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")
@@ -138,8 +125,7 @@ class Page:
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def verdict(self, label: str, name: str, metric: str, *others: str) -> str:
-        """Return an item of a list that compares a learned code with the best code of its table
-        that was not learned. `others` are these codes, each LABEL and NAME."""
+        """Compare a learned code with the best of `others`, each LABEL and NAME."""
         unit = METRIC_LABELS[metric]
         means = {
             other: mean
@@ -151,10 +137,8 @@ class Page:
             return f"* {label}, {unit}: {_MISSING}"
         best = max(means, key=lambda other: means[other])
         best_name = others[others.index(best) + 1]
-        first = self._results_of(best_name)
-        count = max(len(first), len(results))
-        pairs = zip(first * (count // len(first)), results * (count // len(results)), strict=True)
-        low, high = compare(list(pairs), metric)["ci95"] or (0.0, 0.0)
+        comparison = _compared(self._results_of(best_name), results, metric)
+        low, high = comparison["ci95"] or (0.0, 0.0)
         outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
         if all(entry["settings"].get("moved") == 0 for entry in results):
             return f"* {label}, {unit}: **not learned**, since no place moved from the start."
@@ -162,9 +146,7 @@ class Page:
                 f"not learned, {best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
-        """Return a table row with one cell for each result, NAME[@SHARE].
-
-        Metrics are joined by + and shown together in each cell."""
+        """Return a table row with a cell for each result, NAME[@SHARE], of `metrics` A+B."""
         cells = []
         for name, at, share in (name.partition("@") for name in names):
             means = (self.mean(name, f"{metric}{at}{share}") for metric in metrics.split("+"))
@@ -242,6 +224,15 @@ def page_of(
     page = Page(folder / "results" if (folder / "results").is_dir() else folder)
     source = template or files("nscc_training.evaluation") / "tables.md"
     return page.rows, page.filled(source.read_text(encoding="utf-8"))
+
+
+def _compared(
+    first: list[dict[str, Any]], second: list[dict[str, Any]], metric: str
+) -> dict[str, Any]:
+    """Compare two methods; the only result of one stands beside all seeds of the other."""
+    count = max(len(first), len(second))
+    repeated = (results * (count // len(results)) for results in (first, second))
+    return compare(list(zip(*repeated, strict=True)), metric)
 
 
 def _digits(value: float | None, metric: str) -> str:

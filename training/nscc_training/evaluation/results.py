@@ -1,11 +1,12 @@
-"""The JSON results of `nscc evaluate`, and their comparison."""
+"""The JSON results of `nscc evaluate`, their text, and their comparison."""
 
 from __future__ import annotations
 
+import io
 import json
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -13,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc.files import read_whole
+from nscc.files import Product, read_whole
+from nscc.program.problems import counted
 from nscc_training.measures import number, stamp
 from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.file_scenes import scenes_in
@@ -42,10 +44,8 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the usable scenes, and the result's entries for the others.
-
-    The index of a scene seeds its noise. Under hdr-v1 only usable scenes are counted; under other
-    protocols None replaces each unusable scene."""
+    """Return the usable scenes, and entries for others. A scene's index seeds its noise; None keeps
+    the place of others, except under hdr-v1."""
     scenes: list[ProtocolScene | None] = []
     left_out = []
     for scene in candidates:
@@ -69,7 +69,17 @@ def scored(
     for index, scene in enumerate(scenes):
         if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
-            check_finite(result_e, scene.file.name)
+            bad_count = int(np.count_nonzero(~np.isfinite(result_e)))
+            if bad_count:
+                raise rejected(
+                    "NS0804",
+                    f"{bad_count} of {result_e.size} values of the reconstruction of "
+                    f"'{scene.file.name}' are not finite",
+                    notes=("PSNR and SSIM of such values are meaningless",),
+                    helps=("check the decoder and its weights, which are the source of NaN and "
+                           "infinity",),
+                    data={"count": bad_count},
+                )  # fmt: skip
             reconstruction = scene.result(result_e).astype(np.float32)
             yield Scored(scene, scene.items(result_e), reconstruction, seconds)
 
@@ -85,8 +95,7 @@ def also_saturated(
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
-    """Return means at the other fractions of saturated pixels of hdr-v1; empty for other
-    protocols."""
+    """Return means at other fractions of saturated pixels, if the protocol has them."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
@@ -99,44 +108,18 @@ def also_saturated(
     return {"also_saturated": rows} if rows else {}
 
 
-def check_finite(result: Array, name: str) -> None:
-    """Raise Rejected (NS0804) for a reconstruction with values that are not finite."""
-    bad_count = int(np.count_nonzero(~np.isfinite(result)))
-    if bad_count:
-        raise rejected(
-            "NS0804",
-            f"{bad_count} of {result.size} values of the reconstruction of '{name}' are not finite",
-            notes=("PSNR and SSIM of such values are meaningless",),
-            helps=("check the decoder and its weights, which are the source of NaN and infinity",),
-            data={"count": bad_count},
-        )
+def result_of(
+    protocol: Protocol, method: str, settings: dict[str, Any], files: Sequence[Path],
+    scored_scenes: Sequence[Scored], left_out: Sequence[Mapping[str, Any]], *,
+    sees: str = "capture", decoder_ms: float | None = None, device: str = "cpu",
+    parameters: int = 0, flops: int | None = None, **extra_keys: Any,
+) -> tuple[dict[str, Any], dict[str, Array]]:  # fmt: skip
+    """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
 
-
-@dataclass(frozen=True)
-class ResultSubject:
-    """The evaluated method: its name, settings, and costs of decoding."""
-
-    method: str
-    settings: dict[str, Any]
-    sees: str = "capture"
-    decoder_ms: float | None = None
-    device: str = "cpu"
-    parameters: int = 0
-    flops: int | None = None
-
-
-def result(
-    protocol: Protocol,
-    subject: ResultSubject,
-    files: Sequence[Path],
-    items: Sequence[Item],
-    left_out: Sequence[Mapping[str, Any]] = (),
-    **extra_keys: Any,
-) -> dict[str, Any]:
-    """Return the result of items as JSON values.
-
-    `extra_keys` are further keys. `left_out` lists the items that the protocol cannot use, each
-    with `file` and `reason`. Raises Rejected (NS0811) without items."""
+    The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
+    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`. Raises
+    Rejected (NS0811) without items."""
+    items = [item for entry in scored_scenes for item in entry.items]
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
@@ -146,42 +129,26 @@ def result(
             helps=("name a folder with other scenes, or convert these to the protocol's form",),
         )
     values = [number(item.metrics[protocol.metrics[0]]) for item in items]
-    return {
+    report = {
         "schema": SCHEMA,
         "protocol": protocol.name,
         "protocol_sha256": protocol.sha256,
-        "method": subject.method,
-        "settings": subject.settings,
-        "sees": subject.sees,
+        "method": method,
+        "settings": settings,
+        "sees": sees,
         "stage": "hard",
         "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
         "items": [item.as_json() for item in items],
         **summary(values, [item.file for item in items]),
-        "decoder_ms": subject.decoder_ms,
-        "device": subject.device,
-        "parameters": subject.parameters,
-        "flops": subject.flops,
+        "decoder_ms": decoder_ms,
+        "device": device,
+        "parameters": parameters,
+        "flops": flops,
         "left_out": list(left_out),
         **extra_keys,
     }  # fmt: skip
-
-
-def with_arrays(
-    protocol: Protocol,
-    subject: ResultSubject,
-    files: Sequence[Path],
-    scored_scenes: Sequence[Scored],
-    left_out: Sequence[Mapping[str, Any]],
-    **extra_keys: Any,
-) -> tuple[dict[str, Any], dict[str, Array]]:
-    """Return the result of scored scenes, and the arrays of `--save` by name.
-
-    The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
-    """
-    items = [item for entry in scored_scenes for item in entry.items]
-    report = result(protocol, subject, files, items, left_out, **extra_keys)
     called, arrays = labels(files), {}
     for scene, _, reconstruction, _ in scored_scenes:
         place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]
@@ -270,7 +237,15 @@ def compare(
                 notes=("results are compared in pairs: the same crop or frame of the same file",),
                 helps=("evaluate both on the same data",),
             )
-        _check_metric(items, metric)
+        metric_values = (v.get(metric) for items_by_key in items for v in items_by_key.values())
+        if any(not isinstance(v, int | float) and v != "inf" for v in metric_values):
+            known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
+            raise rejected(
+                "NS0808",
+                f"not every item of the results has the metric '{metric[:40]}'",
+                notes=(f"the first has {', '.join(known)}",),
+                helps=("name one of them with --metric",),
+            )
         for pair_scores, items_by_key in zip(scores, items, strict=True):
             for key, item in items_by_key.items():
                 pair_scores[f"{seed} {key}"] = number(item[metric])
@@ -308,13 +283,97 @@ def _check_alike(*results: dict[str, Any]) -> None:
             )
 
 
-def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> None:
-    metric_values = (v.get(metric) for items_by_key in items for v in items_by_key.values())
-    if any(not isinstance(v, int | float) and v != "inf" for v in metric_values):
-        known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
-        raise rejected(
-            "NS0808",
-            f"not every item of the results has the metric '{metric[:40]}'",
-            notes=(f"the first has {', '.join(known)}",),
-            helps=("name one of them with --metric",),
-        )
+def result_json(result: Any) -> str:
+    """Return a result as JSON text."""
+    return json.dumps(result, indent=2, allow_nan=False) + "\n"
+
+
+def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Product]:
+    """Return the files of `--save`: one NAME.npy per array in `folder`, which is created."""
+    folder.mkdir(parents=True, exist_ok=True)
+    products: dict[Path, Product] = {}
+    for name, values in arrays.items():
+        stream = io.BytesIO()
+        np.save(stream, values)
+        products[folder / f"{name}.npy"] = stream.getvalue()
+    return products
+
+
+def result_text(result: dict[str, Any]) -> str:
+    """Return a result of `nscc_training.evaluation.results` as a few lines."""
+    lines = [
+        f"{result['method']}, protocol {result['protocol']} ({result['protocol_sha256'][:12]})"
+    ]
+    if effects := result["settings"].get("effects"):
+        trained = result["settings"]["trained_effects"] or "noise and full well alone"
+        lines.append(f"  on a chip with effects {effects}; trained with {trained}")
+    if result["sees"] == "truth":
+        lines.append("  an oracle: it reads the truth, not the capture")
+    classified = score_of(result) == "correct"
+    lines += _class_lines(result["items"]) if classified else _scene_lines(result["items"])
+    passed = Counter(f"{entry['file']}: {entry['reason']}" for entry in result["left_out"])
+    for reason, count in passed.items():
+        lines.append(f"  left out: {reason}" + (f", {count} times" if count > 1 else ""))
+    if result["mean"] is not None:
+        interval = result["ci95"]
+        if classified:
+            low, high = interval or (result["mean"], result["mean"])
+            lines.append(f"  {result['mean']:.1%} correct, 95 % {low:.1%} to {high:.1%}")
+        else:
+            between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
+            lines.append(
+                f"  mean {result['mean']:.2f} dB, sd {result['sd']:.2f}, {between}"
+                f", {result['infinite']} infinite"
+            )
+    counts = Counter(item["file"] for item in result["items"])
+    if len(set(counts.values())) > 1 and not classified:
+        by_source = mean_of([result], "psnr_db", by_source=True)
+        most = max(counts.values())
+        if by_source is not None:
+            lines.append(
+                f"  by source {by_source:.2f} dB: {most} of {counts.total()} items are of one file"
+            )
+    if result["decoder_ms"] is not None:
+        lines.append(f"  {result['decoder_ms']:.0f} ms a scene on {result['device']}")
+    return "\n".join(lines) + "\n"
+
+
+def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return a line for each file."""
+    lines = []
+    for file in dict.fromkeys(item["file"] for item in items):
+        file_items = [item for item in items if item["file"] == file]
+        finite = [item["psnr_db"] for item in file_items if item["psnr_db"] != "inf"]
+        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
+        ssim = sum(item["ssim"] for item in file_items) / len(file_items)
+        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {counted(len(file_items), 'item')}")
+    return lines
+
+
+def _class_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return a line for each class, with the class for which it is most often mistaken."""
+    lines = []
+    for label in dict.fromkeys(item["class"] for item in items):
+        decoded = Counter(item["decoded"] for item in items if item["class"] == label)
+        count, correct = decoded.total(), decoded.pop(label, 0)
+        mistaken = decoded.most_common(1)
+        remark = f", {mistaken[0][1]} for {mistaken[0][0]}" if mistaken else ""
+        lines.append(f"  {label:32} {correct / count:.1%} of {count} correct{remark}")
+    return lines
+
+
+def comparison_text(comparison: Mapping[str, Any], metric: str) -> str:
+    """Return a comparison of `nscc_training.evaluation.results.compare` as a line."""
+    gain, interval = comparison["gain_db"], comparison["ci95"]
+    if gain is None:
+        return "no pair of items has finite scores"
+    unit = " dB" if metric.endswith("_db") else ""
+    between = "one scene" if interval is None else f"95 % {interval[0]:+.3f} to {interval[1]:+.3f}"
+    seeds = f" with {comparison['pairs']} seeds" if comparison["pairs"] > 1 else ""
+    first, second = comparison["first"]["method"], comparison["second"]["method"]
+    return (
+        f"{second} over {first}: {gain:+.3f}{unit}, "
+        f"{between} ({metric}, {comparison['items']} items of {comparison['scenes']} "
+        f"scenes{seeds}, "
+        f"protocol {comparison['protocol']})"
+    )

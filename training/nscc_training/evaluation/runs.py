@@ -21,12 +21,11 @@ from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.decoder_building import flops, parameter_count
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.evaluation.results import (
-    ResultSubject,
     Scored,
     also_saturated,
+    result_of,
     scored,
     usable_scenes,
-    with_arrays,
 )
 from nscc_training.loop.validation import by_chip, by_model, validation_scenes
 from nscc_training.problems import listed
@@ -87,19 +86,10 @@ def evaluate_run(
         {"file": path.name, "reason": "the run has seen it"} for path in seen_files
     ] + unusable
     scored_scenes = list(scored(scenes, decode))
-    other_shares = also_saturated(files, protocol, lambda shown: list(scored(shown, decode)))
-    subject = _subject(folder, scored_scenes, seed, effects)
-    extra_keys = {"sensor_changes": [*changes]} if changes else {}
-    return with_arrays(
-        protocol,
-        subject,
-        files,
-        scored_scenes,
-        left_out,
-        **other_shares,
-        **extra_keys,
-        flops_size=[*_SIZE],
-    )
+    extra_keys = also_saturated(files, protocol, lambda shown: list(scored(shown, decode)))
+    if changes:
+        extra_keys["sensor_changes"] = [*changes]
+    return _run_result(folder, protocol, files, scored_scenes, left_out, seed, effects, extra_keys)
 
 
 def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
@@ -122,14 +112,12 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
     shown = validation_scenes(folder.setup, scenes)
     effects = settings.sensor.effects
     scored_scenes = list(scored(shown, _by_run(folder, 0, effects, ())))
-    subject = _subject(folder, scored_scenes, 0, effects)
-    protocol = shown[0].protocol
-    return with_arrays(protocol, subject, [], scored_scenes, [], split="val", flops_size=[*_SIZE])
+    split = {"split": "val"}
+    return _run_result(folder, shown[0].protocol, [], scored_scenes, [], 0, effects, split)
 
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
-    """Return a function that captures a scene and decodes it, as in training or on the emulated
-    chip."""
+    """Return a function that captures and decodes a scene, as in training or on the chip."""
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
@@ -162,13 +150,15 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
     return decode
 
 
-def _subject(
-    folder: RunFolder, scored_scenes: Sequence[Scored], seed: int, effects: str
-) -> ResultSubject:
-    """Return the description of a run in a result."""
+def _run_result(
+    folder: RunFolder, protocol: Protocol, files: list[Path], scored_scenes: Sequence[Scored],
+    left_out: list[dict[str, Any]], seed: int, effects: str, extra_keys: dict[str, Any],
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
+    """Return the result of scored scenes with the settings of the run, and its arrays by name."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
-    return ResultSubject(
+    return result_of(
+        protocol,
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
@@ -185,10 +175,12 @@ def _subject(
             "trained_effects": settings.sensor.effects,
             "seed": seed,
         },
+        files, scored_scenes, left_out,
         decoder_ms=1e3 * float(np.median(decoder_s)) if scored_scenes else None,
         device=setup.device.type,
         parameters=parameter_count(setup.decoder),
         flops=flops(setup.decoder, setup.slots, *_SIZE, setup.buckets),
+        **extra_keys, flops_size=[*_SIZE],
     )  # fmt: skip
 
 

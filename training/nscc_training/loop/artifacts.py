@@ -48,9 +48,7 @@ _ALONE, _START = "noise_alone_", "start_alone_"
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """Return the files of a finished run by name.
-
-    The setup is in its best state, reached at `step`. Scores are the protocol's, on the validation
+    """Return the files of a run in its best state, reached at `step`, by name, with scores on the
     scenes `shown`."""
     from safetensors.torch import save
 
@@ -72,18 +70,22 @@ def artifacts(
     files["capture.toml"] = capture_toml(setup).encode()
     side = setup.settings.data.patch
     robustness = _robustness(setup, shown)
-    score_name = METRIC_NAMES[setup.protocol.metrics[0]]
+    effects, metrics = setup.settings.sensor.effects, setup.protocol.metrics
+    headline = {"effects": effects, **{key: robustness[0][key] for key in metrics}}
+    if effects:
+        alone = validated(setup, shown, by_model(setup))
+        headline |= {f"{_ALONE}{metric}": value for metric, value in alone.means.items()}
     result = {
         "schema": "nscc-run-2",
-        "headline": _headline(setup, shown, robustness[0]),
+        "headline": headline,
         "protocol": setup.protocol.name,
         "protocol_sha256": setup.protocol.sha256,
         "config_sha256": config_digest(setup.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
         "stages": _stages(setup, shown, build.container),
-        "stages_note": f"{score_name} of {len(shown)} validation scenes, as the protocol counts "
-        "it, without noise",
+        "stages_note": f"{METRIC_NAMES[metrics[0]]} of {len(shown)} validation scenes, as the "
+        "protocol counts it, without noise",
         "robustness": robustness,
         "words_per_slot": words_per_slot(build),
         "codes": _codes_report(setup, shown),
@@ -192,23 +194,8 @@ def _stages(
     return stages | {"emulated": emulated.score, "compiled_equals_hard": bool(same)}
 
 
-def _headline(
-    setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
-) -> dict[str, Any]:
-    """Return the scores with the sensor of training; with effects also the scores without
-    effects."""
-    effects = setup.settings.sensor.effects
-    headline = {"effects": effects, **{key: trained[key] for key in setup.protocol.metrics}}
-    if effects:
-        alone = validated(setup, shown, by_model(setup))
-        headline |= {f"{_ALONE}{metric}": value for metric, value in alone.means.items()}
-    return headline
-
-
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Return scores under sensors and exposures that differ from those of training.
-
-    With effects, changes that no values of the emulated chip express are left out."""
+    """Return scores under other sensors and exposures that the run can express."""
     rows = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(setup.model, key) * factor for key, factor in factors.items()}
@@ -225,9 +212,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
-    """Return the number, rank and condition of the shutters, moved places, and the start's score.
-
-    A place has moved if its shutter differs from the start of the run."""
+    """Return counts of shutters and places, how many differ from the start, its score."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

@@ -47,10 +47,8 @@ def scene_by_model(
     setup: TrainingSetup, light_e: Arrays, seed: int, tile: Tensor | None = None,
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Capture a scene with the sensor model and decode it; return the light and decoding seconds.
-
-    Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
-    `model` replaces the sensor model of training."""
+    """Capture a scene with the sensor model and decode it; return the electrons, over the frame or
+    per slot, and seconds."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:
@@ -110,9 +108,7 @@ def scene_by_chip(
 def scene_by_words(
     setup: TrainingSetup, container: Container, light_e: Arrays
 ) -> tuple[NDArray[np.float64], float]:
-    """Capture a scene exactly as the words expose it, without noise, and decode it.
-
-    Returns the light and the decoding time in seconds."""
+    """Capture a scene as its words expose it, without noise; return light and seconds."""
     rows, cols = light_e.shape[-2:]
     padded = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
     padded[..., :rows, :cols] = light_e
@@ -199,9 +195,7 @@ def _decoded_block(
 def shutters_at(
     setup: TrainingSetup, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
 ) -> Tensor:
-    """Return the run's shutters (N, rows, cols) for a block of pixels at `corner`.
-
-    Beyond the array's edge the array repeats."""
+    """Return the run's shutters (N, rows, cols) at `corner` of repeated arrays."""
     target = setup.target
     array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (

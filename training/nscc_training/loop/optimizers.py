@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 import torch
-from torch import Tensor, nn
+from torch import Tensor
 
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.settings import TrainSettings
@@ -19,10 +19,7 @@ _WARM_UP, _SHARE = 20, 50
 
 
 class Muon(torch.optim.Muon):
-    """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices with a row per
-    output.
-
-    The matrices share the memory of the weights."""
+    """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         self.weights = list(weights)
@@ -38,11 +35,13 @@ class Muon(torch.optim.Muon):
 
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
-    """Return the optimizers of a run; the key `base` of each parameter group is its initial
-    rate."""
+    """Return the optimizers of a run; `base` of a parameter group is its initial rate."""
     settings = setup.settings
-    inner, outer = _by_muon(setup.decoder) if settings.train.optimizer == "muon" else (
-        [], list(setup.decoder.parameters()))  # fmt: skip
+    decoder = dict(setup.decoder.named_parameters())
+    kernels = [name for name, weight in decoder.items() if weight.ndim >= 4]
+    inside = kernels[1:-1] if settings.train.optimizer == "muon" else []
+    inner = [decoder[name] for name in inside]
+    outer = [weight for name, weight in decoder.items() if name not in inside]
     groups = [(outer, settings.train.rate)]
     if settings.shutter.learn:
         spans = {id(p): high - low for p, (low, high) in setup.encoder.ranges()}
@@ -60,17 +59,6 @@ def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
         optimizers.append(Muon(inner, rate))
         optimizers[-1].param_groups[0]["base"] = rate
     return optimizers
-
-
-def _by_muon(decoder: nn.Module) -> tuple[list[Tensor], list[Tensor]]:
-    """Return the weights of a network's inner convolutions, and its other parameters."""
-    kernels = [name for name, weight in decoder.named_parameters() if weight.ndim >= 4]
-    inside = set(kernels[1:-1])
-    inner: list[Tensor] = []
-    outer: list[Tensor] = []
-    for name, weight in decoder.named_parameters():
-        (inner if name in inside else outer).append(weight)
-    return inner, outer
 
 
 def set_rates(

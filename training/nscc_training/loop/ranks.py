@@ -56,9 +56,7 @@ class Ranks:
             distributed.barrier()
 
     def close(self) -> None:
-        """Leave the process group if it was joined here.
-
-        This ends its threads. They may hold gradients of the last step, and the interpreter aborts
-        if it exits first."""
+        """Leave the process group: its threads may hold gradients, at which the interpreter would
+        abort."""
         if self._ours:
             distributed.destroy_process_group()

@@ -29,8 +29,8 @@ from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
-from nscc_training.loop.class_settings import check_classes, classes_of
-from nscc_training.losses import LOSSES, Loss
+from nscc_training.losses import CLASS, LOSSES, Loss
+from nscc_training.made_scenes import DIRECTIONS
 from nscc_training.problems import invalid_setting, one_line
 from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
@@ -43,10 +43,8 @@ _STARTS = (*STARTS, "learned")
 
 @dataclass(frozen=True, eq=False)
 class TrainingSetup:
-    """The objects of a training run.
-
-    `still` means that scenes are stills, not clips. `files` are the user's chip and sensor files,
-    by their names in a run folder. `chips` is the number of chips that `emulated` measures."""
+    """The objects of a training run, with the user's chip and sensor `files` by their names in a
+    run folder."""
 
     settings: RunSettings
     protocol: Protocol
@@ -103,13 +101,12 @@ class TrainingSetup:
         )  # fmt: skip
 
 
-def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
+def make_setup(settings: RunSettings) -> TrainingSetup:
     """Build the objects of a configuration in their initial state.
 
     Raises Rejected: NS0815 for settings that contradict each other, NS0812 for import paths, and
     the compiler's errors if the shutters cannot be compiled for the chip."""
-    seed = settings.train.seed if seed is None else seed
-    chosen = settings.shutter
+    chosen, network, seed = settings.shutter, settings.decoder, settings.train.seed
     files: dict[str, bytes] = {}
     chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
     if chip.file is None:
@@ -125,12 +122,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise invalid_setting("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
-    _check_learning(settings)
-    check_classes(settings, protocol)
-    if chosen.kind == LOOKS:
-        _check_looks(settings, still)
-    if chosen.buckets > 1:
-        _check_buckets(settings, still)
+    _check_settings(settings, protocol)
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
@@ -140,39 +132,39 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
         "still" if still else "clip",
         chosen.slots,
         encoder.spec.tile,
-        settings.decoder.sees_code,
+        network.sees_code,
         chosen.buckets,
-        {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
+        {"by size": None, "yes": True, "no": False}[network.guess],
         classes_of(settings, protocol),
     )
     # The parameters of a decoder come from torch's global generator, so its state is restored.
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         try:
-            decoder_settings = settings.decoder
-            decoder = make_decoder(
-                decoder_settings.name, decoder_settings.size, task, decoder_settings.width
-            )
-            if (
-                isinstance(decoder, AnyCode)
-                and decoder_settings.lessons
-                and not decoder_settings.init
-            ):
+            decoder = make_decoder(network.name, network.size, task, network.width)
+            if isinstance(decoder, AnyCode) and network.lessons and not network.init:
                 torch.manual_seed(seed)  # making the decoder takes more draws the first time
                 decoder.begin_anew()
         except ValueError as error:
             raise invalid_setting("decoder.name", error) from error
-    if decoder_settings.init:
-        _begin_with(decoder, decoder_settings.init)
-    decoder.requires_grad_(settings.decoder.learn)
+    if network.init:
+        _begin_with(decoder, network.init)
+    decoder.requires_grad_(network.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise invalid_setting("shutter.learn", "neither the decoder nor the shutters can learn")
     device_name, has_cuda = settings.train.device, torch.cuda.is_available()
-    if device_name == "cuda" and not has_cuda:
-        raise invalid_setting("train.device", "CUDA is not available on this machine")
+    _refuse((device_name == "cuda" and not has_cuda, "train.device",
+             "CUDA is not available on this machine"))  # fmt: skip
     device = torch.device("cuda" if device_name != "cpu" and has_cuda else "cpu")
-    _check_effects(settings, encoder)
+    if settings.sensor.effects:
+        selected(settings.sensor.effects)
+        _refuse(
+            (chosen.free, "sensor.effects", "a code for every pixel has no tile that can be "
+             "exposed at all levels: leave out `free`"),
+            (not settings.sensor.noise, "sensor.effects",
+             "effects include noise, but `sensor.noise` is false"),
+        )  # fmt: skip
     # Values of the sensor if a file or effects are named, else those of the protocol,
     # if it has any.
     named_sensor = settings.sensor.file or settings.sensor.effects
@@ -191,8 +183,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return the encoder with the initial shutters of a run; raise Rejected (NS0815) if the start
-    is invalid."""
+    """Return the encoder at the start of a run; raise Rejected (NS0815) if invalid."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -237,16 +228,14 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Set an encoder to the shutters of a program.
-
-    Raises ValueError if the encoder cannot represent the program, or the compiler's errors."""
-    start = begun_with(path, encoder.spec, chip)
-    encoder.load_codes(start.codes)
-    if start.opened is None:
+    """Set an encoder to the shutters of a program; raise ValueError if it has others."""
+    codes, opened = begun_with(path, encoder.spec, chip)
+    encoder.load_codes(codes)
+    if opened is None:
         return
     hard = encoder.hard()
-    mine = shared_out(hard, 2) if len(start.opened) > 1 else hard[None]
-    if not np.array_equal(mine.cpu().numpy() > 0, start.opened):
+    mine = shared_out(hard, 2) if len(opened) > 1 else hard[None]
+    if not np.array_equal(mine.cpu().numpy() > 0, opened):
         bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
         raise ValueError(
             f"the program has other shutters for them than class {encoder.spec.kind}{bump}"
@@ -266,74 +255,57 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
         raise invalid_setting("decoder.init", reason) from error
 
 
-def _check_learning(settings: RunSettings) -> None:
-    """Raise Rejected (NS0815) for settings that prevent the codes from learning."""
-    chosen = settings.shutter
-    if settings.decoder.lessons:
-        if settings.decoder.name != "any":
-            raise invalid_setting("decoder.lessons", "they need the decoder `any`")
-        if chosen.learn:
-            raise invalid_setting(
-                "shutter.learn",
-                "lessons use codes of every kind, and the run's own codes do not learn: set "
-                "it to false",
-            )
-    if chosen.most_words and chosen.relaxation != "search":
-        raise invalid_setting(
-            "shutter.most_words",
-            "only a search stays within a limit of words: use the relaxation `search`, or "
-            "add words to the loss with `words_weight`",
-        )
-    if chosen.learn and chosen.warm_up + chosen.settle >= 1:
-        reason = ("with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, "
-                  "or set `shutter.learn` to false")  # fmt: skip
-        raise invalid_setting("shutter.warm_up", reason)
+def _refuse(*cases: tuple[object, str, str]) -> None:
+    """Raise Rejected (NS0815) for the first case that holds, with its setting and the reason."""
+    for holds, setting, reason in cases:
+        if holds:
+            raise invalid_setting(setting, reason)
 
 
-def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
-    """Raise Rejected for unknown effects (NS0756) and for invalid combinations (NS0815)."""
-    if not settings.sensor.effects:
-        return
-    selected(settings.sensor.effects)
-    if settings.shutter.free:
-        reason = (
-            "a code for every pixel has no tile that can be exposed at all levels: leave out `free`"
-        )
-        raise invalid_setting("sensor.effects", reason)
-    if not settings.sensor.noise:
-        raise invalid_setting(
-            "sensor.effects", "effects include noise, but `sensor.noise` is false"
-        )
-
-
-def _check_looks(settings: RunSettings, still: bool) -> None:
-    """Raise Rejected (NS0815) for settings that are not supported for pixels that look."""
-    if not still:
-        raise invalid_setting(
-            "shutter.class", "looks are learned from stills: set [data] protocol to hdr-v1"
-        )
-    if settings.sensor.effects:
-        raise invalid_setting("sensor.effects", "pixels that look are trained with noise alone")
-    if settings.shutter.words_weight:
-        raise invalid_setting(
-            "shutter.words_weight",
-            "every look takes the same number of words, so words cannot be weighted",
-        )
-
-
-def _check_buckets(settings: RunSettings, still: bool) -> None:
-    """Raise Rejected (NS0815) for settings that are not supported with two buckets."""
-    if settings.shutter.kind in ("a", LOOKS):
-        reason = f"class {settings.shutter.kind} leaves no light for a second bucket"
-        raise invalid_setting("shutter.buckets", reason)
-    if still:
-        raise invalid_setting(
-            "shutter.buckets", "two buckets need clips: set [data] protocol to two-bucket-v1"
-        )
-    if settings.sensor.effects:
-        raise invalid_setting(
-            "sensor.effects", "two buckets are trained with noise, full well and converter alone"
-        )
+def _check_settings(settings: RunSettings, protocol: Protocol) -> None:
+    """Raise Rejected (NS0815) for settings that contradict each other."""
+    chosen, data, effects = settings.shutter, settings.data, settings.sensor.effects
+    classes, losses = classes_of(settings, protocol), settings.loss.name.split("+")
+    unknown = [c for c in classes if c not in DIRECTIONS and data.train == "procedural"]
+    looks, buckets, still = chosen.kind == LOOKS, chosen.buckets > 1, protocol.still
+    lessons = bool(settings.decoder.lessons)
+    own_loss = is_import_path(settings.loss.name)
+    _refuse(
+        (lessons and settings.decoder.name != "any", "decoder.lessons",
+         "they need the decoder `any`"),
+        (lessons and chosen.learn, "shutter.learn",
+         "lessons use codes of every kind, and the run's own codes do not learn: set it to false"),
+        (chosen.most_words and chosen.relaxation != "search", "shutter.most_words",
+         "only a search stays within a limit of words: use the relaxation `search`, or add words "
+         "to the loss with `words_weight`"),
+        (chosen.learn and chosen.warm_up + chosen.settle >= 1, "shutter.warm_up",
+         "with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, or set "
+         "`shutter.learn` to false"),
+        (data.classes and not classes, "data.classes", "classes need [data] protocol class-v1"),
+        (CLASS in losses and not classes, "loss.name", "`class` needs [data] protocol class-v1"),
+        (classes and settings.loss.name != CLASS and not own_loss, "loss.name",
+         "classes are learned with the loss `class`"),
+        (classes and len(set(classes)) < max(2, len(classes)), "data.classes",
+         "name at least two classes, each once"),
+        (unknown, "data.classes", f"procedural scenes have the classes {', '.join(DIRECTIONS)}, "
+         f"not {''.join(unknown[:1])[:40]}"),
+        (classes and data.augment, "data.augment",
+         "rotated, mirrored and reversed clips may change their class: set it to false"),
+        (classes and chosen.learn and chosen.relaxation == "tried", "shutter.relaxation",
+         "trials need the loss of each pixel, and a class has one loss: use straight-through or "
+         "search"),
+        (looks and not still, "shutter.class",
+         "looks are learned from stills: set [data] protocol to hdr-v1"),
+        (looks and effects, "sensor.effects", "pixels that look are trained with noise alone"),
+        (looks and chosen.words_weight, "shutter.words_weight",
+         "every look takes the same number of words, so words cannot be weighted"),
+        (buckets and chosen.kind in ("a", LOOKS), "shutter.buckets",
+         f"class {chosen.kind} leaves no light for a second bucket"),
+        (buckets and still, "shutter.buckets",
+         "two buckets need clips: set [data] protocol to two-bucket-v1"),
+        (buckets and effects, "sensor.effects",
+         "two buckets are trained with noise, full well and converter alone"),
+    )  # fmt: skip
 
 
 def _loss(names: str) -> Loss:
@@ -363,3 +335,8 @@ def _own_loss(name: str) -> Loss:
         return value.reshape(())
 
     return loss
+
+
+def classes_of(settings: RunSettings, protocol: Protocol) -> tuple[str, ...]:
+    """Return the classes of a configuration; empty if its protocol has no classes."""
+    return settings.data.classes or DIRECTIONS if protocol.classifies else ()

@@ -1,8 +1,12 @@
-"""The checkpoint of a run, one safetensors file from which training continues exactly."""
+"""The checkpoint of a run, from which training continues exactly, and the lock of its folder."""
 
 from __future__ import annotations
 
+import fcntl
 import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -28,10 +32,8 @@ _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
 
 @dataclass
 class TrainingProgress:
-    """Progress of a run after `step` updates.
-
-    `best_loss` is the lowest validation loss; `best` contains the tensors of encoder and decoder at
-    that validation."""
+    """Progress after `step` updates: the lowest validation loss, and the tensors at that
+    validation."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -60,8 +62,7 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors; raise KeyError, RuntimeError or ValueError if they belong to another
-        network."""
+        """Load the tensors; raise KeyError, RuntimeError or ValueError for others."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -84,8 +85,7 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError if they belong to another
-    network."""
+    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError for others."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 
@@ -189,3 +189,33 @@ def _refused(path: Path, reason: str) -> Exception:
         notes=(reason,),
         helps=("use --resume never to start from the beginning, or choose another --out",),
     )
+
+
+@contextmanager
+def locked_folder(folder: Path) -> Iterator[None]:
+    """Create a folder and lock it until the block or the process ends; raise NS0848 if another
+    process has it."""
+    is_new = not folder.exists()
+    folder.mkdir(parents=True, exist_ok=True)
+    descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
+    try:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise rejected(
+                "NS0848",
+                f"another process is training in '{folder}'",
+                notes=(
+                    "only one process at a time may write a run folder, because two would mix "
+                    "their results",
+                ),
+                helps=("wait until it ends, or give --out another folder",),
+            ) from None
+        yield
+    except BaseException:
+        if is_new:  # remove the folder of a run that did not begin
+            with suppress(OSError):
+                folder.rmdir()
+        raise
+    finally:
+        os.close(descriptor)

@@ -1,22 +1,39 @@
-"""The loss of one training step, and what of the codes changes from step to step."""
+"""Losses of training steps: with codes, with trials of codes, of the decoder for any code."""
 
 from __future__ import annotations
 
-from torch import Tensor, nn
+from collections.abc import Iterator
+from math import log
 
+import torch
+from torch import Tensor, nn
+from torch.nn import functional
+
+from nscc_training.any_code.decoder import AnyCode
+from nscc_training.any_code.lessons import Lesson, measured_lesson, noisy
+from nscc_training.any_code.network import SEEN
+from nscc_training.any_code.stages import (
+    coded_light,
+    schedule,
+    stage,
+    started_still,
+    still_stage,
+)
+from nscc_training.baselines.gap_tv import gap_tv_of
+from nscc_training.curves import MU, srgb
 from nscc_training.data import Batch
+from nscc_training.data.exposures import quantiles
 from nscc_training.draws import generator_of
+from nscc_training.encoders import CodeTrial, Encoder
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.setup import TrainingSetup
-from nscc_training.loop.steps import decoded, loss_of, window
-from nscc_training.loop.trials import pull, trial_of
+from nscc_training.loop.steps import changes_of, compared, decoded, loss_of, window
+from nscc_training.sensor_model import laid
 from nscc_training.settings import RunSettings
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in one step: shutters, capture, decoder, and a trial of codes.
-
-    It is a module so that gradients are averaged over processes."""
+    """The loss of a batch in one step, as a module so that ranks share its gradients."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
@@ -62,3 +79,125 @@ def anneal(setup: TrainingSetup, step: int) -> None:
     warm, cold = settings.shutter.temperature
     setup.encoder.temperature = warm * (cold / warm) ** progress_share
     setup.encoder.noise = settings.shutter.noise * (1 - progress_share)
+
+
+def trial_of(
+    encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], place: tuple[int, ...]
+) -> CodeTrial:
+    """Return a trial for patches of rows x cols; `place` seeds the random part of free codes."""
+
+    def over(tile: Tensor) -> Tensor:
+        return laid(window(tile, rows, cols, place), rows, cols)
+
+    return encoder.trial(over, generator_of(next(encoder.parameters()).device, *seed))
+
+
+def pull(
+    setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
+) -> Tensor:
+    """Return a scalar 0 whose gradient with respect to the codes is the gradient of the loss.
+
+    A gradient through the capture shows the effect of a little more light on a measurement. It does
+    not show that a saturated pixel carries no more information, nor what information its neighbours
+    then lack. A trial does. Every pixel moves its code by independent normal noise, in both
+    directions, and is credited with the difference of the losses around it: the gradient of the
+    loss smoothed by that noise (Nesterov and Spokoiny, Foundations of Computational Mathematics
+    2017), with one trial per pixel and step. The decoder learns from the first side, so that it
+    also decodes the codes that are tried. Regular patterns then appear worse than they are; to
+    reduce this, only a share of the pixels moves in a step.
+
+    `prediction` is the decoder's output for the first side of the trial. `noise` must be a
+    generator in the state that it had before that prediction."""
+    with torch.no_grad():
+        other_prediction = decoded(setup, batch.light, trial.shutters[1], setup.model, noise)
+    sides = [prediction.detach().requires_grad_(), other_prediction.requires_grad_()]
+    losses = torch.stack([setup.loss(*compared(estimate, batch)) for estimate in sides])
+    # The difference of the losses, distributed over pixels by the trapezoidal rule
+    # between both sides; exact for squared errors.
+    gradient, other_gradient = torch.autograd.grad(losses.sum(), sides)
+    with torch.no_grad():
+        gain = (gradient + other_gradient) / 2 * (sides[0] - sides[1])
+        gain = gain.sum(dim=tuple(range(gain.ndim - 2)))
+        side = 2 * trial.reach + 1
+        around = side**2 * functional.avg_pool2d(gain[None], side, 1, trial.reach)
+        if weight := setup.settings.shutter.words_weight:
+            # Words are credited to the pixel itself.
+            first, second = map(changes_of, trial.shutters)
+            around += weight * (first - second) / first.numel()
+        slope = trial.moved * around / (2 * trial.spread**2 * trial.share)
+    pulled = (trial.fields * slope).sum()
+    return pulled - pulled.detach()
+
+
+def lesson_losses(
+    setup: TrainingSetup, lesson: Lesson, generator: torch.Generator
+) -> Iterator[Tensor]:
+    """Yield the losses of a lesson's updates; each is computed after the update before it."""
+    decoder = setup.decoder
+    assert isinstance(decoder, AnyCode)
+    chosen = setup.settings.decoder
+    mixed = setup.settings.train.dtype == "bf16"
+    with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):
+        if chosen.lessons == "denoise":
+            yield _of_noise(decoder, lesson, generator)
+        elif chosen.lessons == "stills":
+            yield _of_stills(decoder, lesson, generator, chosen.stages)
+        else:
+            yield from _of_codes(decoder, lesson, generator, chosen.stages, chosen.through)
+
+
+def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> Tensor:
+    clip = lesson.light
+    noise, sigma = noisy(clip, generator)
+    no_features = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
+    error = (decoder.denoiser(noise, no_features, sigma) - clip) / sigma.reshape(-1, 1, 1, 1)
+    loss: Tensor = error.square().mean() + 0.2 * error.abs().mean()
+    return loss
+
+
+def _of_codes(
+    decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int, through: int
+) -> Iterator[Tensor]:
+    with torch.no_grad():
+        truth, measured, shown = measured_lesson(lesson, generator)
+        clip, target = gap_tv_of(measured)
+    waiting: list[Tensor] = []
+    for number, sigma in enumerate(schedule(stages), start=1):
+        clip, target = stage(measured, decoder.denoiser, clip, target, sigma)
+        # The square root weights clips by relative error, similar to decibels.
+        squared = _difference(clip, truth, shown).square().mean(dim=(1, 2, 3))
+        waiting.append(squared.add(1e-6).sqrt().mean())
+        if number % through == 0 or number == stages:
+            yield torch.stack(waiting).mean() * 10
+            waiting.clear()
+            clip, target = clip.detach(), target.detach()
+
+
+def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
+    with torch.no_grad():
+        truth, measured, _ = measured_lesson(lesson, generator)
+        light = started_still(measured)
+    losses = []
+    for sigma in schedule(stages, still=True):
+        light = still_stage(measured, decoder.denoiser, light, sigma)
+        losses.append(_still_loss(light, truth[:, 0]))
+    return torch.stack(losses).mean()
+
+
+def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
+    """Return the difference of two clips; with `shown` as white, in display encoding."""
+    if shown is None:
+        return clip - truth
+    level = shown.reshape(-1, 1, 1, 1)
+    return srgb(clip / level) - srgb(truth / level)
+
+
+def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
+    """Return the error of light and of its logarithm, over the 99.9 % quantile."""
+    peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
+    relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
+    linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()
+    curved = [torch.log1p(MU * values) / log(1 + MU) for values in (relative, relative_truth)]
+    bent = (curved[0] - curved[1]).square().mean(dim=(1, 2)).add(1e-6).sqrt()
+    coded_error = (coded_light(light) - coded_light(truth)).abs().mean(dim=(1, 2))
+    return 10 * (linear + bent + coded_error).mean()

@@ -15,8 +15,7 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
-    """Return the shutters for a patch: a whole tile, or a random part of the array of free
-    codes."""
+    """Return the shutters for a patch: a whole tile, or a random part of free codes."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -32,11 +31,14 @@ def decoded(
     """Capture `light` with `shutters`, a tile for the first bucket, and decode it.
 
     A model without photon noise has no other effects either."""
-    if setup.encoder.spec.kind == LOOKS:
-        return _decoded_looks(setup, light, shutters, model, generator)
     with torch.autocast(setup.device.type, enabled=False):
         # The run's own model defines the unit of a frame, under another sensor too.
-        if setup.emulated is None or not model.shot_noise:
+        if setup.encoder.spec.kind == LOOKS:
+            step_e = setup.target.electrons_per_step
+            codes, share = looked(light, shutters, setup.slots, step_e, model, generator)
+            frame = setup.model.relative(codes - model.adc_offset_lsb)
+            shutters = share.unsqueeze(1)  # the open fraction of each pixel
+        elif setup.emulated is None or not model.shot_noise:
             exposure = exposed(light, shared_out(shutters, setup.buckets))
             codes = read_out(exposure, model, generator) - model.adc_offset_lsb
             frame = setup.model.relative(codes)
@@ -50,26 +52,8 @@ def decoded(
     return prediction.float()
 
 
-def _decoded_looks(
-    setup: TrainingSetup, light: Tensor, fields: Tensor, model: SensorModel,
-    generator: torch.Generator | None,
-) -> Tensor:  # fmt: skip
-    """Capture with pixels that look, and decode; the decoder gets the open fraction of each
-    pixel."""
-    step_e = setup.target.electrons_per_step
-    with torch.autocast(setup.device.type, enabled=False):
-        codes, share = looked(light, fields, setup.slots, step_e, model, generator)
-        frame = setup.model.relative(codes - model.adc_offset_lsb)
-    mixed = setup.settings.train.dtype == "bf16"
-    with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):
-        prediction: Tensor = setup.decoder(frame, share.unsqueeze(1))
-    return prediction.float()
-
-
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """Return the loss, plus the weighted fraction of shutters that change between slots.
-
-    The second term approximates the number of words."""
+    """Return the loss, plus a term for the number of words: how often shutters change."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:
@@ -78,8 +62,7 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 
 def changes_of(shutters: Tensor) -> Tensor:
-    """Return the fraction of slot boundaries at which the shutter of each place (N, rows, cols)
-    changes."""
+    """Return the share of slot boundaries at which the shutter of each place changes."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 

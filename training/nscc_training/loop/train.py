@@ -1,11 +1,12 @@
-"""The training loop: from batches to a run folder, resumable at any time."""
+"""The training loop: from batches to a run folder and a log, resumable at any time."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import nullcontext, suppress
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -25,9 +26,6 @@ from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch,
 from nscc_training.data.moving import shown_picture
 from nscc_training.draws import generator_of
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
-from nscc_training.loop.folder_lock import locked_folder
-from nscc_training.loop.lesson_losses import lesson_losses
-from nscc_training.loop.log import METRICS, Log
 from nscc_training.loop.optimizers import optimizers_of, set_rates
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.searching import search, within
@@ -36,12 +34,13 @@ from nscc_training.loop.state import (
     CHECKPOINT,
     TrainingProgress,
     TrainingState,
+    locked_folder,
     packed,
     set_tensors,
     tensors_of,
 )
 from nscc_training.loop.state import unpack as unpacked
-from nscc_training.loop.step_loss import StepLoss, anneal, codes_learn
+from nscc_training.loop.step_loss import StepLoss, anneal, codes_learn, lesson_losses
 from nscc_training.loop.steps import finite_norm
 from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.measures import means_text
@@ -49,12 +48,70 @@ from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.settings import RunSettings
 
+METRICS = "metrics.csv"
+EVENTS = "tensorboard"
+
+
+class Log:
+    """The log of a run in the folder `out`, with a column for each metric of its protocol; `rows`
+    are the lines of `metrics.csv`."""
+
+    def __init__(
+        self, out: Path, metrics: Sequence[str], rows: Sequence[str] | None = None
+    ) -> None:
+        self.out = out
+        self._columns = ("loss", *metrics, "words_per_slot", "dead_share")
+        self.rows = list(rows or [",".join(["step", "split", *self._columns])])
+        self._events: Any = None
+
+    @classmethod
+    def of_checkpoint(cls, folder: Path, step: int, out: Path, metrics: Sequence[str]) -> Log:
+        """Return the log up to the step of a checkpoint; later lines are dropped."""
+        path = folder / METRICS
+        if not path.is_file():
+            return cls(out, metrics)
+        try:
+            head, *rows = path.read_text(encoding="utf-8").splitlines()
+            kept_rows = [row for row in rows if int(row.partition(",")[0]) <= step]
+        except ValueError:
+            raise rejected(
+                "NS0816",
+                f"training cannot resume from '{folder}'",
+                notes=(f"{path.name} is damaged: its lines do not begin with a step",),
+                helps=("without that file the run resumes, and its log starts there",),
+            ) from None
+        return cls(out, metrics, [head, *kept_rows])
+
+    def add(self, step: int, split: str, **values: float | str | None) -> None:
+        """Add a line; missing values stay empty."""
+        cells = (values.get(name) for name in self._columns)
+        texts = ("" if value is None else repr(float(value)) for value in cells)
+        self.rows.append(",".join([str(step), split, *texts]))
+        if find_spec("tensorboard") is None:
+            return
+        # Event files contain times and the host name, so they are not products of the run.
+        if self._events is None:
+            from torch.utils.tensorboard import SummaryWriter
+
+            self._events = SummaryWriter(str(self.out / EVENTS))
+        for name, value in values.items():
+            if value is not None:
+                self._events.add_scalar(f"{split}/{name}", float(value), step)
+        self._events.flush()
+
+    def csv(self) -> bytes:
+        """Return `metrics.csv`."""
+        return ("\n".join(self.rows) + "\n").encode()
+
+    def close(self) -> None:
+        """Close the event file, if there is one."""
+        if self._events is not None:
+            self._events.close()
+
 
 @dataclass
 class TrainingRun:
-    """A run in progress.
-
-    `dataset` contains the random draws of each step, `shown` the validation scenes."""
+    """A run in progress: `dataset` draws its steps, `shown` are its validation scenes."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -86,16 +143,7 @@ def train(
     at the end; both are used in the first process only. With `stop_after` the run stops after that
     step and writes a checkpoint."""
     is_first = os.environ.get("RANK", "0") == "0"  # only the first of several processes writes
-    with locked_folder(out) if is_first else nullcontext():
-        _train(settings, out, resume, track, report, stop_after)
-
-
-def _train(
-    settings: RunSettings, out: Path, resume: str, track: Track, report: Callable[[str], None],
-    stop_after: int | None,
-) -> None:  # fmt: skip
-    ranks = Ranks()
-    try:
+    with locked_folder(out) if is_first else nullcontext(), closing(Ranks()) as ranks:
         _check_ranks(settings, ranks)
         checkpoint = _checkpoint(out, resume)
         run = start(settings, checkpoint, ranks, out, report)
@@ -114,14 +162,17 @@ def _train(
             })  # fmt: skip
         _steps(run, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
-            _finish(run, out)
+            # A run interrupted after its last step has no further step that would anneal.
+            anneal(run.setup, settings.train.steps - 1)
+            take_best(run)
+            run.setup.decoder.eval()
+            files = artifacts(run.setup, run.shown, run.scenes, run.progress.best_step)
+            write_together({out / name: data for name, data in files.items()})
             chip = "" if run.setup.chip.file is None else f" --target {out / TARGET_FILE}"
             report(f"{out}: model_card.md says what it is worth; "
                    f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
         run.log.close()
         ranks.meet()
-    finally:
-        ranks.close()
 
 
 def start(
@@ -197,8 +248,7 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """Return the random draws of steps `first` to `last`, in order, made by `train.workers`
-    processes."""
+    """Return the random draws of steps `first` to `last`, in order."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
@@ -253,21 +303,12 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
         take_best(run)
     if searches and learns:
         return torch.tensor(search(setup, batch_of(run, drawn), step))
-    losses = [_learn(run, loss, drawn.names, step) for loss in _losses(run, step, drawn)]
-    return torch.stack(losses).mean()
-
-
-def _losses(run: TrainingRun, step: int, drawn: Any) -> Iterator[Tensor]:
-    """Yield the losses of a step, one per update; only lessons have several."""
-    setup = run.setup
-    if isinstance(drawn, Lesson):
-        on_device = drawn._replace(
-            light=drawn.light.to(setup.device), mask=drawn.mask.to(setup.device)
-        )
-        seed = setup.settings.train.seed
-        yield from lesson_losses(setup, on_device, generator_of(setup.device, seed, 13, step))
-    else:
-        yield run.step_loss(batch_of(run, drawn), step)
+    if not isinstance(drawn, Lesson):
+        return _learn(run, run.step_loss(batch_of(run, drawn), step), drawn.names, step)
+    light, mask = drawn.light.to(setup.device), drawn.mask.to(setup.device)
+    generator = generator_of(setup.device, settings.train.seed, 13, step)
+    updates = lesson_losses(setup, drawn._replace(light=light, mask=mask), generator)
+    return torch.stack([_learn(run, loss, drawn.names, step) for loss in updates]).mean()
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
@@ -291,9 +332,7 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and keep the best state whose shutters compile.
-
-    With a moving average of the decoder, the average is scored and kept."""
+    """Score the hard shutters and decoder (or its average), log, and keep the best state."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
@@ -323,10 +362,8 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
 
 
 def take_best(run: TrainingRun) -> None:
-    """Restore the best validated state.
-
-    Without such a state, raises the compiler's errors, or Rejected (NS0850) if no code within
-    `shutter.most_words` was found."""
+    """Restore the best validated state; without one, raise the compiler's errors or NS0850 for too
+    many words."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         set_tensors(setup, run.progress.best)
@@ -340,14 +377,3 @@ def take_best(run: TrainingRun) -> None:
             helps=("raise [shutter] most_words, or give the search more steps",
                    "start with `quad` or `uniform`, which need few words"),
         )  # fmt: skip
-
-
-def _finish(run: TrainingRun, out: Path) -> None:
-    """Restore the best state, and write the artifacts."""
-    progress = run.progress
-    # A run interrupted after its last step has no further step that would anneal.
-    anneal(run.setup, run.setup.settings.train.steps - 1)
-    take_best(run)
-    run.setup.decoder.eval()
-    files = artifacts(run.setup, run.shown, run.scenes, progress.best_step)
-    write_together({out / name: data for name, data in files.items()})

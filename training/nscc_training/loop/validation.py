@@ -18,7 +18,7 @@ from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_mo
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import decibels, number
 from nscc_training.protocol_scenes.classes import with_class
-from nscc_training.protocol_scenes.given_scenes import exposed_arrays
+from nscc_training.protocol_scenes.file_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.video import ClipWindow
 from nscc_training.protocols import Protocol
@@ -33,8 +33,7 @@ Returns electrons and seconds."""
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and the means over scenes of the protocol's metrics as JSON values. The first mean
-    is the score."""
+    """The loss, and the means of metrics as JSON values, of which the first is the score."""
 
     loss: float
     means: dict[str, float | str]
@@ -79,10 +78,8 @@ def validated(
     decode: Decode | None = None,
     exposure: float = 1.0,
 ) -> Validation:
-    """Score the decoder on scenes, as `nscc evaluate` does; by default captured `as_trained`.
-
-    `exposure` is a factor on the light, of which the decoder is not informed; the result is divided
-    by it."""
+    """Score the decoder on scenes, captured `as_trained` by default, with `exposure` times the
+    light."""
     decode = decode or as_trained(setup)
     losses: list[float] = []
     scores: dict[str, list[float]] = {name: [] for name in setup.protocol.metrics}
@@ -101,13 +98,11 @@ def validated(
     )
 
 
-def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
-    """Return a function that captures and decodes under the run's conditions.
-
-    It uses the emulated chip if the run has effects, else the sensor model. `sensor` replaces the
-    chip's sensor."""
+def as_trained(setup: TrainingSetup, sensor: Sensor | None = None) -> Decode:
+    """Return a function that captures with the emulated chip if the run has effects, else the
+    model, and decodes."""
     effects = setup.settings.sensor.effects
-    return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
+    return by_chip(setup, effects, sensor) if effects else by_model(setup)
 
 
 def by_model(
@@ -116,17 +111,14 @@ def by_model(
     model: SensorModel | None = None,
     seed: int = 0,
 ) -> Decode:
-    """Return a function that captures with the sensor model and decodes.
-
-    `tile` and `model` replace the run's shutters and sensor model."""
+    """Return a function that captures with `tile` by the sensor `model`, and decodes."""
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 
 def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
-    """Return a function that captures with the emulated chip and decodes, with new noise for each
-    scene."""
+    """Return a function that captures with the emulated chip, with new noise, and decodes."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)

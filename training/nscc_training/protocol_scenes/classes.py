@@ -23,8 +23,7 @@ _TEST = 3
 
 @dataclass(frozen=True, eq=False)
 class ClassWindow(ClipWindow):
-    """A window of a clip of class `label`, which is one of `classes`. A result contains one number
-    for each class; the most likely class has the largest number."""
+    """A window of class `label`, one of `classes`; results have a number for each class."""
 
     label: str
     classes: tuple[str, ...]

@@ -21,8 +21,7 @@ Picture = NDArray[np.float64]
 
 
 class DeblurMoment(ProtocolScene):
-    """A view of a panorama by a turning camera; the truth is one slot's light, scaled to a
-    frame."""
+    """A view of a panorama by a turning camera; the truth is the light of one slot."""
 
     @property
     def truth_e(self) -> Picture:
@@ -61,8 +60,7 @@ def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment 
 def exposed_moment(
     path: Path, number: int, clip: Picture, protocol: Protocol
 ) -> DeblurMoment | Unusable:
-    """Return a view, scaled so that the median of its light over the frame is the protocol's mid
-    grey."""
+    """Return a view, whose median of light over the frame is the protocol's mid grey."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")

@@ -18,8 +18,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Item:
-    """A scored picture or frame: its file, its place in the file, and its metrics as JSON
-    values."""
+    """A scored picture or frame, its place in the file, and its metrics as JSON values."""
 
     file: str
     crop: list[int] | None
@@ -32,10 +31,7 @@ class Item:
 
 @dataclass(frozen=True, eq=False)
 class ProtocolScene(ABC):
-    """A scene of a protocol.
-
-    `light_e` is in electrons, over the frame (rows, cols) or per slot (slots, rows, cols). `crop`
-    is its corner in a picture, `frame` its first frame in a clip."""
+    """A scene of a protocol: its light, over the frame or per slot, and its place in a file."""
 
     file: Path
     crop: tuple[int, int] | None
@@ -58,8 +54,7 @@ class ProtocolScene(ABC):
         """Return the protocol's metrics of a reconstruction, as JSON values."""
 
     def result(self, result_e: Array) -> Array:
-        """Return a reconstruction in the form in which it is scored and saved, by default
-        unchanged."""
+        """Return a reconstruction in the form that is scored, by default unchanged."""
         return result_e
 
     def items(self, result_e: Array) -> list[Item]:

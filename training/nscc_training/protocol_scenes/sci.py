@@ -23,10 +23,8 @@ Clip = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class SciClip(ProtocolScene):
-    """A benchmark clip with values 0..1 (8, rows, cols), whose frames are scored separately.
-
-    `mask` (8, rows, cols) and `measurement` (rows, cols) come from the file. The unit of the
-    measurement is the full scale of one frame."""
+    """A benchmark clip with values 0..1, its mask (8, rows, cols) and measurement (rows, cols) in
+    the full scale of a frame."""
 
     mask: Clip
     measurement: Clip

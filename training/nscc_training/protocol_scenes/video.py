@@ -23,10 +23,8 @@ Clip = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ClipWindow(ProtocolScene):
-    """A window of a clip.
-
-    `scale_e` electrons per slot correspond to the light 1 of the source. `srgb` measures errors in
-    display encoding."""
+    """A window of a clip: `scale_e` electrons per slot are the source's white; `srgb` measures
+    errors on display."""
 
     scale_e: float
     srgb: bool
@@ -84,8 +82,7 @@ def windows_of(
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
 ) -> ClipWindow | Unusable:
-    """Return a window, scaled so that a percentile of its light over the frame is the part
-    `protocol.light` of a full well."""
+    """Return a window, scaled so that a percentile of its light nearly fills a well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(

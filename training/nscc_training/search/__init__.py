@@ -7,8 +7,7 @@ promising codes by the run's decoder."""
 
 from __future__ import annotations
 
-from nscc_training.search.expected import Motion, told_db
+from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db
 from nscc_training.search.moves import MOVING, moved
-from nscc_training.search.scene_motion import speeds_of, texture_of
 
 __all__ = ["MOVING", "Motion", "moved", "speeds_of", "texture_of", "told_db"]

@@ -23,8 +23,7 @@ from nscc_training.design.make import Design, Frame
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.programs import Chip, program_of, words_per_slot
 from nscc_training.run_files import searched_codes
-from nscc_training.search.expected import Motion, told_db
-from nscc_training.search.scene_motion import speeds_of, texture_of
+from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db
 
 Kind = Literal["slow", "fast", "scene"]
 SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 32.0, 64.0)}
@@ -43,8 +42,7 @@ _YARDSTICK = "quad, 1/4 of the frame"
 
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
-    """A design for clips: the `name` of its code, and the `expected` information in dB of every
-    code tried."""
+    """A design for clips: its code's `name`, and the `expected` dB of every code tried."""
 
     name: str
     expected: dict[str, float]
@@ -54,26 +52,12 @@ def design_motion(
     kind: Kind, scenes: Sequence[NDArray[np.floating]] = (), frame: Frame | None = None,
     most_words: float = 4.0,
 ) -> MotionDesign:  # fmt: skip
-    """Design shutters for moving light.
+    """Design shutters for moving light: bumps in a 4 x 4 tile or, for 16 slots, searched bits.
 
-    The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits.
-
-    Parameters
-    ----------
-    kind : {"slow", "fast", "scene"}
-        The speed of the light; "scene" measures it in `scenes`.
-    scenes : sequence of array
-        Light in electrons, (intervals, rows, cols), with at most N intervals.
-    frame : Frame, optional
-        16 slots by default.
-    most_words : float
-        Codes with more words per slot are skipped.
-
-    Raises
-    ------
-    Rejected
-        NS0843 if no code is left, or for "scene" without scenes; otherwise the compiler's errors.
-    """
+    For the `kind` "scene" the speed of the light is measured in `scenes`, light in electrons
+    (intervals, rows, cols) with at most N intervals. Codes with more than `most_words` per slot are
+    skipped. Raises Rejected (NS0843) if no code is left, or for "scene" without scenes; otherwise
+    the compiler's errors."""
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
         raise rejected("NS0843", "there is no scene to measure the motion of",

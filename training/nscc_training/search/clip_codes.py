@@ -22,7 +22,7 @@ from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
-from nscc_training.code_choices import RANKS
+from nscc_training.code_choices import RANKS, ShutterSpec
 from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
@@ -30,7 +30,6 @@ from nscc_training.design.stop_patterns import Progress, cheapest
 from nscc_training.metrics import psnr
 from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name
-from nscc_training.shutter_spec import ShutterSpec
 
 Clip = NDArray[np.floating]
 
@@ -48,9 +47,8 @@ _JUDGED_SIDE = 128
 
 @dataclass(frozen=True, eq=False)
 class ClipCode:
-    """A tile of shutters (N, rows, cols), and its mean PSNR over scenes in dB.
-
-    With `long`, the frame has a second readout that is always open."""
+    """A tile of shutters (N, rows, cols) and its mean PSNR; with `long`, beside a readout that is
+    always open."""
 
     name: str
     opened: NDArray[np.bool_]
@@ -130,8 +128,7 @@ def design_clip(
 def _judged(
     codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
 ) -> list[ClipCode]:
-    """Return the codes that fit the chip with their PSNR, best first; raise the compiler's error if
-    not even an always open shutter fits."""
+    """Return the codes that fit the chip with their PSNR, best first."""
     sensor = frame.chip().sensor
     ranked: list[ClipCode] = []
     for code in (codes[number] for number in progress(range(len(codes)))):

@@ -73,10 +73,8 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Return a tile of copies of one of its blocks, each later than those above and to the left.
-
-    A block of one place gives shutters that open in sequence. Small steps do not reach such tiles.
-    """
+    """Return a tile of copies of one block, each later than those above and to the left, as small
+    steps never give."""
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
     down, right = (int(value) for value in generator.integers(0, spec.slots, 2))
@@ -131,8 +129,7 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Change the choice of rows, the shape of a row, or set all rows to shifted copies of one
-    shape."""
+    """Change the choice of rows, or a row; or set all rows to shifted copies of one."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
@@ -146,9 +143,7 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
-    """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
-
-    Shutters that would never open stay unchanged."""
+    """Shift, lengthen or shorten shutters, or flip one slot; all of them still open."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:

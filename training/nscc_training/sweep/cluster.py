@@ -30,8 +30,7 @@ _AHEAD = 2
 
 @contextmanager
 def local_workers(workers: int, threads: int) -> Iterator[Executor]:
-    """Start `workers` processes with `threads` threads each on this machine, for the `with`
-    block."""
+    """Start `workers` processes on this machine, for the `with` block."""
     import dask
     from distributed import Client, LocalCluster
 
@@ -62,9 +61,7 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor]:
 
 @contextmanager
 def scheduler_workers(scheduler: str) -> Iterator[Executor]:
-    """Use the workers of a scheduler, on which the same files must have the same paths.
-
-    Raises Rejected (NS0835) if the scheduler does not answer."""
+    """Use the workers of a scheduler; raise NS0835 if it does not answer."""
     from distributed import Client
 
     try:
@@ -82,9 +79,7 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor]:
 
 
 def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
-    """Yield the result of every task when it is finished.
-
-    A task is tried twice if it fails or its worker dies."""
+    """Yield the results of tasks as they finish; a task that fails is tried once more."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()
@@ -114,10 +109,8 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def _finished(future: Future, task: PointTask) -> Done:
-    """Return the result of a task, or a failure if its worker died.
-
-    Raises ModuleNotFoundError if a package is missing, because other points of the kind would also
-    fail."""
+    """Return the result of a task, or a failure if its worker died; raise ModuleNotFoundError,
+    which all would meet."""
     if future.status == "finished":
         result: Done = future.result()
         return result

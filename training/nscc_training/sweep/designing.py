@@ -9,9 +9,15 @@ from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.light import light_files, scene_keys, scene_of, sensor_keys, sensor_of
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
-from nscc_training.sweep.point_programs import axis
+from nscc_training.sweep.point_programs import (
+    axis,
+    light_files,
+    scene_keys,
+    scene_of,
+    sensor_keys,
+    sensor_of,
+)
 
 _TILE = "sve-risk"
 _CRITERIA = ("mu", "linear", "log", _TILE)

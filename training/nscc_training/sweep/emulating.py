@@ -5,29 +5,26 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.light import (
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import (
+    axis,
+    compiled_of,
     light_files,
+    program_fault,
+    program_files,
+    program_keys,
     scene_keys,
     scene_of,
     sensor_changes,
     sensor_file,
     sensor_keys,
     sensor_of,
-)
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
-from nscc_training.sweep.point_programs import (
-    axis,
-    compiled_of,
-    program_fault,
-    program_files,
-    program_keys,
     silent,
 )
 
@@ -120,17 +117,13 @@ def _capture(values: Values, threads: int) -> Figures:
     plan, audit = shot.plan, shot.audit
     return {
         "shortest_slot_us": round(compiled.shortest_slot_us, 6),
-        "mean_e": _mean(shot.exposure_e, shot.valid),
+        "mean_e": float(shot.exposure_e[shot.valid].mean()) if shot.valid.any() else None,
         "saturated_share": float(shot.saturated.mean()),
         "invalid_share": float(1 - shot.valid.mean()),
         **({} if plan is None else {"predicted_e": plan.predicted_e}),
         **({} if audit is None else {"measured_e": audit.measured_rms_e, "holds": audit.holds}),
         "frame_sha256": sha256(np.ascontiguousarray(shot.frame).tobytes()).hexdigest()[:12],
     }
-
-
-def _mean(exposure_e: Any, valid: Any) -> float | None:
-    return float(exposure_e[valid].mean()) if valid.any() else None
 
 
 def _bench(values: Values) -> Figures:

@@ -11,9 +11,8 @@ from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES, PROCEDURAL
 from nscc_training.scene_files import folders_of
-from nscc_training.sweep.light import sensor_changes, sensor_keys
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
-from nscc_training.sweep.point_programs import axis
+from nscc_training.sweep.point_programs import axis, sensor_changes, sensor_keys
 
 RUN = "run"
 """The key that names a part of kind train, all of whose runs are evaluated."""
@@ -64,7 +63,7 @@ def _reads(values: Values) -> Sequence[Path]:
 def _evaluate(values: Values, place: Place) -> Figures:
     import torch
 
-    from nscc_training.evaluation.result_text import result_json
+    from nscc_training.evaluation.results import result_json
 
     torch.set_num_threads(place.threads)
     result = _result(values)
@@ -82,10 +81,8 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have this score.
-
-    An item may lack a score. For example, a crop without dark pixels has no score of dark pixels.
-    """
+    """Return the mean of each score over the items that have it; a crop without dark pixels lacks
+    one."""
     from nscc_training.statistics import summary
 
     means = {}

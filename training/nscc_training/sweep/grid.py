@@ -85,10 +85,8 @@ class Plot:
 
 @dataclass(frozen=True)
 class Grid:
-    """A grid, read from the file `name` in `folder`.
-
-    `columns` are the keys that occur in any part, in the order of the file; `axes` are those with
-    several values in a part. `text` is the file's text."""
+    """A grid: its points, the keys that occur (`columns`), those with several values in a part
+    (`axes`), and its text."""
 
     name: str
     folder: Path
@@ -109,19 +107,17 @@ def read_grid(path: Path) -> Grid:
     grid_parts: dict[str, dict[str, Any]] = {}
     unknown_parts = []
     for name, value in tables.items():
-        if not _is_part(name, value):
+        if not (isinstance(value, Mapping) and name != _PLOT):
             continue
         part_keys = _flat(value)
         like = part_keys.get(_LIKE.name)
         if like is not None and like not in grid_parts:
             message = f"[{name}]: there is no part {str(like)[:60]!a} above it"
-            unknown_parts.append(
-                head.problem(_CODES.wrong_value, message, name, _LIKE.name, source, _START)
-            )
+            unknown_parts.append(_problem(message, name, _LIKE.name, source, _START))
         grid_parts[name] = {**grid_parts.get(str(like), {}), **part_keys}
     if unknown_parts:
         raise Rejected(unknown_parts, status=2)
-    kinds = _kinds(tables, grid_parts, source)
+    kinds = _kinds(tables.get(_KIND.name), grid_parts, source)
     schema = _schema(kinds)
     values, problems = schema.read({**tables, **grid_parts}, source)
     if not (grid_parts or problems):
@@ -134,7 +130,7 @@ def read_grid(path: Path) -> Grid:
         for grid_part, keys in grid_parts.items()
     }
     called = {grid_part: values.get(f"{grid_part}.{_CALLED.name}", "") for grid_part in grid_parts}
-    points = _points(axes_by_part, kinds, called, schema, source)
+    points = _points(axes_by_part, kinds, called, source)
     columns = tuple(dict.fromkeys(name for keys in axes_by_part.values() for name in keys))
     axes = tuple(
         n for n in columns if any(len(keys.get(n, ())) > 1 for keys in axes_by_part.values())
@@ -144,9 +140,7 @@ def read_grid(path: Path) -> Grid:
 
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
-    """Return the grid with only the points of `grid_parts`, by default all, and the runs they name.
-
-    Raises Rejected (NS0832) for an unknown part."""
+    """Return the grid with only some parts and their runs; raise NS0832 for unknown ones."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:
@@ -186,10 +180,6 @@ def part_text(kind: str) -> str:
     return text if known else f"{text}\n[{kind}]\n"
 
 
-def _is_part(name: str, value: Any) -> bool:
-    return isinstance(value, Mapping) and name != _PLOT
-
-
 def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
     """Return a nested table with dotted keys, such as `sensor.adc_noise_lsb`."""
     flat_keys: dict[str, Any] = {}
@@ -201,21 +191,22 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
     return flat_keys
 
 
+def _problem(message: str, part: str, key: str, source: Source, help_text: str) -> Diagnostic:
+    """Return the error NS0832 at a key of a part."""
+    return _schema({}).problem(_CODES.wrong_value, message, part, key, source, help_text)
+
+
 def _kinds(
-    tables: Mapping[str, Any], grid_parts: Mapping[str, Mapping[str, Any]], source: Source
+    common: Any, grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
     """Return the kind of each part; raise Rejected (NS0832) if a part lacks one."""
     problems: list[Diagnostic] = []
-    head = _schema({})
-    common = tables.get(_KIND.name)
     kinds = {}
     for grid_part, keys in grid_parts.items():
         kind = keys.get(_KIND.name, common)
         if not re.fullmatch(_NAME, grid_part):
             message = f"a part cannot be called {grid_part[:60]!a}: files are named after it"
-            problems.append(
-                head.problem(_CODES.wrong_value, message, grid_part, "", source, _NAME_SAID)
-            )
+            problems.append(_problem(message, grid_part, "", source, _NAME_SAID))
             continue
         if isinstance(kind, str) and kind in KINDS:
             kinds[grid_part] = kind
@@ -224,9 +215,7 @@ def _kinds(
         fault_text = "is missing" if kind is None else f"is not {str(kind)[:60]!a}"
         message = f"the kind of [{grid_part}] {fault_text}: it must be {_KIND.kind.allowed}"
         help_text = 'write kind = "compile" above all parts, or in this one'
-        problems.append(
-            head.problem(_CODES.wrong_value, message, section, _KIND.name, source, help_text)
-        )
+        problems.append(_problem(message, section, _KIND.name, source, help_text))
     if problems:
         raise Rejected(problems, status=2)
     return kinds
@@ -245,38 +234,24 @@ def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
 
 def _points(
     axes_by_part: Mapping[str, Mapping[str, tuple[Any, ...]]], kinds: Mapping[str, str],
-    called: Mapping[str, str], schema: Schema[Key], source: Source,
+    called: Mapping[str, str], source: Source,
 ) -> tuple[GridPoint, ...]:  # fmt: skip
     """Return the points of all parts, with runs before the points that need them."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
         message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
-        help_text = "split it into several files"
-        raise Rejected(
-            schema.problem(_CODES.wrong_value, message, "", "", source, help_text), status=2
-        )
+        raise Rejected(_problem(message, "", "", source, "split it into several files"), status=2)
     problems: dict[tuple[str, str, str], Diagnostic] = {}
     points_by_part: dict[str, list[GridPoint]] = {}
     for grid_part in sorted(axes_by_part, key=lambda grid_part: RUN in axes_by_part[grid_part]):
+        axes, name = axes_by_part[grid_part], called[grid_part]
         points_by_part[grid_part] = []
-        for point in _of_part(
-            grid_part, kinds[grid_part], axes_by_part[grid_part], called[grid_part]
-        ):
-            fault = KINDS[point.kind].fault(point.values, axes_by_part[grid_part]) or _name_fault(
-                called[grid_part], point
-            )
+        for point in _of_part(grid_part, kinds[grid_part], axes, name):
+            fault = KINDS[point.kind].fault(point.values, axes) or _name_fault(name, point)
             if fault is not None:
-                problems.setdefault(
-                    (grid_part, fault.key, fault.message),
-                    schema.problem(
-                        _CODES.wrong_value,
-                        f"[{grid_part}]: {fault.message}",
-                        grid_part,
-                        fault.key,
-                        source,
-                        fault.help,
-                    ),
-                )
+                message = f"[{grid_part}]: {fault.message}"
+                problem = _problem(message, grid_part, fault.key, source, fault.help)
+                problems.setdefault((grid_part, fault.key, message), problem)
                 continue
             if RUN not in point.values:
                 points_by_part[grid_part].append(point)
@@ -284,23 +259,18 @@ def _points(
             runs = points_by_part.get(point.values[RUN], [])
             if not runs or runs[0].kind != "train":
                 message = f"[{grid_part}]: unknown part [{point.values[RUN][:60]}] of kind train"
-                trains = [name for name, kind in kinds.items() if kind == "train"]
+                trains = [part for part, kind in kinds.items() if kind == "train"]
                 help_text = f"such parts are {', '.join(trains)}" if trains else "add such a part"
-                problems[grid_part, RUN, message] = schema.problem(
-                    _CODES.wrong_value, message, grid_part, RUN, source, help_text
-                )
-            points_by_part[grid_part] += (
-                _about(point, run, axes_by_part[grid_part], called[grid_part]) for run in runs
-            )
+                problem = _problem(message, grid_part, RUN, source, help_text)
+                problems[grid_part, RUN, message] = problem
+            points_by_part[grid_part] += (_about(point, run, axes, name) for run in runs)
     if problems:
         raise Rejected([*problems.values()], status=2)
     points = [point for grid_part in axes_by_part for point in points_by_part[grid_part]]
-    return _linked(points, schema, source)
+    return _linked(points, source)
 
 
-def _linked(
-    points: Sequence[GridPoint], schema: Schema[Key], source: Source
-) -> tuple[GridPoint, ...]:
+def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...]:
     """Return the points, each linked to the points whose runs its values name (`run:NAME`).
 
     Raises Rejected (NS0832) unless exactly one point of kind train has the name, and for circular
@@ -312,10 +282,7 @@ def _linked(
 
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
         help_text = "write the name of a point of kind train, as its `name` defines it"
-        return Rejected(
-            schema.problem(_CODES.wrong_value, message, point.grid_part, key, source, help_text),
-            status=2,
-        )
+        return Rejected(_problem(message, point.grid_part, key, source, help_text), status=2)
 
     def link(point: GridPoint, above: tuple[str, ...] = ()) -> GridPoint:
         if id(point) in linked:
@@ -355,8 +322,7 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """Return a point's name: `called` with keys replaced by values; "/" in values separates
-    folders."""
+    """Return a point's name; "/" in values separates folders."""
 
     def spelled(value: Any) -> str:
         if not isinstance(value, str):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import metadata
 
 from nscc import __version__
 from nscc.cache.digest import content, digest, package_digest, version_digest
+from nscc.requirements import installed_version
 from nscc_training.sweep.compiling import COMPILE, LIMITS
 from nscc_training.sweep.designing import DESIGN
 from nscc_training.sweep.emulating import EMULATE
@@ -55,12 +55,5 @@ def versions(packages: Sequence[str], distributions: Sequence[str]) -> tuple[str
     )
     return (
         *(version or __version__ for version in package_versions),
-        *map(_version, distributions),
+        *map(installed_version, distributions),
     )
-
-
-def _version(distribution: str) -> str:
-    try:
-        return metadata.version(distribution)
-    except metadata.PackageNotFoundError:
-        return ""

@@ -1,5 +1,5 @@
-"""Programs of points: from files, from rules for any number of slots, or random codes of a
-class."""
+"""Programs, scenes and sensors of points. Programs come from files, from rules for any number of
+slots, or are random codes of a class."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import MISSING, replace
 from math import prod
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
@@ -20,6 +21,11 @@ from nscc.toml.kinds import Axis, Integer, Number, Several, TextKind
 from nscc.toml.schema import Key
 from nscc_training.code_choices import STARTS
 from nscc_training.sweep.point import PointFault, Values
+
+if TYPE_CHECKING:
+    from nscc_runtime.scenes import Scene
+    from nscc_runtime.sensor import Sensor
+
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
 SOURCES = ("program", "rule", "class")
@@ -90,9 +96,7 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return the error in the values of `program_keys`, or None.
-
-    `named` are the keys that the grid names."""
+    """Return the error in values of `program_keys`, of which the grid has `named`."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -116,9 +120,7 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """Return the error of naming a key that has no effect on a point, or None.
-
-    Points that differ only in such a key would be identical."""
+    """Return the error of naming a key without effect, which gives identical points, or None."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -128,8 +130,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files that determine a program: its text, the files it names, and its chip
-    file."""
+    """Return the files of a program: its text, those that it names, and its chip."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -155,9 +156,7 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove a point's program, without the cache of searches.
-
-    Raises Rejected for a program that is invalid or does not fit the chip."""
+    """Compile and prove a point's program, without the cache of searches."""
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],
@@ -184,3 +183,63 @@ def _source(values: Values) -> tuple[Source, Path]:
     encoder = make_encoder(spec, values["init"], values["seed"])
     text = program_of(encoder, Chip(slot_us=values["slot_us"])).text
     return Source(f"class_{kind}.nsl", text), Path()
+
+
+_SENSOR, _FILE = "sensor.", "sensor.file"
+
+
+def scene_keys() -> tuple[Key, ...]:
+    return (
+        axis("scene", TextKind(), "a scene, as nscc run takes it"),
+        axis(
+            "exposure",
+            TextKind(),
+            "electrons over the frame, as --exposure; empty: the scene's",
+            "",
+        ),
+        axis(
+            "transfer",
+            TextKind(("", "linear", "srgb")),
+            "the scene's curve; empty: by its file",
+            "",
+        ),
+    )
+
+
+def sensor_keys() -> tuple[Key, ...]:
+    """Return the keys of sensors: the sensor file, and each value as `sensor.KEY`."""
+    from nscc_runtime.sensor.file import schema
+
+    numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
+    return (axis(_FILE, TextKind(), "a sensor file (nscc effects --toml)", ""), *numbers)
+
+
+def light_files(values: Values) -> Sequence[Path]:
+    """Return the files of a point's scene and sensor."""
+    named = values[_FILE], values.get("scene", "")
+    return [Path(name) for name in named if name and not name.startswith("builtin:")]
+
+
+def scene_of(values: Values) -> Scene:
+    from nscc_runtime.scenes import Scene
+
+    return Scene(
+        values["scene"], exposure=values["exposure"] or None, transfer=values["transfer"] or None
+    )
+
+
+def sensor_file(values: Values) -> Path | None:
+    return Path(values[_FILE]) if values[_FILE] else None
+
+
+def sensor_changes(values: Values) -> tuple[str, ...]:
+    """Return the sensor values that a point changes, in the form of --sensor-set."""
+    changed = [name for name in values if name.startswith(_SENSOR) and name != _FILE]
+    return tuple(f"{name.removeprefix(_SENSOR)}={values[name]!r}" for name in changed)
+
+
+def sensor_of(values: Values, target: Target) -> Sensor:
+    """Return the sensor of a point on a chip."""
+    from nscc_runtime.sensor import load_sensor
+
+    return load_sensor(target, sensor_file(values), sensor_changes(values))

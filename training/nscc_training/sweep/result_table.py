@@ -14,10 +14,8 @@ from nscc_training.sweep.point import GridPoint, PointRow
 
 @dataclass(frozen=True)
 class Table:
-    """A table by columns; None marks missing values.
-
-    The columns are `part`, the keys that the grid names, the results, `code` and `error` of points
-    without results, and `key`."""
+    """A table by columns: `part`, the keys that the grid names, results, `code` and `error`, and
+    `key`; None is missing."""
 
     columns: dict[str, list[Any]]
     inputs: tuple[str, ...]
@@ -48,8 +46,7 @@ def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
 
 
 def _input(point: GridPoint, name: str) -> Any:
-    """Return the value of a key of a point or of the first run that it names; None if both
-    lack it."""
+    """Return the value of a key of a point, or of the first run that it names, or None."""
     if name in point.values:
         return plain(point.values[name])
     return _input(point.after[0], name) if point.after else None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -12,7 +14,7 @@ from time import sleep
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.experiment_store import ExperimentStore
+from nscc.experiment_store import STORE, ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
@@ -20,11 +22,12 @@ from nscc_training.sweep.grid import Grid, of_parts
 from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow
 from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
-from nscc_training.sweep.store import POINTS, TIMES, put_row, rows_in, store_in, times_csv
 from nscc_training.sweep.work import FAILED, Done, PointTask, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
-_POINTS = "points"
+TIMES = "times.csv"
+POINTS = "points"
+"""The folder of outputs, and the store's experiment that contains all rows."""
 _MOST_REASONS = 5
 _POLL_S = 0.2
 _NAMED = {"train": "runs", "evaluate": "results", "design": "programs", "cell": "cells"}
@@ -33,10 +36,8 @@ _NAMED = {"train": "runs", "evaluate": "results", "design": "programs", "cell": 
 
 @dataclass(frozen=True)
 class How:
-    """How points are computed.
-
-    `workers` processes with `threads` threads each run on this machine (0: this process), or a
-    `scheduler` provides the workers. `again` recomputes failed points."""
+    """How points are computed: by processes here (0: this one) or a scheduler; `again` repeats
+    those that failed."""
 
     workers: int = 0
     threads: int = 1
@@ -46,10 +47,8 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """The outcome of a sweep: its table and the files written.
-
-    `misfits` is the number of points with a message instead of results, `failed` the number of
-    failed points."""
+    """The outcome of a sweep: its table, its files, and the points with a message or a failure in
+    place of results."""
 
     table: Table
     misfits: int
@@ -82,6 +81,8 @@ def sweep(
     its folder. `track` draws progress; `report` receives a text on the work to do. Raises Rejected:
     NS0834 for a damaged store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers
     have other files or another version of nscc."""
+    from nscc_training.sweep.sweep_report import diagram_of, report_html
+
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
     with store_in(out) as store:
@@ -103,16 +104,22 @@ def sweep(
     point_rows = [(point, rows[key]) for point, key in keys.items()]
     grid = replace(grid, points=tuple(keys))
     table = table_of(grid, point_rows)
-    files = _write(grid, table, out, times, parquet=parquet)
+    diagram = diagram_of(grid, table)
+    products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
+    if parquet:
+        products[out / PARQUET] = parquet_bytes(table)
+    if diagram is not None:
+        products[out / DIAGRAM] = diagram
+    products[out / REPORT] = report_html(grid, table, diagram).encode()
+    write_together({**products, out / TIMES: times.encode()})
     _name(out, keys)
     codes = [row.code for _, row in point_rows if row.code]
     failed = codes.count(FAILED)
-    return Swept(table, len(codes) - failed, failed, files)
+    return Swept(table, len(codes) - failed, failed, tuple(products))
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """Return the summary of a sweep as lines: numbers of points, reasons for missing results,
-    files."""
+    """Return numbers of points, reasons for missing results, and files, as lines."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -161,14 +168,14 @@ def _task(
 ) -> PointTask:
     key = keys[point]
     runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
-    files = _output_path(out, point, key) or out.resolve() / _POINTS / key
+    files = _output_path(out, point, key) or out.resolve() / POINTS / key
     return PointTask(point, key, grid.folder.resolve(), files, how.threads, runs)
 
 
 def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
     """Return the output file or folder of a point, or None if its kind has no output."""
     ending = KINDS[point.kind].leaves
-    return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
+    return None if ending is None else out.resolve() / POINTS / (key[:16] + ending)
 
 
 def _compute(
@@ -200,16 +207,29 @@ def _compute(
 
         for result in track(all_results(), "computing points", len(tasks)):
             if result.other_key:
-                raise _differs(result)
-            put_row(store, result.row, result.task.point.name, result.seconds, result.worker)
+                raise rejected(
+                    "NS0836",
+                    f"the worker {result.worker} has other code or data than the process that "
+                    f"requested {result.task.point.name}",
+                    notes=(
+                        "its nscc, its Python or the files of the grid differ from those of this "
+                        "process, or they changed during the sweep",
+                    ),
+                    helps=(
+                        "install the same versions on all machines, and use a shared file system",
+                    ),
+                    status=3,
+                )
+            row = result.row
+            value = {"figures": row.figures, "code": row.code, "error": row.error}
+            store.keep(POINTS, row.key, value, label=result.task.point.name,
+                       seconds=result.seconds, worker=result.worker)  # fmt: skip
 
 
 def _shared(
     store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
-    """Yield the results of tasks, and wait for tasks that another process computes.
-
-    A task whose process ended without a result is computed here."""
+    """Yield the results of tasks, also of those that another process claimed and dropped."""
     waiting = [*tasks]
     while waiting:
         claimed_tasks: list[PointTask] = []
@@ -260,39 +280,9 @@ def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iter
     return nullcontext(serially)
 
 
-def _differs(result: Done) -> Rejected:
-    return rejected(
-        "NS0836",
-        f"the worker {result.worker} has other code or data than the process that requested "
-        f"{result.task.point.name}",
-        notes=(
-            "its nscc, its Python or the files of the grid differ from those of this "
-            "process, or they changed during the sweep",
-        ),
-        helps=("install the same versions on all machines, and use a shared file system",),
-        status=3,
-    )
-
-
-def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
-    """Write all products, or none of them."""
-    from nscc_training.sweep.sweep_report import diagram_of, report_html
-
-    diagram = diagram_of(grid, table)
-    products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
-    if parquet:
-        products[out / PARQUET] = parquet_bytes(table)
-    if diagram is not None:
-        products[out / DIAGRAM] = diagram
-    products[out / REPORT] = report_html(grid, table, diagram).encode()
-    write_together({**products, out / TIMES: times.encode()})
-    return tuple(products)
-
-
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Make named links to the outputs of the grid's points; remove the links of other grids.
-
-    Other processes may do the same for the same grid at the same time."""
+    """Make named links to the outputs of the grid's points, beside other processes, and remove
+    those of other grids."""
     links: dict[Path, str] = {}
     for point, key in keys.items():
         output_path = _output_path(out, point, key)
@@ -310,3 +300,34 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
     for link, target in links.items():
         with suppress(FileExistsError):
             os.symlink(target, link)
+
+
+def store_in(folder: Path) -> ExperimentStore:
+    """Return the experiment store in `folder`, created if needed; raise Rejected (NS0784)."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        message = f"cannot write into '{folder}': {error.strerror or error}"
+        help_text = "give --out a folder that you may write"
+        raise rejected("NS0784", message, helps=(help_text,)) from error
+    return ExperimentStore(folder / STORE)
+
+
+def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
+    """Return all rows by key."""
+    return {key: PointRow(key, **value) for key, value in store.values(POINTS).items()}
+
+
+def times_csv(store: ExperimentStore) -> str:
+    """Return the time and worker of each point as CSV; times start with the first point."""
+    timings = store.timings(POINTS)
+    begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("key", "name", "seconds", "ended_s", "worker"))
+    writer.writerows(
+        (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",
+         timing.worker)
+        for timing in timings
+    )  # fmt: skip
+    return text.getvalue()

@@ -25,7 +25,7 @@ _WIDTH = 900
 def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
     """Return the HTML page: the diagram, points without results, all points, and the grid."""
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
-    shown += [name for name in table.figures if _says_something(table.columns[name])]
+    shown += [name for name in table.figures if any(v is not None for v in table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
     blocks = [
         html.Html() if diagram is None else html.picture(diagram, "", _WIDTH),
@@ -45,10 +45,8 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
 
 
 def diagram_of(grid: Grid, table: Table) -> bytes | None:
-    """Return the diagram that the grid describes, or a default one.
-
-    None for a single point, or without numeric results. Raises Rejected (NS0832) for unknown
-    columns."""
+    """Return the diagram that the grid describes, or a default one, or None; raise NS0832 for
+    unknown columns."""
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -56,10 +54,17 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     plot = grid.plot
     plot_axes = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
     for key, name in (*plot_axes, *(("y", name) for name in plot.y)):
-        if name:
-            _check(key, name, table)
+        if name and name not in table.columns:
+            raise rejected(
+                "NS0832",
+                f"plot.{key} is '{name[:60]}', but the table has no such column",
+                notes=(f"it has {', '.join(table.columns)}",),
+                helps=meant(name, table.columns, "name one of them"),
+            )
     used_names = {name for _, name in plot_axes}
-    free = [n for n in ("part", *grid.axes) if _several(table.columns[n]) and n not in used_names]
+    free = [
+        n for n in ("part", *grid.axes) if len(set(table.columns[n])) > 1 and n not in used_names
+    ]
     x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
     lines = [name for name in free if not name.endswith("seed")]
     panel = plot.panel
@@ -97,10 +102,8 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """Return the points of each line of a panel.
-
-    If x is an axis of the grid, they are sorted, and points with the same x are averaged. If x is a
-    result, they keep the order of the table."""
+    """Return the points of a panel's lines: means by x, sorted, if x is an axis; else as in the
+    table."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
@@ -138,26 +141,12 @@ def _misfits(grid: Grid, table: Table) -> html.Html:
     return html.Html(heading + html.table(rows, ("code", "why", "points")))
 
 
-def _check(key: str, name: str, table: Table) -> None:
-    if name not in table.columns:
-        raise rejected(
-            "NS0832",
-            f"plot.{key} is '{name[:60]}', but the table has no such column",
-            notes=(f"it has {', '.join(table.columns)}",),
-            helps=meant(name, table.columns, "name one of them"),
-        )
-
-
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
     """Remove and return the first name that fits, or "" if none does."""
     first_fit = next((name for name in names if fits(name)), "")
     if first_fit:
         names.remove(first_fit)
     return first_fit
-
-
-def _several(values: Sequence[Any]) -> bool:
-    return len(set(values)) > 1
 
 
 def _number(value: Any) -> bool:
@@ -167,10 +156,6 @@ def _number(value: Any) -> bool:
 
 def _numbers(values: Sequence[Any]) -> bool:
     return all(value is None or _number(value) for value in values)
-
-
-def _says_something(values: Sequence[Any]) -> bool:
-    return any(value is not None for value in values)
 
 
 def _short(value: Any) -> str:

@@ -29,10 +29,8 @@ The current folder, warnings and torch's thread count are shared by the process.
 
 @dataclass(frozen=True)
 class PointTask:
-    """A point to compute.
-
-    Its paths are relative to `folder`, and its output file names begin with `files`. `runs` maps
-    each value of the point that names a run to the folder of this run."""
+    """A point to compute in `folder`, into names that begin with `files`, after the `runs` that its
+    values name."""
 
     point: GridPoint
     key: str
@@ -44,10 +42,8 @@ class PointTask:
 
 @dataclass(frozen=True)
 class Done:
-    """The result row of a task, its time and worker.
-
-    `failed` means that it may be tried again. `other_key` is the key that the worker computed, if
-    it differs from the task's key."""
+    """The result row of a task. It may be tried again if it `failed`; `other_key` is the worker's
+    key if it differs."""
 
     task: PointTask
     row: PointRow
@@ -65,9 +61,7 @@ def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def work(task: PointTask) -> Done:
-    """Compute a task in this process.
-
-    Errors become part of the row, except ModuleNotFoundError for a missing package."""
+    """Compute a task; errors are part of its row, except for a missing package."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # errors of the compiler and of scenes for this point
         current_key = key_of(task.point, task.threads)

@@ -1,4 +1,4 @@
-"""One program on one scene, captured by the emulated chip with other words and slots."""
+"""One program on one scene, captured with other words and slots, and results of its stages."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
+from nscc.requirements import line_for
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.tradeoff.points import STAGES
+from nscc.tradeoff.points import STAGES, Point, Refused
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 from nscc.words.container import Container
@@ -32,7 +33,6 @@ from nscc_runtime.planning.scenes import planning_of
 from nscc_runtime.planning.tolerance import (
     LEAST_E,
     Tolerance,
-    ToleranceScene,
     mean_signal_e,
     tolerance_of,
 )
@@ -76,9 +76,7 @@ class JointRequest:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """Values that all stages share, computed when first needed.
-
-    `warn` is called with messages about the program and the scene."""
+    """Values that all stages share, computed when first needed; `warn` takes messages."""
 
     request: JointRequest
     rows: Rows
@@ -110,15 +108,11 @@ class Bench:
 
     @cached_property
     def ideal_e(self) -> Values:
-        """The light (buckets, rows, cols) in electrons that falls while pixels are open.
-
-        For pixels that look it is the light of the whole frame, which they measure."""
+        """The electrons (buckets, rows, cols) that fall while pixels are open, or could look."""
         return self._ideal_e(self.container, self.light)
 
-    @cached_property
     def signal_e(self) -> float:
-        """The mean of `ideal_e`, with each value limited to a full well; raises Rejected (NS0826)
-        for a dark scene."""
+        """Return the mean of `ideal_e` up to a full well; raise NS0826 for a dark scene."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -130,15 +124,45 @@ class Bench:
                    "receive",),
         )  # fmt: skip
 
+    def noise_e(self) -> float:
+        """Return the standard deviation of the frame's noise in electrons."""
+        seed = self.request.device_seed
+        return planning_of(self.container, self.sensor, self.light, seed).noise_e()
+
     @cached_property
     def target(self) -> Tolerance:
-        """The largest allowed error; raises Rejected (NS0827) for an invalid one."""
-        return target_of(self.request.target_error, self.sensor, _Follows(self))
+        """The largest allowed error: `1%` of the mean signal, `5e`, `0.1lsb`.
+
+        Raises Rejected (NS0827) for other texts, and for an error larger than the signal."""
+        text, reason = self.request.target_error, None
+        try:
+            tolerance = tolerance_of(text, self.sensor, self)
+        except Rejected as refused:
+            if refused.diagnostics[0].code != "NS0746":
+                raise
+            reason = f"a target error must be a number above 0 with its unit, not '{text[:40]}'"
+        else:
+            if tolerance.electrons < self.signal_e():
+                return tolerance
+            reason = (
+                f"the target error {text[:40]} is too large: the mean signal is "
+                f"{self.signal_e():.3g} electrons, so a black frame has a smaller error"
+            )
+        raise rejected(
+            "NS0827",
+            reason,
+            notes=(
+                "%: of the scene's mean signal; e: electrons; lsb: converter codes; noise: a "
+                "fraction of the frame's own noise",
+                f"it must be between {LEAST_E:g} electrons and the mean signal",
+            ),
+            helps=("write --target-error 1%, --target-error 50e or --target-error 0.5lsb",),
+        )
 
     @cached_property
     def shot_percent(self) -> float:
         """The shot noise of the ideal frame, in percent of the signal."""
-        return 100 * math.sqrt(float(np.abs(self.ideal_e).mean())) / self.signal_e
+        return 100 * math.sqrt(float(np.abs(self.ideal_e).mean())) / self.signal_e()
 
     def once(self, name: str, measure: Callable[[], Any]) -> Any:
         """Return the result of `measure`, stored under this name, program, scene and target."""
@@ -157,7 +181,9 @@ class Bench:
         plan = self.capture.plan
         known = [(d.name, d.predicted_rms_e or 0.0) for d in plan.decisions] if plan else []
         known.sort(key=lambda named_error: -named_error[1])
-        return tuple((name, 100 * rms_e / self.signal_e) for name, rms_e in known[:_NAMED] if rms_e)
+        return tuple(
+            (name, 100 * rms_e / self.signal_e()) for name, rms_e in known[:_NAMED] if rms_e
+        )
 
     def error_percent(self, container: Container, original: Container | None = None) -> float:
         """Return the error of a frame with all effects, in percent of the mean signal.
@@ -185,9 +211,7 @@ class Bench:
         return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
 
     def _light_in(self, container: Container) -> Light:
-        """Return the scene's light in the slots of other words, at the same brightness.
-
-        A shorter frame therefore receives less light."""
+        """Return the scene's light in other slots, as bright, so less in a shorter frame."""
         if container.slot_us == self.container.slot_us:
             return self.light
         scene_light = self.request.scene.light(container.slot_us, container.target)
@@ -220,30 +244,11 @@ class Bench:
         return np.asarray((exact.exposure_e - response.zero_e) / response.gain)
 
 
-@dataclass(frozen=True, eq=False)
-class _Follows:
-    """The quantities to which a target error may be relative."""
-
-    bench: Bench
-
-    def signal_e(self) -> float:
-        return self.bench.signal_e
-
-    def noise_e(self) -> float:
-        """Return the standard deviation of the frame's noise in electrons."""
-        bench = self.bench
-        return planning_of(
-            bench.container, bench.sensor, bench.light, bench.request.device_seed
-        ).noise_e()
-
-
 def rms_percent(
     seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
 ) -> float:
-    """Return the root mean square difference where `counted`, in percent of the signal.
-
-    Arrays are (buckets, rows, cols); the bucket with the largest difference is used. Infinite if a
-    bucket has no counted pixel."""
+    """Return the root mean square difference where `counted`, in percent of the signal, of the
+    worst bucket; it may be infinite."""
     mean_squares = [
         float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
         for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)
@@ -257,36 +262,6 @@ def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
     return tuple(us / total_us * frame_us for us in container.slot_us)
 
 
-def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
-    """Parse a target error: `1%` of the mean signal, `5e`, `0.1lsb`.
-
-    Raises Rejected (NS0827) for other texts, and for an error larger than the signal."""
-    reason = None
-    try:
-        tolerance = tolerance_of(text, sensor, scene)
-    except Rejected as refused:
-        if refused.diagnostics[0].code != "NS0746":
-            raise
-        reason = f"a target error must be a number above 0 with its unit, not '{text[:40]}'"
-    else:
-        if tolerance.electrons < scene.signal_e():
-            return tolerance
-        reason = (
-            f"the target error {text[:40]} is too large: the mean signal is "
-            f"{scene.signal_e():.3g} electrons, so a black frame has a smaller error"
-        )
-    raise rejected(
-        "NS0827",
-        reason,
-        notes=(
-            "%: of the scene's mean signal; e: electrons; lsb: converter codes; noise: a "
-            "fraction of the frame's own noise",
-            f"it must be between {LEAST_E:g} electrons and the mean signal",
-        ),
-        helps=("write --target-error 1%, --target-error 50e or --target-error 0.5lsb",),
-    )
-
-
 def scaled_text(target: str, factor: float) -> str:
     """Return a tolerance multiplied by `factor`, as text in its unit: 3 % for 1 %."""
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
@@ -294,7 +269,28 @@ def scaled_text(target: str, factor: float) -> str:
     return f"{float(match[1]) * factor:g}{match[2]}"
 
 
-def whole_ticks(slot_us: float, tick_us: float = 0.01) -> float:
-    """Return the slot length rounded up to a multiple of `tick_us`, so that programs are
-    readable."""
-    return round(max(1, math.ceil(slot_us / tick_us - 1e-6)) * tick_us, 6)
+def whole_ticks(slot_us: float) -> float:
+    """Return the slot length rounded up to a multiple of 10 ns, so that programs are readable."""
+    return round(max(1, math.ceil(slot_us / 0.01 - 1e-6)) * 0.01, 6)
+
+
+PERCENT = "percent"
+"""The unit of all errors: percent of the mean signal."""
+
+
+def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError) -> Refused:
+    """Return the refusal of a setting, or with the setting "" of a whole stage."""
+    if isinstance(why, ModuleNotFoundError):
+        name = why.name or "a package"
+        return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")
+    diagnostic = why.diagnostics[0] if isinstance(why, Rejected) else why
+    return Refused(stage, "", setting, diagnostic.code, diagnostic.message)
+
+
+@dataclass(frozen=True)
+class StageResult:
+    """A stage's points, the settings that could not be measured, and notes on its numbers."""
+
+    points: tuple[Point, ...]
+    misfits: tuple[Refused, ...] = ()
+    notes: tuple[str, ...] = ()

@@ -20,8 +20,7 @@ from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.captured import CapturedScene, captured
-from nscc_training.evaluation.methods import CLIPS, STILLS, Light
+from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene, Light, captured
 from nscc_training.evaluation.runs import check_unseen
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
@@ -48,10 +47,7 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 @dataclass(frozen=True)
 class DecoderStudySettings:
-    """The settings of the measurement of decoders.
-
-    `data` is a folder of scenes; None uses procedural scenes. `size` is the side of a scene in
-    pixels. Repeats end after `budget_s` seconds, but everything is measured at least once."""
+    """The settings of the measurement of decoders; no repeat starts after `budget_s` seconds."""
 
     data: Path | None
     count: int
@@ -63,10 +59,8 @@ class DecoderStudySettings:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A decoder with its settings.
-
-    `run` returns electrons, over the frame or per slot. `device` names a device other than the CPU.
-    `loads` distinguishes settings that load and compile different things."""
+    """A decoder with its settings; `loads` distinguishes settings that load and compile different
+    things."""
 
     method: str
     setting: str
@@ -168,10 +162,7 @@ def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str,
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
-    """Return PSNR in dB and SSIM, averaged over the scenes as the protocol defines.
-
-    Scenes without error have infinite PSNR and only enter the mean SSIM, unless all scenes are
-    without error."""
+    """Return mean PSNR and SSIM of scenes; infinite PSNR is left out unless all scenes have it."""
     pairs = zip(case.captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
@@ -222,16 +213,6 @@ def _network(
     return run
 
 
-def names_of(folders: Sequence[RunFolder]) -> list[str]:
-    """Return the folder names of runs whose decoders have the same name and size, "" for other
-    runs."""
-    kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in folders]
-    return [
-        f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
-        for folder, kind in zip(folders, kinds, strict=True)
-    ]
-
-
 def _fixed(kind: Kind, settings: DecoderStudySettings) -> Case:
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
@@ -251,7 +232,11 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySetting
         for run in runs:
             check_unseen(run, files_of(protocol, settings.data))
     frames = _captures(protocol, setup.encoder.hard().cpu(), setup.model, settings)
-    apart = names_of(runs)
+    kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in runs]
+    apart = [
+        f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
+        for folder, kind in zip(runs, kinds, strict=True)
+    ]
     ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
     return Case(f"{kind}, code of {name}", frames, (*ways_of(kind), *ways))
 

@@ -16,8 +16,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
-from nscc_training.tradeoff.bench import Bench, rms_percent
-from nscc_training.tradeoff.stages import PERCENT, StageResult
+from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent
 
 Values = NDArray[Any]
 
@@ -28,10 +27,8 @@ ANY_STAGES = (2, 8)
 
 
 class _Way(NamedTuple):
-    """A decoder with a setting.
-
-    The result of `run` is compared with `truth`; both are (T, rows, cols). `loads` distinguishes
-    settings that load different things."""
+    """A decoder with a setting: `run` gives what `truth` is, (T, rows, cols); `loads` differs with
+    what is loaded."""
 
     method: str
     setting: str
@@ -83,7 +80,7 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
 def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_Way]:
     from nscc_training.any_code.decode import decoded_still
     from nscc_training.any_code.frames import coded_frame
-    from nscc_training.any_code.stills import STILL_STAGES
+    from nscc_training.any_code.stages import STILL_STAGES
 
     container, light, frame = bench.container, bench.light, capture.frame
     about = meta(container, light, frame, capture.origin)
@@ -116,8 +113,7 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
 
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
-    """Return electrons over the frame (1, rows, cols) from merged neighbours, averaged over
-    buckets."""
+    """Return electrons over the frame (1, rows, cols) from merged neighbours."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [
@@ -133,17 +129,14 @@ def _stages(count: int) -> str:
 
 
 def _by_any(measured: Any, stages: int, slots: Values) -> Values:
-    """Return the clip (N, rows, cols), electrons per slot, of the decoder for any code.
-
-    `slots` (N, 1, 1) are the slot lengths relative to their mean."""
+    """Return the clip (N, rows, cols) of the decoder for any code, in electrons per slot."""
     from nscc_training.any_code.decode import decoded_clip
 
     return np.asarray(decoded_clip(measured, stages)[0].numpy() * slots)
 
 
 def _by_tv(measured: Any, iterations: int) -> Values:
-    """Return the clip (N, rows, cols) reconstructed by GAP-TV, with light scaled so that white is
-    1."""
+    """Return the clip (N, rows, cols) of GAP-TV, in whose unit white is 1."""
     from nscc_training.any_code.decode import white
     from nscc_training.baselines.sci import gap_tv
 
@@ -158,9 +151,7 @@ def _of_run(
     truth: Values,
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[_Way]:
-    """Yield the run's decoder in both number formats, on a `region` of the array.
-
-    Yields nothing if the program does not belong to a run."""
+    """Yield the decoder of the program's run, if any, in both number formats."""
     if bench.request.run is None:
         return
     import torch

@@ -21,8 +21,7 @@ TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 
 
 def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figure:
-    """Draw PSNR and SSIM against the time of one scene, a panel for each case, a line for each
-    decoder."""
+    """Draw PSNR and SSIM against the time of a scene: a panel a case, a line a decoder."""
     panels = [
         Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(points, key=lambda point: point.case)
@@ -38,8 +37,7 @@ def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figur
 
 
 def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure:
-    """Draw PSNR against the shortest slot, or at slots of `slot_us`, with stills apart from
-    clips."""
+    """Draw PSNR against the shortest slot or at `slot_us`, stills apart from clips."""
 
     def names(point: Point) -> tuple[str, str]:
         """Return the panel and line of a point."""
@@ -66,9 +64,7 @@ def sensor_diagram(measured: SensorStudyResult, slot_us: float | None) -> Figure
 
 
 def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
-    """Draw the points of all stages on one error axis and one time axis, one line for each stage.
-
-    The name of a line contains the recommended setting, whose point is marked."""
+    """Draw the points of all stages, a line for each, and mark the recommended ones."""
     advised = {id(advice.point) for advice in joint.advice}
     names = {
         advice.stage: f"{advice.stage}: {', '.join(filter(None, (point.method, point.setting)))}"

@@ -9,11 +9,9 @@ from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.tradeoff.points import Point, Refused, table_text
 from nscc.tradeoff.rows import Rows
-from nscc_training.tradeoff.bench import Bench, JointRequest
-from nscc_training.tradeoff.chip_stages import compiling, lowering, slots
+from nscc_training.tradeoff.bench import Bench, JointRequest, StageResult, misfit
+from nscc_training.tradeoff.chip_stages import compiling, effects, lowering, slots
 from nscc_training.tradeoff.decoder_stage import decoding
-from nscc_training.tradeoff.frame_stages import effects
-from nscc_training.tradeoff.stages import StageResult, misfit
 
 NEAR = 1.05
 """If no setting reaches the target, settings within this factor of the least error are
@@ -31,10 +29,8 @@ STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
 
 @dataclass(frozen=True)
 class Advice:
-    """The recommended setting of a stage.
-
-    It is the fastest within the target, otherwise the fastest near the least error. `point` is None
-    if nothing could be measured."""
+    """The fastest setting of a stage within the target, or near the least error; None if nothing
+    was measured."""
 
     stage: str
     point: Point | None
@@ -101,7 +97,7 @@ def measure(
         notes += [f"{name}: {note}" for note in stage_result.notes]
     return Joint(
         request.program.name, request.scene.name, request.target_error, request.stages,
-        100 * target.electrons / bench.signal_e, bench.shot_percent, bench.signal_e,
+        100 * target.electrons / bench.signal_e(), bench.shot_percent, bench.signal_e(),
         tuple(points), bench.largest, tuple(misfits), tuple(notes),
     )  # fmt: skip
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,11 +22,11 @@ from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.simulate import Request
 from nscc_training.any_code.decode import decoded_clip
-from nscc_training.any_code.frames import CodedFrame, exposed_frame
+from nscc_training.any_code.frames import exposed_frame
 from nscc_training.demo.expose import CLIPS, camera
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
-from nscc_training.tradeoff.sensor import SensorBench, SensorStudySettings
+from nscc_training.tradeoff.sensor import SensorBench, SensorStudySettings, points_of
 
 SLOTS, SLOT_US = 16, 125.0
 """Number and length in microseconds of the slots of the shipped programs."""
@@ -47,20 +47,14 @@ def measure_readouts(
     burst is shown for as long as it was open."""
     target = load_target(settings.target, Path())
     bench = SensorBench.of("clips", target, replace(settings, slots=(SLOTS,), frames=None))
-    points: list[Point] = []
-    refused: list[Refused] = []
-    rows = rows or Rows()
-    for method, count in progress([(m, k) for k in counts for m in ("burst", "coded")]):
-        row = rows.once(f"readouts, {method}, {count}", partial(_row, method, count, bench))
-        if "code" in row:
-            refused.append(Refused(**row))
-        else:
-            points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
-    return tuple(points), tuple(refused)
+    measures = (
+        (f"readouts, {method}, {count}", partial(_measured, method, count, bench))
+        for method, count in progress([(m, k) for k in counts for m in ("burst", "coded")])
+    )
+    return points_of(measures, rows)
 
 
-def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
-    """Return the fields of a Point, or of a Refused."""
+def _measured(method: str, count: int, bench: SensorBench) -> Point | Refused:
     settings = bench.settings
     try:
         if method == "burst":
@@ -72,39 +66,29 @@ def _row(method: str, count: int, bench: SensorBench) -> dict[str, Any]:
             container = coded
     except Rejected as error:
         first = error.diagnostics[0]
-        return asdict(Refused("readouts", method, str(count), first.code, first.message))
+        return Refused("readouts", method, str(count), first.code, first.message)
     psnr_db = finite_mean(
         number(scene.scores(_clip(method, container, scene.light_e, bench, k))["psnr_db"])
         for k, scene in enumerate(bench.scenes)
     )
     time_ms = count * bench.target.readout_us / 1e3
-    return asdict(
-        Point("readouts", method, f"{count} x {bench.target.readout_us / 1e3:g} ms", psnr_db,
-              "psnr_db", (time_ms,), more_is_better=True)
-    )  # fmt: skip
+    setting = f"{count} x {bench.target.readout_us / 1e3:g} ms"
+    return Point("readouts", method, setting, psnr_db, "psnr_db", (time_ms,), more_is_better=True)
 
 
 def _clip(
-    method: str,
-    container: Container,
-    light_e: NDArray[Any],
-    bench: SensorBench,
-    number_of_scene: int,
+    method: str, container: Container, light_e: NDArray[Any], bench: SensorBench, scene_number: int
 ) -> NDArray[np.float64]:
     """Return the reconstruction of a scene's light, in electrons in each of its frames."""
     light = Light.of_clip(light_e.astype(np.float32))
     seed = bench.settings.seed
     request = Request.of(
-        effects=bench.settings.effects, seed=1000 * seed + number_of_scene, device_seed=seed
+        effects=bench.settings.effects, seed=1000 * seed + scene_number, device_seed=seed
     )
     coded = exposed_frame(container, light, bench.sensor, request)
     if method == "coded":
         return np.asarray(decoded_clip(coded.clip().tensors())[0].numpy(), np.float64)
-    return _shown(coded)
-
-
-def _shown(coded: CodedFrame) -> NDArray[np.float64]:
-    """Return a clip of the frames of a burst, each shown for as long as it was open."""
+    # Each frame of a burst is shown for as long as it was open.
     slots = coded.opened[0].sum(axis=-1)
-    light = coded.value_e / slots[:, None, None]
-    return np.repeat(np.asarray(light, np.float64), slots, axis=0)
+    shown = coded.value_e / slots[:, None, None]
+    return np.repeat(np.asarray(shown, np.float64), slots, axis=0)

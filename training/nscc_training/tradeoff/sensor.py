@@ -9,7 +9,6 @@ from functools import partial
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -33,10 +32,9 @@ from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
-from nscc_training.evaluation.captured import CapturedScene
 from nscc_training.evaluation.looks_rows import ROWS as LOOKING_ROWS
 from nscc_training.evaluation.looks_rows import SLOTS, looked_light, row_of
-from nscc_training.evaluation.methods import CLIPS, STILLS
+from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.programs import Chip, program_of
@@ -86,10 +84,8 @@ class SensorStudySettings:
 
 @dataclass(frozen=True)
 class Configuration:
-    """A shutter class with a number of slots, compiled in one way.
-
-    `exposures` is the number of exposures of a pixel that looks, else None. Programs of pixels that
-    look have one code and one lowering."""
+    """A shutter class with a number of slots, or of `exposures` of pixels that look, compiled in
+    one way."""
 
     kind: Kind
     shutters: str
@@ -157,21 +153,33 @@ def measure(
         kind: SensorBench.of(kind, target, settings)
         for kind in {configuration.kind for configuration in todo}
     }
+    measures = (
+        (
+            f"{asked.kind}, {asked.method}, {asked.slots}",
+            partial(_measured, asked, benches[asked.kind]),
+        )
+        for asked in progress(todo)
+    )
+    return SensorStudyResult(*points_of(measures, rows), target.name)
+
+
+def points_of(
+    measures: Iterable[tuple[str, Callable[[], Point | Refused]]], rows: Rows | None
+) -> tuple[tuple[Point, ...], tuple[Refused, ...]]:
+    """Return the points and refused settings of measurements; those in `rows` are reused."""
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
-    for configuration in progress(todo):
-        name = f"{configuration.kind}, {configuration.method}, {configuration.slots}"
-        row = rows.once(name, partial(_row, configuration, benches[configuration.kind]))
+    for name, measured in measures:
+        row = rows.once(name, lambda measured=measured: asdict(measured()))  # type: ignore[misc]
         if "code" in row:
             refused.append(Refused(**row))
         else:
             points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
-    return SensorStudyResult(tuple(points), tuple(refused), target.name)
+    return tuple(points), tuple(refused)
 
 
-def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
-    """Return the fields of a configuration's Point, or of its Refused."""
+def _measured(configuration: Configuration, bench: SensorBench) -> Point | Refused:
     setting = f"{configuration.slots} slots"
     shutters = (
         _encoder(configuration, bench.settings)
@@ -180,33 +188,22 @@ def _row(configuration: Configuration, bench: SensorBench) -> dict[str, Any]:
     )
     compiled = compiled_for(configuration, shutters, bench)
     if isinstance(compiled, Diagnostic):
-        return asdict(
-            Refused(
-                configuration.kind, configuration.method, setting, compiled.code, compiled.message
-            )
+        return Refused(
+            configuration.kind, configuration.method, setting, compiled.code, compiled.message
         )
     assert compiled.container is not None
     words = f"{setting}, {compiled.container.words_per_frame} words"
     psnr_db, slot_ms = bench.psnr_db(compiled.container, shutters), compiled.shortest_slot_us / 1e3
-    return asdict(
-        Point(
-            configuration.kind,
-            configuration.method,
-            words,
-            psnr_db,
-            "psnr_db",
-            (slot_ms,),
-            more_is_better=True,
-        )
-    )
+    return Point(
+        configuration.kind, configuration.method, words, psnr_db, "psnr_db", (slot_ms,),
+        more_is_better=True,
+    )  # fmt: skip
 
 
 def compiled_for(
     configuration: Configuration, shutters: Encoder | LookSchedule, bench: SensorBench
 ) -> Compiled | Diagnostic:
-    """Return the configuration compiled for its capture slots, or the message if it does not fit.
-
-    Words depend on the slot length only through refresh, which shorter slots need less often."""
+    """Return the configuration compiled for its capture slots, or why it does not fit."""
     settings = bench.settings
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:
@@ -222,6 +219,7 @@ def compiled_for(
 
     if settings.slot_us is not None:
         return compiled(settings.slot_us)
+    # Words depend on the slot length only through refresh, which shorter slots need less often.
     longest_compiled = compiled(_LONG_US)
     if isinstance(longest_compiled, Diagnostic):
         return longest_compiled
@@ -268,8 +266,7 @@ class SensorBench:
         return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
     def schedule(self, configuration: Configuration) -> LookSchedule:
-        """Return the looks of a configuration: those of a method of hdr-v1, or designed for the
-        scenes."""
+        """Return looks: those of a method of hdr-v1, or designed for the scenes."""
         assert configuration.exposures is not None
         if configuration.shutters == "looks":
             return row_of(configuration.method, self.target)
