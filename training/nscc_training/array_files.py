@@ -162,7 +162,13 @@ def array_names(path: Path) -> list[str]:
 
 
 def real_array(path: Path, name: str) -> Floats:
-    """Return the array `name` of a file, or its only array, of finite real numbers."""
+    """Return the array `name` of a file, or its only array; all values are finite real numbers.
+
+    Raises
+    ------
+    Rejected
+        NS0845 for a file without such an array, or with other values.
+    """
     names, array = _named(path, name)
     if array is None:
         raise refused(path, f"the array `{name}` is missing", f"it holds {listed(sorted(names))}")
@@ -201,7 +207,13 @@ def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None
 
 
 def read_mask(path: Path) -> Floats:
-    """Return the array `mask` of a file, or its only one: three axes, values 0 to 1."""
+    """Return the array `mask` of a file, or its only array: three axes, values from 0 to 1.
+
+    Raises
+    ------
+    Rejected
+        NS0845 as for `real_array`, and for other shapes and values.
+    """
     mask = real_array(path, "mask")
     if mask.ndim != 3 or 0 in mask.shape:
         reason = f"`mask` has the shape {mask.shape}"

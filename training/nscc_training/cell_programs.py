@@ -32,13 +32,29 @@ def cell_files(
     cell: PixelCell, kernels_name: str | None, *, frame_us: float = 33_000.0,
     target: str | None = None, remark: str = "",
 ) -> CellFiles:  # fmt: skip
-    """Return the program of a cell; the same cell gives the same bytes.
+    """Return the program of a cell.
 
     The maximum of several counts exceeds a threshold if one of the counts does. The program
     therefore pools by dilating the bits of outputs (`any`), in steps of 3 x 3 pixels. The host uses
-    only the pixels in the middle of the squares (`cell_film`). `kernels_name` is the name of the
-    kernel file in the program's folder; None writes kernels into the text. `frame_us` is the
-    exposure time of a frame, `target` names the chip, `remark` is the first comment."""
+    only the pixels in the middle of the squares (`cell_film`).
+
+    Parameters
+    ----------
+    cell : PixelCell
+    kernels_name : str or None
+        Name of the kernel file in the program's folder; None writes kernels into the text.
+    frame_us : float
+        Exposure time of a frame in microseconds.
+    target : str, optional
+        Name of the chip, for the program's text.
+    remark : str
+        Comment at the start of the program.
+
+    Returns
+    -------
+    CellFiles
+        The same cell gives the same bytes.
+    """
     states, updates = (_numbered(name, cell.states) for name in ("h", "f"))
     outputs = _numbered("o", cell.outputs)
     gates, thresholds = [*updates, *outputs], cell.thresholds().tolist()
@@ -108,11 +124,27 @@ def cell_film(
     program: ShutterProgram, cell: PixelCell, exposure: NDArray[np.float32],
     planes: tuple[str, ...], *, effects: str = "none", seed: int = 0, device_seed: int = 0,
 ) -> NDArray[np.bool_]:  # fmt: skip
-    """Run the program of a cell in the emulator; return bits (frames, outputs, rows // pool, ..).
+    """Run the program of a cell in the emulator.
 
-    `exposure` (frames, rows, cols) is in full wells, `planes` are those of `CellFiles`. The bits
-    are those in the middles of the squares. Without effects they are those of `PixelCell.film`, if
-    `level` is a `level_on_chip`."""
+    Parameters
+    ----------
+    program : ShutterProgram
+    cell : PixelCell
+    exposure : array of float32
+        (frames, rows, cols), in full wells.
+    planes : tuple of str
+        The `planes` of `CellFiles`.
+    effects : str
+        As for `nscc_runtime.film`.
+    seed, device_seed : int
+        Seeds of the noise and of the device.
+
+    Returns
+    -------
+    array of bool
+        (frames, outputs, rows // pool, cols // pool): the bits in the middles of the squares.
+        Without effects they are those of `PixelCell.film`, if `level` is a `level_on_chip`.
+    """
     from nscc_runtime.filming import film
 
     full_e = np.float32(program.container.target.full_well_e)

@@ -23,10 +23,15 @@ MOST_KERNEL, MOST_STATES, MOST_OUTPUTS = 9, 2, 8
 
 @dataclass(frozen=True)
 class CellNoise:
-    """Noise of a cell's comparisons, for training: standard deviations.
+    """Noise of a cell's comparisons, for training.
 
-    `exposure` is that of an exposure with its level, in full wells; `count` that of a gate with its
-    threshold, in counts."""
+    Parameters
+    ----------
+    exposure : float
+        Standard deviation of the comparison of an exposure with its level, in full wells.
+    count : float
+        Standard deviation of the comparison of a gate with its threshold, in counts.
+    """
 
     exposure: float
     count: float

@@ -45,11 +45,25 @@ class ImportedMask:
 def import_mask(
     path: Path, codes_name: str, *, slot_us: float = 125.0, target: str = "scamp5"
 ) -> ImportedMask:
-    """Find the program of a mask, whose file of codes its text calls `codes_name`.
+    """Find the program of a mask.
 
-    The mask, (rows, cols, slots) or (slots, rows, cols), covers the whole array, or a tile that
-    repeats over it. Raises Rejected: NS0845 for a file without a mask, NS0847 for a mask that no
-    class represents."""
+    Parameters
+    ----------
+    path : Path
+        A .npy, .npz or .mat file of `mask`, (rows, cols, slots) or (slots, rows, cols), of 0 and 1.
+        It covers the whole array, or a tile that repeats over it.
+    codes_name : str
+        The file name of the codes in the program's text.
+    slot_us : float
+        The length of a slot in microseconds.
+    target : str
+        The chip, a name or a file.
+
+    Raises
+    ------
+    Rejected
+        NS0845 for a file without a mask, NS0847 for a mask that no class represents.
+    """
     chip = Chip(target, slot_us)
     table = load_target(target, Path())
     array = (table.rows, table.cols)
@@ -109,8 +123,11 @@ def read_binary_mask(path: Path) -> Floats:
 def codes_of_mask(path: Path, container: Container) -> Codes:
     """Return the codes of all pixels, by field, with which a program opens the shutters of a mask.
 
-    Raises Rejected: NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does
-    not have."""
+    Raises
+    ------
+    Rejected
+        NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not have.
+    """
     target, table = container.target, container.table
     mask = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
     known = {row.tobytes(): code for code, row in reversed([*enumerate(

@@ -78,12 +78,28 @@ _MOST_PIXELS = 1 << 16
 
 
 def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
-    """Return the cell whose forward pass an ONNX file contains; `path` is the name in messages.
+    """Return the cell whose forward pass an ONNX file contains.
 
     The graph computes one frame: its inputs are the bits (1, 1, rows, cols) and the states (1,
     states, rows, cols) as +1 and -1, and its results are the outputs and the new states. The graph
-    must give the same bits as the cell for random frames. Raises Rejected (NS0851) for another
-    graph, with the name of the layer that is not part of a cell."""
+    must give the same bits as the cell for random frames.
+
+    Parameters
+    ----------
+    path : Path
+        The file that messages name.
+    data : bytes
+        Content of the file.
+
+    Returns
+    -------
+    PixelCell
+
+    Raises
+    ------
+    Rejected
+        NS0851 for another graph, with the name of the layer that is not part of a cell.
+    """
     import onnx
 
     try:

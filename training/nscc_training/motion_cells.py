@@ -92,11 +92,16 @@ class LinearDecoder:
 class MotionCell:
     """A trained cell, its program, its decoder `tuned`, and accuracies on test films.
 
-    `accuracies` are fractions of correct directions. `real`: real weights and tanh. `binary`: the
-    cell in torch without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects,
-    with the decoder of `binary`. `effects`: emulated with every effect, with the decoder of
-    `noisy`. `tuned`: as `effects`, but with a decoder that was fitted to emulated films. In
-    `different_bits` of the test films `exact` differs from `binary`."""
+    Attributes
+    ----------
+    accuracies : dict
+        Fractions of correct directions. `real`: real weights and tanh. `binary`: the cell in torch
+        without noise. `noisy`: in torch with `noise`. `exact`: emulated without effects, with the
+        decoder of `binary`. `effects`: emulated with every effect, with the decoder of `noisy`.
+        `tuned`: as `effects`, but with a decoder that was fitted to emulated films.
+    different_bits : int
+        Number of bits of the test films in which `exact` differs from `binary`.
+    """
 
     cell: PixelCell
     program: ShutterProgram

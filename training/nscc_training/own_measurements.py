@@ -74,11 +74,21 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
 
 
 def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
-    """Read `meas` of a file and `mask` of the same file or of `mask_path`.
+    """Read `meas` of a file and `mask` of the same or another file.
 
-    `meas` is (rows, cols), (rows, cols, K) or (K, rows, cols), the mask (rows, cols, slots) or
-    (slots, rows, cols). Raises Rejected (NS0845) for arrays that are missing, do not fit each
-    other, or hold other values."""
+    Parameters
+    ----------
+    path : Path
+        A .mat (of any version), .npz or .npy file. `meas` is (rows, cols), (rows, cols, K) or
+        (K, rows, cols).
+    mask_path : Path, optional
+        The file of the mask, (rows, cols, slots) or (slots, rows, cols).
+
+    Raises
+    ------
+    Rejected
+        NS0845 for arrays that are missing, do not fit each other, or hold other values.
+    """
     if mask_path is None and (path.suffix.lower() == ".npy" or "mask" not in array_names(path)):
         raise refused(path, "the array `mask` is missing", "name the file of the mask: --mask MASK")
     mask, values = read_mask(mask_path or path), real_array(path, "meas")

@@ -31,10 +31,20 @@ _WHITE = 0.999
 class Batch:
     """Patches of light, and the truth to reconstruct.
 
-    `light`: stills (batch, rows, cols) in electrons over the frame, clips (batch, N, rows, cols) in
-    electrons per slot. `truth` is `light` over a full well, or over a full well / N, as decoders
-    return it. `peak` (batch,) is the truth that metrics and losses count as 1. `names` are the
-    scenes and places of the patches. `classes` (batch, classes) is 1 for the class of a patch."""
+    Attributes
+    ----------
+    light : Tensor
+        Stills (batch, rows, cols) in electrons over the frame; clips (batch, N, rows, cols) in
+        electrons per slot.
+    truth : Tensor
+        `light` over a full well, or over a full well / N, as decoders return it.
+    peak : Tensor
+        (batch,): the truth that metrics and losses count as 1.
+    names : tuple of str
+        The scenes and places of the patches.
+    classes : Tensor, optional
+        (batch, classes): 1 for the class of a patch, else 0.
+    """
 
     light: Tensor
     truth: Tensor

@@ -20,12 +20,30 @@ _PARTS = 24
 
 
 def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
-    """Build a decoder of `DECODERS` or `added_decoders`, or the user's own `module:name`.
+    """Build a decoder.
 
+    Parameters
+    ----------
+    name : str
+        A name of `DECODERS` or `added_decoders`, or `module:name` of the user's own code.
+    size : str
+        One of `SIZES`.
+    task : DecoderTask
+    width : float
+        Factor on the channels of all layers.
+
+    Raises
+    ------
+    ValueError
+        If the decoder does not support the task, or no decoder of this size exists for it.
+    Rejected
+        NS0822 if the user's code fails, now or when it decodes.
+
+    Notes
+    -----
     The user's own code is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..), with
-    buckets=2 for two buckets, and classes=COUNT for classes. `width` is a factor on the channels of
-    all layers. Raises ValueError if the decoder does not support the task, or has no such size, and
-    Rejected (NS0822) if the user's code fails, now or when it decodes."""
+    buckets=2 for two buckets, and classes=COUNT for classes.
+    """
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
         known = (*DECODERS, *added_decoders())

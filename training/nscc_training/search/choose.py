@@ -52,12 +52,26 @@ def design_motion(
     kind: Kind, scenes: Sequence[NDArray[np.floating]] = (), frame: Frame | None = None,
     most_words: float = 4.0,
 ) -> MotionDesign:  # fmt: skip
-    """Design shutters for moving light: bumps in a 4 x 4 tile or, for 16 slots, searched bits.
+    """Design shutters for moving light.
 
-    For the `kind` "scene" the speed of the light is measured in `scenes`, light in electrons
-    (intervals, rows, cols) with at most N intervals. Codes with more than `most_words` per slot are
-    skipped. Raises Rejected (NS0843) if no code is left, or for "scene" without scenes; otherwise
-    the compiler's errors."""
+    The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits.
+
+    Parameters
+    ----------
+    kind : {"slow", "fast", "scene"}
+        The speed of the light; "scene" measures it in `scenes`.
+    scenes : sequence of array
+        Light in electrons, (intervals, rows, cols), with at most N intervals.
+    frame : Frame, optional
+        16 slots by default.
+    most_words : float
+        Codes with more words per slot are skipped.
+
+    Raises
+    ------
+    Rejected
+        NS0843 if no code is left, or for "scene" without scenes; otherwise the compiler's errors.
+    """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
         raise rejected("NS0843", "there is no scene to measure the motion of",

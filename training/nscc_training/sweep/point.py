@@ -40,12 +40,24 @@ class Place:
 class PointKind:
     """A kind of point.
 
-    `takes` returns the keys of a part of a grid. `compute` returns the results of a point; it
-    raises Rejected with the reason if there are none. `drawn` are results for diagrams; the first
-    of them in the table is drawn by default. `reads` returns the files and folders whose content
-    the result depends on. `fault` returns the error in a combination of values, given the keys that
-    the grid names. `packages` of nscc and other `distributions` compute the point. `leaves` is the
-    ending of the file or folder that a point writes at `Place.files`."""
+    Attributes
+    ----------
+    name, summary : str
+    takes : callable
+        Returns the keys of a part of a grid.
+    compute : callable
+        Returns the results of a point; raises Rejected with the reason if it has none.
+    drawn : tuple of str
+        Results for diagrams; the first of them in the table is drawn by default.
+    reads : callable
+        Returns the files and folders whose content the result depends on.
+    fault : callable
+        Returns the error in a combination of values, given the keys that the grid names.
+    packages, distributions : tuple of str
+        Packages of nscc and other distributions that compute the point.
+    leaves : str or None
+        The ending of the file or folder that a point writes at `Place.files`.
+    """
 
     name: str
     summary: str
