@@ -6,7 +6,7 @@ import platform
 import warnings
 from collections.abc import Iterator
 from contextlib import redirect_stderr
-from importlib import import_module, metadata
+from importlib import import_module
 from io import StringIO
 from pathlib import Path
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from typing import NamedTuple
 from nscc.cache.store import MOST_BYTES, Store, cache_folder
 from nscc.chips.load import load_target, target_names
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.requirements import extras, install_line, module_of
+from nscc.requirements import extras, install_line, installed_version, module_of
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.version import __version__
@@ -42,7 +42,7 @@ def findings() -> Iterator[Finding]:
     # The required packages and those of every extra.
     of = extras()
     for extra in sorted({*of.values()}.difference(_OWN_WORK)):
-        version_of = {name: _version(name) for name in sorted(of) if of[name] == extra}
+        version_of = {name: installed_version(name) for name in sorted(of) if of[name] == extra}
         label = f"[{extra}] " if extra else ""
         missing = [name for name, version in version_of.items() if not version]
         broken = {
@@ -64,13 +64,6 @@ def findings() -> Iterator[Finding]:
     yield Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
     yield _targets()
     yield _cache()
-
-
-def _version(distribution: str) -> str:
-    try:
-        return metadata.version(distribution)
-    except metadata.PackageNotFoundError:
-        return ""
 
 
 def _import_error(distribution: str) -> str:
