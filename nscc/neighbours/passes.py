@@ -76,11 +76,12 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    synthesis = Synthesis(STEPS_OF_LEVEL[level], container.target.news_read_keeps)
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for way in (pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())):
         try:
-            lowering = _lowered(container, way, level)
+            lowering = _lowered(container, way, synthesis)
         except PictureRefused as error:
             refused = refused or error
             continue
@@ -92,11 +93,10 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     return best
 
 
-def _lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
+def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
     """Lower images and planes in their order. A walk counts as many images as the registers
     allow."""
     for most_together in range(MOST_IMAGES, 0, -1):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], container.target.news_read_keeps)
         lowering = Lowering(pictures, container, synthesis)
         lowering.most_together = most_together
         try:

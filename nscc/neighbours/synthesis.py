@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from math import gcd, sqrt
 
 from nscc.neighbours.addition import additions, halvings_of
@@ -77,10 +77,11 @@ class Ranged:
 
 
 class Synthesis:
-    """Finds programs for kernels; decomposes at most `steps` kernels in all."""
+    """Finds programs for kernels; decomposes at most `steps` kernels to find the programs of one."""
 
     def __init__(self, steps: int, news_keeps: bool = True) -> None:
-        self.steps, self.news_keeps = steps, news_keeps
+        self.most_steps, self.news_keeps = steps, news_keeps
+        self.steps = 0
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[_Key, list[Ranged]] = {}
 
@@ -88,6 +89,7 @@ class Synthesis:
         """Return programs for a kernel, the shortest first; each is proved to compute it."""
         key = frozenset(taps.items())
         if key not in self._variants:
+            self.steps = self.most_steps
             programs = self._proved(taps)
             self._variants[key] = sorted(programs, key=lambda ranged: len(ranged.program))
         return self._variants[key]
@@ -133,7 +135,7 @@ class Synthesis:
             for first in self._programs_of_part(row, depth - 1):
                 for second in self._programs_of_part(column, depth - 1):
                     yield chained(first, second)
-        for factor in factors():
+        for factor in factors_within(_box(taps)[1]):
             quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for remaining in self._programs(quotient, depth - 1):
@@ -143,7 +145,7 @@ class Synthesis:
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
         found = [ranged.program for ranged in self._programs(taps, depth)]
-        return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
+        return found or [_addition(frozenset(taps.items()))]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
         """Yield programs whose last word adds a multiple of the pixel itself.
@@ -180,6 +182,11 @@ class Synthesis:
                 if middle % count == 0:
                     for second in self._programs_of_part({(0, 0): middle // count}, depth - 2):
                         yield _woven(first.program, second, places[:count])
+
+
+@lru_cache(maxsize=1 << 12)
+def _addition(key: _Key) -> Program:
+    return additions(dict(key), beam=_BEAM_OF_PARTS)[0]
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
@@ -245,18 +252,19 @@ class Factor:
     """A kernel of at least two weights that may divide other kernels, with its program.
 
     `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row."""
+    rows, minus 1. `corner`: the smallest column and row. `total`: the sum of the weights."""
 
     taps: Taps
     program: Program
     lead: Offset
     size: Offset
     corner: Offset
+    total: int
 
     @classmethod
     def of(cls, taps: Taps, program: Program) -> Factor:
         corner, size = _box(taps)
-        return cls(taps, program, max(taps), size, corner)
+        return cls(taps, program, max(taps), size, corner, sum(taps.values()))
 
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
@@ -272,12 +280,21 @@ def factors() -> tuple[Factor, ...]:
     return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
 
 
+@cache
+def factors_within(size: Offset) -> tuple[Factor, ...]:
+    """Return the factors with at most as many columns and rows as a kernel of this size."""
+    return tuple(f for f in factors() if f.size[0] <= size[0] and f.size[1] <= size[1])
+
+
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None."""
+    """Return the kernel whose product with `factor` is `taps`, or None.
+
+    `factor` has at most as many columns and rows as `taps`."""
+    total = sum(taps.values())
+    if total * UNIT % factor.total if factor.total else total:
+        return None
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
-    if width < 0 or height < 0:
-        return None
     first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]
     dividend, quotient = dict(taps), {}
@@ -304,17 +321,20 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
 
 
 def _ranged(program: Program) -> Ranged:
-    peak = Fraction(1)
-    for taps in values_of(program):
-        peak = max(peak, *gains(taps))
-    return Ranged(program, peak)
+    peak = max((max(_weights_by_sign(taps)) for taps in values_of(program)), default=UNIT)
+    return Ranged(program, Fraction(max(peak, UNIT), UNIT))
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
     """Return the sum of the positive weights of a kernel, and of its negated negative weights."""
-    added_weight = sum(weight for weight in taps.values() if weight > 0)
-    subtracted = sum(-weight for weight in taps.values() if weight < 0)
+    added_weight, subtracted = _weights_by_sign(taps)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
+
+
+def _weights_by_sign(taps: Taps) -> tuple[int, int]:
+    total = sum(taps.values())
+    added_weight = sum(weight for weight in taps.values() if weight > 0)
+    return added_weight, added_weight - total
 
 
 def _best(candidates: list[Ranged]) -> list[Ranged]:
