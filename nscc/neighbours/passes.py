@@ -15,6 +15,7 @@ from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
+from nscc.neighbours.table import Forms
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
@@ -76,7 +77,7 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], container.target.news_read_keeps)
+    synthesis = Synthesis(STEPS_OF_LEVEL[level], Forms.of(container.target))
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for way in (pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())):

@@ -32,13 +32,15 @@ from nscc.neighbours.programs import (
     turned_taps,
     values_of,
 )
-from nscc.neighbours.table import ROWS
+from nscc.neighbours.table import ROWS, Forms
 from nscc.operations import NEIGHBOURS, STEPS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
+_MOST_HALVED = 2
+"""Most sources of a word that halves."""
 _MOST_ADDED = 12
 """Kernels of more weights are added one by one only if there is no other program."""
 
@@ -46,18 +48,19 @@ _BEAM_OF_PARTS = 20
 _LEAST_WOVEN = 5
 """Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 
+_NEWS = {"NEWS", *NEIGHBOURS}
 _Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
 _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 @cache
-def rows() -> dict[_Key, Program]:
+def rows(forms: Forms) -> dict[_Key, Program]:
     """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
     shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
-            program = program_from_text(line)
+            program = forms.allowed(program_from_text(line))
             taps = kernel_of(program)
             for turn in TURNS:
                 key = frozenset(turned_taps(taps, turn).items())
@@ -79,8 +82,8 @@ class Ranged:
 class Synthesis:
     """Finds programs for kernels; decomposes at most `steps` kernels to find the programs of one."""
 
-    def __init__(self, steps: int, news_keeps: bool = True) -> None:
-        self.most_steps, self.news_keeps = steps, news_keeps
+    def __init__(self, steps: int, forms: Forms) -> None:
+        self.most_steps, self.forms = steps, forms
         self.steps = 0
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[_Key, list[Ranged]] = {}
@@ -96,10 +99,10 @@ class Synthesis:
 
     def _proved(self, taps: Taps) -> list[Ranged]:
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
-        if not self.news_keeps:
+        if not self.forms.news_keeps:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED or not candidates:
-            candidates += additions(taps, self.news_keeps)
+            candidates += additions(taps, self.forms)
         assert all(kernel_of(program) == dict(taps) for program in candidates)
         return [_ranged(program) for program in candidates]
 
@@ -114,14 +117,16 @@ class Synthesis:
             return known
         self.steps -= 1
         self._known[key] = depth, known
-        candidates = [_ranged(program) for program in self._candidates(taps, key, depth)]
+        candidates = [
+            _ranged(self.forms.allowed(program)) for program in self._candidates(taps, key, depth)
+        ]
         best = _best([*known, *candidates])
         self._known[key] = depth, best
         return best
 
     def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
-        if key in rows():
-            yield rows()[key]
+        if key in rows(self.forms):
+            yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:
             yield _NEGATE
             return
@@ -131,11 +136,17 @@ class Synthesis:
                 yield chained(_HALVE, remaining.program)
                 if remaining.program:
                     yield chained(remaining.program, _HALVE)
+            for remaining in self._programs(added((2, taps)), depth - 1):
+                yield from _with_last_halved(remaining.program)
         for row, column in separated(taps):
             for first in self._programs_of_part(row, depth - 1):
                 for second in self._programs_of_part(column, depth - 1):
                     yield chained(first, second)
-        for factor in factors_within(_box(taps)[1]):
+            for line, across in ((row, column), (column, row)):
+                first = rows(self.forms).get(frozenset(added((-1, line)).items()), ())
+                for second in self._programs_of_part(across, depth - 1):
+                    yield from _joined(first, second)
+        for factor in factors_within(self.forms, _box(taps)[1]):
             quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for remaining in self._programs(quotient, depth - 1):
@@ -145,7 +156,7 @@ class Synthesis:
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
         found = [ranged.program for ranged in self._programs(taps, depth)]
-        return found or [_addition(frozenset(taps.items()))]
+        return found or [_addition(frozenset(taps.items()), self.forms)]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
         """Yield programs whose last word adds a multiple of the pixel itself.
@@ -177,7 +188,7 @@ class Synthesis:
             return
         around = {at: weight for at, weight in taps.items() if at != (0, 0)}
         for first in self._programs(around, depth - 2):
-            places = _places_to_add(first.program)
+            places = _places_to_add(first.program, self.forms.sources)
             for count in range(1, len(places) + 1):
                 if middle % count == 0:
                     for second in self._programs_of_part({(0, 0): middle // count}, depth - 2):
@@ -185,8 +196,8 @@ class Synthesis:
 
 
 @lru_cache(maxsize=1 << 12)
-def _addition(key: _Key) -> Program:
-    return additions(dict(key), beam=_BEAM_OF_PARTS)[0]
+def _addition(key: _Key, forms: Forms) -> Program:
+    return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
@@ -213,6 +224,30 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
             )
 
 
+def _with_last_halved(program: Program) -> Iterator[Program]:
+    """Yield the program whose last word also halves the result, if the word has few sources."""
+    if program and not program[-1].halves and len(program[-1].sources) <= _MOST_HALVED:
+        last = program[-1]
+        yield (*program[:-1], BusWord((*last.destinations, "h_"), last.sources))
+
+
+def _joined(first: Program, second: Program) -> Iterator[Program]:
+    """Yield the program that applies `second` to the negated result of `first`.
+
+    The last word of `first` is left out: its sources replace the input of `second`."""
+    if not first or first[-1].halves or not _NEWS.isdisjoint(first[-1].sources):
+        return
+    start, b = renamed(first[:-1], {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
+    inputs = renamed(first[-1:], {"x": "x"}, "a")[0].sources
+    words = [*start]
+    for word in b:
+        sources = tuple(name for source in word.sources for name in (inputs if source == "x" else (source,)))
+        if len(sources) > (_MOST_HALVED if word.halves else 4):
+            return
+        words.append(BusWord(word.destinations, sources))
+    yield tuple(words)
+
+
 def _summed(first: Program, second: Program) -> Program:
     """Return both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
@@ -220,7 +255,7 @@ def _summed(first: Program, second: Program) -> Program:
     return (*a, *b, BusWord(("s",), tuple(results)))
 
 
-def _places_to_add(program: Program) -> list[int]:
+def _places_to_add(program: Program, directed_sources: int) -> list[int]:
     """Return the words with room for a source whose results are read by the last word alone.
 
     NEWS is left out: it is written several times, and neighbours read it."""
@@ -229,10 +264,10 @@ def _places_to_add(program: Program) -> list[int]:
         number
         for number, word in enumerate(program[:-1])
         if not (word.halves or program[-1].halves)
-        and word.destinations[0] != "NEWS"
+        and word.destinations[0] not in _NEWS
         and word.destinations[0] in program[-1].sources
         and read.count(word.destinations[0]) == 1
-        and len(word.sources) < (2 if NEIGHBOURS.keys() & word.sources else 4)
+        and len(word.sources) < (directed_sources if NEIGHBOURS.keys() & word.sources else 4)
     ]
 
 
@@ -275,15 +310,16 @@ def _box(taps: Taps) -> tuple[Offset, Offset]:
 
 
 @cache
-def factors() -> tuple[Factor, ...]:
+def factors(forms: Forms) -> tuple[Factor, ...]:
     """Return the kernels of the table that have at least two weights."""
-    return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
+    programs = rows(forms).items()
+    return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
 
 
 @cache
-def factors_within(size: Offset) -> tuple[Factor, ...]:
+def factors_within(forms: Forms, size: Offset) -> tuple[Factor, ...]:
     """Return the factors with at most as many columns and rows as a kernel of this size."""
-    return tuple(f for f in factors() if f.size[0] <= size[0] and f.size[1] <= size[1])
+    return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
 
 
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:

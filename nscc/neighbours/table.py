@@ -5,6 +5,52 @@ kernel: `kernel_of` computes it from the words."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from nscc.chips.target import Target
+from nscc.neighbours.programs import BusWord, Program
+from nscc.operations import NEIGHBOURS
+
+
+@dataclass(frozen=True)
+class Forms:
+    """The words with neighbours that a chip allows.
+
+    `sources`: most sources of a word that reads or writes a neighbour. `halving`: whether a word
+    that reads a neighbour may halve. `news_keeps`: whether NEWS keeps its value when a neighbour
+    reads it."""
+
+    sources: int = 2
+    halving: bool = False
+    news_keeps: bool = True
+
+    @classmethod
+    def of(cls, target: Target) -> Forms:
+        return cls(target.directed_sources, target.directed_halving, target.news_read_keeps)
+
+    def allow(self, word: BusWord) -> bool:
+        if NEIGHBOURS.keys().isdisjoint((*word.sources, *word.destinations)):
+            return True
+        return len(word.sources) <= self.sources and (self.halving or not word.halves)
+
+    def allowed(self, program: Program) -> Program:
+        """Return an equal program of words that the chip allows.
+
+        Two more words copy what a word may not read from a neighbour, or write to one, at once."""
+        words: list[BusWord] = []
+        for number, word in enumerate(program):
+            if self.allow(word):
+                words.append(word)
+                continue
+            inverted, copy = f"{number}i", f"{number}c"
+            far = tuple(name for name in word.sources if name in NEIGHBOURS)
+            near = tuple(name for name in word.sources if far and name not in NEIGHBOURS)
+            words.append(BusWord((inverted,), far or word.sources))
+            words.append(BusWord((copy,), (inverted,)))
+            words.append(BusWord(word.destinations, (*near, copy)))
+        return tuple(words)
+
+
 ROWS = """
 n=x a=x b=n,a
 n=x a=n b=x,a
@@ -22,6 +68,9 @@ n=x a=E b=x,a c=b,W
 W=x a2=x,n bn=x,a c=b,W
 n=x a=E b=x,W c=a,b,n
 n=x a=E b=W c=x,a,b d=c,n
+n=x a=E b=W c=x,a,b
+n=x a=N bn=x,a c2=b,E d2=b,W en=c,d f2=e,S
+n=x a=N b=S n=x,a,b c=E d=x,a,b,c e=d,W
 n=x a=E b=x,a n=x,a c=b,S
 n=x a=N b=S n=x,a,b c=E d=c,W
 n=x a=N b=x c=b,S n=x,a,c d=E e=d,W
